@@ -1,0 +1,130 @@
+# check=error=true;skip=InvalidDefaultArgInFrom
+#
+# One file for every image. docker-bake.hcl (generated from matrix.yaml) names the stage of each target and wires
+# the named contexts:
+#
+#   os ─► base ─► ros (core) ─► ros (base) ─► …            each `ros` is FROM the component below it: context `parent`
+#                                  │
+#   os ─► assembler ─► payload-files ─► payload           one per part, stack, Python and architecture
+#                                  │
+#              ros + cuda + common + torch + tensorflow   joined with COPY --link: nothing runs after the join
+#                                  │
+#                                image ─► test            structure tests on top of the finished image
+#
+# Contexts: os, parent, ros, part-cuda, part-common, part-torch, part-tensorflow, image, metadata.
+
+ARG ACCELERATOR=cpu
+
+# ---- ROS ------------------------------------------------------------------------------------------------------------
+FROM os AS base
+RUN --mount=type=bind,source=components/base,target=/run/components/base \
+    --mount=type=secret,id=ca-bundle \
+    /run/components/base/install.sh
+COPY --chmod=755 components/base/entrypoint.sh /entrypoint.sh
+ENV LANG=C.utf8 \
+    PYTHONIOENCODING=utf-8 \
+    WORKSPACE=/docker-ros/ws \
+    DOCKER_USER=dockeruser \
+    DOCKER_UID= \
+    DOCKER_GID= \
+    NVIDIA_VISIBLE_DEVICES=all \
+    NVIDIA_DRIVER_CAPABILITIES=all
+WORKDIR /docker-ros/ws
+ENTRYPOINT ["/tini", "--", "/entrypoint.sh"]
+CMD ["bash"]
+
+FROM parent AS ros
+ARG ROS_PACKAGES ROS_TOOLS
+RUN --mount=type=bind,source=components/base,target=/run/components/base \
+    --mount=type=bind,source=components/ros,target=/run/components/ros \
+    --mount=type=secret,id=ca-bundle \
+    /run/components/ros/install.sh
+ARG ROS_DISTRO ROS_VERSION
+ENV ROS_DISTRO=${ROS_DISTRO} \
+    ROS_VERSION=${ROS_VERSION}
+
+# ---- ML payloads ----------------------------------------------------------------------------------------------------
+# Runs on the builder's own architecture and assembles for any: no emulation.
+FROM --platform=${BUILDPLATFORM} os AS assembler
+ARG BUILDARCH
+RUN --mount=type=bind,source=components/base,target=/run/components/base \
+    --mount=type=bind,source=components/payload,target=/run/components/payload \
+    --mount=type=bind,source=tools/requirements.txt,target=/run/requirements.txt \
+    --mount=type=secret,id=ca-bundle \
+    /run/components/payload/install-assembler.sh
+ENV PATH=/opt/uv/bin:${PATH}
+
+FROM assembler AS payload-files
+ARG PART STACK PYTHON ACCELERATOR TARGETARCH
+COPY locks/${STACK}/${TARGETARCH}/${PYTHON}/${PART}.txt /lock.txt
+RUN --mount=type=bind,source=components/base,target=/run/components/base \
+    --mount=type=bind,source=components/payload,target=/run/components/payload \
+    --mount=type=bind,source=components/${PART},target=/run/components/part \
+    --mount=type=secret,id=ca-bundle \
+    LOCK=/lock.txt /run/components/payload/assemble.sh
+
+# A payload as an image of its own: add it to any image of the same Python with
+# `COPY --link --from=<registry>/payload:torch-cu128-py311 / /`.
+FROM scratch AS payload
+COPY --link --from=payload-files /out/ /
+
+# ---- Images: a ROS image and payloads, joined -----------------------------------------------------------------------
+# *_ROOT: where a part's files are in its context: /out/ where it was assembled here, / where it is a published payload.
+FROM ros AS join-cpu
+
+FROM ros AS join-cuda
+ARG CUDA_ROOT=/out/
+COPY --link --from=part-cuda ${CUDA_ROOT} /
+ARG CUDA_VERSION CUDNN_VERSION
+ENV CUDA_VERSION=${CUDA_VERSION} \
+    CUDNN_VERSION=${CUDNN_VERSION}
+
+FROM join-cuda AS cuda
+
+FROM join-${ACCELERATOR} AS join-common
+ARG COMMON_ROOT=/out/
+COPY --link --from=part-common ${COMMON_ROOT} /
+
+FROM join-common AS torch
+ARG TORCH_ROOT=/out/
+COPY --link --from=part-torch ${TORCH_ROOT} /
+ARG TORCH_VERSION
+ENV TORCH_VERSION=${TORCH_VERSION}
+
+FROM join-common AS tensorflow
+ARG TENSORFLOW_ROOT=/out/
+COPY --link --from=part-tensorflow ${TENSORFLOW_ROOT} /
+ARG TENSORFLOW_VERSION
+ENV TENSORFLOW_VERSION=${TENSORFLOW_VERSION}
+
+FROM torch AS ml
+ARG TENSORFLOW_ROOT=/out/
+COPY --link --from=part-tensorflow ${TENSORFLOW_ROOT} /
+ARG TENSORFLOW_VERSION
+ENV TENSORFLOW_VERSION=${TENSORFLOW_VERSION}
+
+# ---- Structure tests, inside the build: no daemon, no export, no unpacking ------------------------------------------
+FROM --platform=${BUILDPLATFORM} assembler AS structure-test
+RUN --mount=type=bind,source=components/base,target=/run/components/base \
+    --mount=type=bind,source=tools/structure-test.txt,target=/run/requirements.txt \
+    --mount=type=secret,id=ca-bundle \
+    bash -c 'source /run/components/base/network.sh && \
+      uv pip install --no-deps --require-hashes --no-cache --target /out --requirement /run/requirements.txt'
+
+# The image's config as the registry holds it, for the tests of labels and entrypoint. Empty unless the caller has it.
+FROM scratch AS metadata
+
+FROM image AS test-run
+ARG TESTS EXPECT TEST_ATTEMPT=0
+RUN --mount=type=bind,from=structure-test,source=/out,target=/run/structure-test \
+    --mount=type=bind,from=metadata,target=/run/metadata \
+    --mount=type=bind,source=tests/structure,target=/run/tests \
+    /run/tests/run.sh /structure-report
+
+# The report, whatever it says; `make image` reads it.
+FROM scratch AS test-report
+COPY --from=test-run /structure-report/ /
+
+# Fails when a structure test failed: what `docker buildx bake <target>-test` builds.
+FROM test-run AS test
+RUN test ! -e /structure-report/failed || { cat /structure-report/failed; exit 1; }

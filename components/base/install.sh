@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Essentials that every image has (shared/CONTRACT: "Present"), whatever its ROS distribution.
+set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=components/base/network.sh
+source "$here/network.sh"
+
+packages=(
+  # shell and editing
+  bash-completion less nano vim wget curl ca-certificates openssl gnupg xz-utils
+  # users, processes, locale and time zone
+  sudo gosu tini locales tzdata lsb-release procps
+  # build tools
+  build-essential cmake gdb git git-lfs pkg-config ninja-build
+  # Python; what PyTorch and TensorFlow need of setuptools, packaging, six and wheel is the distribution's own,
+  # so that ROS's tools keep the versions they were tested with (matrix.yaml: provides)
+  python3 python3-dev python3-pip python3-venv python-is-python3
+  python3-setuptools python3-packaging python3-six python3-wheel python3-yaml
+  # python3-nacl (of rospy's dependencies) declares it for pip, Debian does not install it: `pip check` would complain
+  python3-cffi
+  # a window for first experiments with X forwarding
+  x11-apps
+)
+apt-get update
+apt-get install --yes "${packages[@]}"
+
+# /tini is where users of the predecessor expect it.
+ln -s /usr/bin/tini /tini
+
+# uid 1000 belongs to the user that the entrypoint creates; Ubuntu 24.04 and later ship a user `ubuntu` there.
+if owner=$(getent passwd 1000); then userdel --remove "${owner%%:*}"; fi
+
+mkdir -p /docker-ros/ws
+
+"$here/clean.sh"

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# NVIDIA's libraries, in a place that no Python version owns, linked into a default library path: the loader and the
+# linker find them without ldconfig, so nothing has to run after the payload is joined to an image.
+set -euo pipefail
+
+libraries=$out/usr/lib/$triplet
+# Every package brings a nvidia/__init__.py or none; with none it is a namespace package, which other wheels join.
+rm -f "$out$site/nvidia/__init__.py"
+
+while IFS= read -r library; do
+  name=$(basename "$library")
+  if [[ -e $libraries/$name ]]; then echo "cuda: two packages bring $name" >&2 && exit 1; fi
+  ln -s "${library#"$out"}" "$libraries/$name"
+  # the name that `-lcudart` asks for
+  plain=${name%%.so*}.so
+  [[ -e $libraries/$plain || -L $libraries/$plain ]] || ln -s "$name" "$libraries/$plain"
+done < <(find "$out$site/nvidia" -path '*/lib/*.so*' -type f | sort)
