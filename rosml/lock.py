@@ -1,0 +1,190 @@
+"""Hash-pinned locks: resolve a stack once, split the result into payload parts.
+
+A stack is resolved as a whole, so that PyTorch, TensorFlow, CUDA and numpy agree, and written as one requirements file
+per part. What a part holds follows from the dependency graph alone:
+
+* ``cuda``        NVIDIA's libraries (they do not depend on the Python version)
+* ``common``      numpy, and what both frameworks need
+* ``torch``       what only PyTorch needs
+* ``tensorflow``  what only TensorFlow needs
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rosml.errors import RosmlError
+
+ANY_PYTHON = "any"
+"""Name used in place of a Python version for parts that are the same for all of them."""
+
+_PIN = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==(?P<version>[^\s;\\]+)")
+
+
+@dataclass(frozen=True)
+class Request:
+    """What to resolve: one stack for one Python version on one architecture.
+
+    Attributes:
+        stack: name of the stack, e.g. ``cu128``.
+        architecture: ``amd64`` or ``arm64``.
+        python: version of the interpreter, e.g. ``3.11``.
+        wheels: uv's name of the wheel platform, e.g. ``x86_64-manylinux_2_28``.
+        roots: requirement of each framework, e.g. ``{"torch": "torch==2.10.0"}``.
+        numpy: version specifier that keeps the ABI of the operating system's own numpy, e.g. ``<2``.
+        constraints: further requirements of the stack.
+        provided: packages the operating system has and the payload must not carry, with their versions.
+    """
+
+    stack: str
+    architecture: str
+    python: str
+    wheels: str
+    roots: Mapping[str, str]
+    numpy: str
+    constraints: tuple[str, ...] = ()
+    provided: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Pin:
+    """One locked package: its version, the hashes of its files, and the packages that asked for it."""
+
+    name: str
+    version: str
+    hashes: tuple[str, ...]
+    wanted_by: frozenset[str]
+
+
+def lock_path(stack: str, architecture: str, python: str, part: str) -> Path:
+    """Place of a part's lock, relative to the project's root."""
+    return Path("locks") / stack / architecture / python / f"{part}.txt"
+
+
+def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: str = "") -> list[Pin]:
+    """Resolves a request with ``uv pip compile``.
+
+    Args:
+        request: what to resolve.
+        uv: the command to run.
+        upgrade: take the newest versions that fit; otherwise keep those of ``previous`` where they still fit.
+        previous: requirements of an earlier lock.
+
+    Raises:
+        RosmlError: uv is missing, an index does not answer, or the requirements contradict each other.
+    """
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        base = Path(folder)
+        (base / "in.txt").write_text("\n".join([*request.roots.values(), f"numpy{request.numpy}"]) + "\n")
+        (base / "constraints.txt").write_text("\n".join(request.constraints) + "\n")
+        (base / "provided.txt").write_text("\n".join(f"{n}=={v}" for n, v in sorted(request.provided.items())) + "\n")
+        output = base / "out.txt"
+        if previous and not upgrade:
+            output.write_text(previous)
+        command = [uv, "pip", "compile", "--quiet", "--generate-hashes", "--only-binary", ":all:", "--no-header"]
+        command += ["--no-config", "--annotation-style", "split", "--no-emit-index-url"]
+        command += ["--python-version", request.python, "--python-platform", request.wheels]
+        command += ["--constraint", "constraints.txt", "--override", "provided.txt", "in.txt", "--output-file", "out.txt"]
+        for name in sorted(request.provided):
+            command += ["--no-emit-package", name]
+        try:
+            done = subprocess.run(command, cwd=base, capture_output=True, text=True, check=False)
+        except FileNotFoundError:
+            raise RosmlError(f"'{uv}' is not installed", remedy="run 'make up', which installs it") from None
+        if done.returncode != 0:
+            raise RosmlError(
+                f"stack {request.stack}, Python {request.python}, {request.architecture} does not resolve:\n{done.stderr.strip()}",
+                remedy="relax the stack's versions or constraints in matrix.yaml, or check that the package index answers",
+            )
+        return parse(output.read_text())
+
+
+def parse(requirements: str) -> list[Pin]:
+    """Reads the output of ``uv pip compile`` with split annotations."""
+    pins: list[Pin] = []
+    name = version = ""
+    hashes: list[str] = []
+    wanted: list[str] = []
+
+    def finish() -> None:
+        if name:
+            pins.append(Pin(name, version, tuple(sorted(hashes)), frozenset(wanted)))
+
+    for line in requirements.splitlines():
+        text = line.strip().rstrip("\\").strip()
+        if match := _PIN.match(line):
+            finish()
+            name, version, hashes, wanted = match["name"], match["version"], [], []
+        elif text.startswith("--hash="):
+            hashes.append(text.removeprefix("--hash="))
+        elif text.startswith("#") and name:
+            parent = text.lstrip("# ").removeprefix("via").strip()
+            if parent and not parent.startswith("-"):
+                wanted.append(parent)
+    finish()
+    return pins
+
+
+def closure(root: str, pins: Iterable[Pin]) -> frozenset[str]:
+    """Names of all packages that ``root`` needs, itself included."""
+    children: dict[str, set[str]] = {}
+    for pin in pins:
+        for parent in pin.wanted_by:
+            children.setdefault(parent, set()).add(pin.name)
+    seen: set[str] = set()
+    todo = [root]
+    while todo:
+        name = todo.pop()
+        if name not in seen:
+            seen.add(name)
+            todo.extend(children.get(name, ()))
+    return frozenset(seen)
+
+
+def split(pins: list[Pin], roots: Mapping[str, str]) -> dict[str, list[Pin]]:
+    """Assigns every package to exactly one part. ``roots``: framework name to the requirement that asks for it."""
+    needs = {framework: closure(package_name(requirement), pins) for framework, requirement in roots.items()}
+    shared = closure("numpy", pins)
+    parts: dict[str, list[Pin]] = {"cuda": [], "common": [], **{framework: [] for framework in roots}}
+    for pin in pins:
+        owners = [framework for framework, names in needs.items() if pin.name in names]
+        if pin.name.startswith("nvidia-"):
+            parts["cuda"].append(pin)
+        elif pin.name in shared or len(owners) != 1:
+            parts["common"].append(pin)
+        else:
+            parts[owners[0]].append(pin)
+    return {part: sorted(content, key=lambda pin: pin.name) for part, content in parts.items() if content}
+
+
+def package_name(requirement: str) -> str:
+    """``tensorflow[and-cuda]==2.20.0`` -> ``tensorflow``."""
+    return re.split(r"[\[=<>!~;\s]", requirement, maxsplit=1)[0].lower()
+
+
+def render(request: Request, part: str, pins: list[Pin]) -> str:
+    """The text of a part's lock. It names no index and no date: the same resolution gives the same bytes."""
+    python = ANY_PYTHON if part == "cuda" else request.python
+    lines = [
+        f"# Part '{part}' of stack {request.stack}, Python {python}, {request.architecture}.",
+        "# Made by scripts/lock.py (make locks) from matrix.yaml; do not edit.",
+    ]
+    for pin in pins:
+        lines.append(" \\\n".join([f"{pin.name}=={pin.version}", *(f"    --hash={digest}" for digest in pin.hashes)]))
+    return "\n".join(lines) + "\n"
+
+
+def render_all(request: Request, pins: list[Pin]) -> dict[Path, str]:
+    """Path (relative to the root) and text of every lock that a resolution gives."""
+    return {
+        lock_path(request.stack, request.architecture, ANY_PYTHON if part == "cuda" else request.python, part): render(
+            request, part, content
+        )
+        for part, content in split(pins, request.roots).items()
+    }
