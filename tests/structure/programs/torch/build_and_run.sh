@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Configures, builds, installs and runs the program; the installed one has no RPATH and runs without LD_LIBRARY_PATH.
+set -euo pipefail
+here=$(dirname "$(readlink -f "$0")")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
+  -DCMAKE_INSTALL_PREFIX="$work/installed" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+cmake --build "$work/build" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+cmake --install "$work/build" >/dev/null
+env -u LD_LIBRARY_PATH "$work/installed/bin/torch_program"
