@@ -16,8 +16,10 @@
 ARG ACCELERATOR=cpu
 
 # ---- ROS ------------------------------------------------------------------------------------------------------------
+# Steps mount just the files they use: a change elsewhere does not run them again.
 FROM os AS base
-RUN --mount=type=bind,source=components/base,target=/run/components/base \
+RUN --mount=type=bind,source=components/build,target=/run/components/build \
+    --mount=type=bind,source=components/base/install.sh,target=/run/components/base/install.sh \
     --mount=type=secret,id=ca-bundle \
     /run/components/base/install.sh
 COPY --chmod=755 components/base/entrypoint.sh /entrypoint.sh
@@ -35,7 +37,7 @@ CMD ["bash"]
 
 FROM parent AS ros
 ARG ROS_PACKAGES ROS_TOOLS
-RUN --mount=type=bind,source=components/base,target=/run/components/base \
+RUN --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/ros,target=/run/components/ros \
     --mount=type=secret,id=ca-bundle \
     /run/components/ros/install.sh
@@ -47,8 +49,8 @@ ENV ROS_DISTRO=${ROS_DISTRO} \
 # Runs on the builder's own architecture and assembles for any: no emulation.
 FROM --platform=${BUILDPLATFORM} os AS assembler
 ARG BUILDARCH
-RUN --mount=type=bind,source=components/base,target=/run/components/base \
-    --mount=type=bind,source=components/payload,target=/run/components/payload \
+RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
+    --mount=type=bind,source=components/payload/install-assembler.sh,target=/run/components/payload/install-assembler.sh \
     --mount=type=bind,source=tools/requirements.txt,target=/run/requirements.txt \
     --mount=type=secret,id=ca-bundle \
     /run/components/payload/install-assembler.sh
@@ -57,7 +59,7 @@ ENV PATH=/opt/uv/bin:${PATH}
 FROM assembler AS payload-files
 ARG PART STACK PYTHON ACCELERATOR TARGETARCH
 COPY locks/${STACK}/${TARGETARCH}/${PYTHON}/${PART}.txt /lock.txt
-RUN --mount=type=bind,source=components/base,target=/run/components/base \
+RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
     --mount=type=bind,source=components/payload,target=/run/components/payload \
     --mount=type=bind,source=components/${PART},target=/run/components/part \
     --mount=type=secret,id=ca-bundle \
@@ -105,10 +107,10 @@ ENV TENSORFLOW_VERSION=${TENSORFLOW_VERSION}
 
 # ---- Structure tests, inside the build: no daemon, no export, no unpacking ------------------------------------------
 FROM --platform=${BUILDPLATFORM} assembler AS structure-test
-RUN --mount=type=bind,source=components/base,target=/run/components/base \
+RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
     --mount=type=bind,source=tools/structure-test.txt,target=/run/requirements.txt \
     --mount=type=secret,id=ca-bundle \
-    bash -c 'source /run/components/base/network.sh && \
+    bash -c 'source /run/components/build/network.sh && \
       uv pip install --no-deps --require-hashes --no-cache --target /out --requirement /run/requirements.txt'
 
 # The image's config as the registry holds it, for the tests of labels and entrypoint. Empty unless the caller has it.

@@ -13,14 +13,15 @@ from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Iterable, Mapping
+import tempfile
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosml import names
 from rosml.errors import RosmlError
-
-ANY_PYTHON = "any"
-"""Name used in place of a Python version for parts that are the same for all of them."""
+from rosml.expand import Catalogue
+from rosml.model import ANY_PYTHON, FAMILIES
 
 _PIN = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==(?P<version>[^\s;\\]+)")
 
@@ -60,9 +61,30 @@ class Pin:
     wanted_by: frozenset[str]
 
 
-def lock_path(stack: str, architecture: str, python: str, part: str) -> Path:
-    """Place of a part's lock, relative to the project's root."""
-    return Path("locks") / stack / architecture / python / f"{part}.txt"
+def requests(catalogue: Catalogue) -> Iterator[Request]:
+    """Every resolution that the payloads of a catalogue need: one per stack, Python version and architecture."""
+    matrix = catalogue.matrix
+    seen: set[tuple[str, str, str]] = set()
+    for payload in catalogue.payloads:
+        if payload.python == ANY_PYTHON:
+            continue  # comes out of the resolution for any Python version
+        system = matrix.operating_systems[payload.os]
+        stack = matrix.stacks[payload.stack]
+        for architecture in payload.architectures:
+            if (key := (payload.stack, architecture, payload.python)) in seen:
+                continue
+            seen.add(key)
+            wanted = {family: stack.requirement(family, architecture) for family in FAMILIES}
+            yield Request(
+                stack=payload.stack,
+                architecture=architecture,
+                python=payload.python,
+                wheels=matrix.architectures[architecture].wheels,
+                roots={family: requirement for family, requirement in wanted.items() if requirement},
+                numpy=system.numpy,
+                constraints=stack.constraints,
+                provided=system.provides,
+            )
 
 
 def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: str = "") -> list[Pin]:
@@ -77,8 +99,6 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
     Raises:
         RosmlError: uv is missing, an index does not answer, or the requirements contradict each other.
     """
-    import tempfile
-
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
         (base / "in.txt").write_text("\n".join([*request.roots.values(), f"numpy{request.numpy}"]) + "\n")
@@ -90,7 +110,15 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
         command = [uv, "pip", "compile", "--quiet", "--generate-hashes", "--only-binary", ":all:", "--no-header"]
         command += ["--no-config", "--annotation-style", "split", "--no-emit-index-url"]
         command += ["--python-version", request.python, "--python-platform", request.wheels]
-        command += ["--constraint", "constraints.txt", "--override", "provided.txt", "in.txt", "--output-file", "out.txt"]
+        command += [
+            "--constraint",
+            "constraints.txt",
+            "--override",
+            "provided.txt",
+            "in.txt",
+            "--output-file",
+            "out.txt",
+        ]
         for name in sorted(request.provided):
             command += ["--no-emit-package", name]
         try:
@@ -99,8 +127,9 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
             raise RosmlError(f"'{uv}' is not installed", remedy="run 'make up', which installs it") from None
         if done.returncode != 0:
             raise RosmlError(
-                f"stack {request.stack}, Python {request.python}, {request.architecture} does not resolve:\n{done.stderr.strip()}",
-                remedy="relax the stack's versions or constraints in matrix.yaml, or check that the package index answers",
+                f"stack {request.stack}, Python {request.python}, {request.architecture} does not resolve:\n"
+                + done.stderr.strip(),
+                remedy="relax the stack's versions or constraints in matrix.yaml, or check that the index answers",
             )
         return parse(output.read_text())
 
@@ -180,11 +209,44 @@ def render(request: Request, part: str, pins: list[Pin]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def render_all(request: Request, pins: list[Pin]) -> dict[Path, str]:
+def render_all(request: Request, pins: list[Pin]) -> dict[str, str]:
     """Path (relative to the root) and text of every lock that a resolution gives."""
     return {
-        lock_path(request.stack, request.architecture, ANY_PYTHON if part == "cuda" else request.python, part): render(
-            request, part, content
-        )
+        names.lock_path(
+            request.stack, request.architecture, ANY_PYTHON if part == "cuda" else request.python, part
+        ): render(request, part, content)
         for part, content in split(pins, request.roots).items()
     }
+
+
+def lock(catalogue: Catalogue, root: Path, uv: str = "uv", upgrade: bool = False) -> dict[str, str]:
+    """Resolves everything and gives the text of every lock by path; writes nothing.
+
+    Args:
+        catalogue: all that the matrix describes.
+        root: the project's root, where earlier locks are.
+        uv: the command to resolve with.
+        upgrade: move to the newest versions that fit; otherwise an earlier lock's versions stay where they fit.
+
+    Raises:
+        RosmlError: something does not resolve, or two Python versions of a stack would need different CUDA libraries.
+    """
+    locks: dict[str, str] = {}
+    for request in requests(catalogue):
+        earlier = "\n".join(
+            path.read_text()
+            for python in (ANY_PYTHON, request.python)
+            for path in sorted((root / "locks" / request.stack / request.architecture / python).glob("*.txt"))
+        )
+        for path, text in render_all(request, resolve(request, uv, upgrade, earlier)).items():
+            if locks.setdefault(path, text) != text:
+                raise RosmlError(
+                    f"{path} would differ between Python versions of stack {request.stack}",
+                    "pin the NVIDIA package that differs in the stack's constraints in matrix.yaml",
+                )
+    return locks
+
+
+def versions(text: str) -> dict[str, str]:
+    """Package names and versions of a lock."""
+    return {pin.name: pin.version for pin in parse(text)}

@@ -2,8 +2,8 @@
 # Essentials that every image has (shared/CONTRACT: "Present"), whatever its ROS distribution.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
-# shellcheck source=components/base/network.sh
-source "$here/network.sh"
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
 
 packages=(
   # shell and editing
@@ -32,4 +32,4 @@ if owner=$(getent passwd 1000); then userdel --remove "${owner%%:*}"; fi
 
 mkdir -p /docker-ros/ws
 
-"$here/clean.sh"
+"$here/../build/clean.sh"

@@ -7,8 +7,8 @@
 # The result depends on the lock and on these scripts alone: not on the day, the machine or the build folder.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
-# shellcheck source=components/base/network.sh
-source "$here/../base/network.sh"
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
 
 case ${TARGETARCH:?} in
   amd64) platform=x86_64-manylinux_2_28 triplet=x86_64-linux-gnu ;;

@@ -2,8 +2,8 @@
 # The tools that assemble payloads: the distribution's Python, for its bytecode, and uv (pinned by hash).
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
-# shellcheck source=components/base/network.sh
-source "$here/../base/network.sh"
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
 
 apt-get update
 apt-get install --yes ca-certificates python3 python3-pip

@@ -4,11 +4,11 @@
 #   ROS_TOOLS     packages of the developers' tools (colcon, rosdep, vcs), installed with the first component
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
-# shellcheck source=components/base/network.sh
-source "$here/../base/network.sh"
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
 
 read -ra packages <<<"${ROS_TOOLS:-} ${ROS_PACKAGES:?}"
 apt-get update
 apt-get install --yes "${packages[@]}"
 
-"$here/../base/clean.sh"
+"$here/../build/clean.sh"

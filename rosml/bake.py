@@ -1,0 +1,329 @@
+"""A catalogue -> the text of docker-bake.hcl."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from rosml import names, rules
+from rosml.expand import Catalogue, Image, Payload
+from rosml.hcl import Expression, block, call, template, text
+from rosml.model import PARTS, Distribution, Matrix
+
+EPOCH = "1767225600"
+"""2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
+
+PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
+
+Labels = Mapping[str, "str | Expression"]
+
+
+def render(catalogue: Catalogue) -> str:
+    """The bake file. Depends on nothing but the catalogue."""
+    sections = [
+        ("", _head(catalogue)),
+        ("What targets have in common", _abstract(catalogue)),
+        ("Operating systems with the essentials", _operating_systems(catalogue)),
+        ("ROS images: a chain of components", _ros_images(catalogue)),
+        ("Payloads: assembled once, joined to many images", _payloads(catalogue)),
+        ("Images with a framework: a ROS image joined with payloads", _joined_images(catalogue)),
+        ("Structure tests, inside the build", _tests(catalogue)),
+        ("Groups", _groups(catalogue)),
+    ]
+    parts: list[str] = []
+    for title, blocks in sections:
+        if title:
+            parts.append(f"# ---- {title} ".ljust(118, "-") + "\n")
+        parts += blocks
+    return "\n".join(parts)
+
+
+_HEADER = """\
+# Generated from matrix.yaml by scripts/generate_bake.py: change matrix.yaml, then run
+#   uv run scripts/generate_bake.py
+#
+#   docker buildx bake bookworm-core          builds an image (and what it stands on)
+#   docker buildx bake bookworm-core-test     runs its structure tests inside the build
+#   docker buildx bake --print <target>       shows what would be built
+"""
+
+_FUNCTIONS = """\
+# The digest of a dependency that is to be taken from the registry; empty if it is to be built here.
+function "digest" {
+  params = [name]
+  result = lookup(jsondecode(DIGESTS == "" ? "{}" : DIGESTS), name, "")
+}
+
+# A dependency: built here, unless DIGESTS names it. The only place that decides.
+function "dependency" {
+  params = [name, repository, target]
+  result = digest(name) == "" ? "target:${target}" : "docker-image://${REGISTRY}/${repository}@${digest(name)}"
+}
+
+function "image" {
+  params = [repository, name]
+  result = dependency(name, repository, name)
+}
+
+# A payload part, and where its files are in that context.
+function "part" {
+  params = [name]
+  result = dependency(name, "payload", "_files-${name}")
+}
+
+function "root" {
+  params = [name]
+  result = digest(name) == "" ? "/out/" : "/"
+}
+
+# The name and the digest of a base image, for labels; no digest, no label.
+function "image_name" {
+  params = [context]
+  result = trimprefix(split("@", context)[0], "docker-image://")
+}
+
+function "image_digest" {
+  params = [context]
+  result = try(split("@", context)[1], null)
+}
+
+# A build argument that is left out when it is empty.
+function "given" {
+  params = [value]
+  result = value == "" ? null : value
+}
+"""
+
+
+def _head(catalogue: Catalogue) -> Iterator[str]:
+    matrix = catalogue.matrix
+    yield _HEADER
+    yield _variable("REGISTRY", matrix.registry, "where images live, without https://")
+    for os, system in matrix.operating_systems.items():
+        reference = f"docker-image://{system.image}@{system.digest}"
+        yield _variable(names.os_variable(os), reference, f"base image of {os}")
+    yield _variable("SOURCE_DATE_EPOCH", EPOCH, "time of every file, in seconds since 1970")
+    yield _variable("REVISION", "", "commit that is built, for a label")
+    yield _variable(
+        "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
+    )
+    yield _variable("CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer")
+    for proxy in PROXIES:
+        yield _variable(proxy, "", "for build steps; never part of an image")
+    yield _FUNCTIONS
+
+
+def _variable(name: str, default: str, description: str) -> str:
+    return f"# {description}\nvariable {text(name)} {{\n  default = {text(default)}\n}}\n"
+
+
+def _groups(catalogue: Catalogue) -> Iterator[str]:
+    for name, targets in catalogue.groups.items():
+        yield block("group", name, {"targets": targets})
+
+
+def _abstract(catalogue: Catalogue) -> Iterator[str]:
+    proxies = {proxy: call("given", Expression(proxy)) for proxy in PROXIES}
+    secret = Expression('CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"]')
+    epoch = {"SOURCE_DATE_EPOCH": Expression("SOURCE_DATE_EPOCH")}
+    yield block("target", "_common", {"context": ".", "secret": secret, "args": epoch | proxies})
+    yield block("target", "_base", {"inherits": ["_common"], "target": "base"})
+    yield block("target", "_payload", {"inherits": ["_common"]})
+    labels: Labels = {
+        "org.opencontainers.image.licenses": "Apache-2.0",
+        **({"org.opencontainers.image.source": catalogue.matrix.source} if catalogue.matrix.source else {}),
+        "org.opencontainers.image.revision": call("given", Expression("REVISION")),
+    }
+    yield block("target", "_image", {"inherits": ["_common"], "labels": labels})
+    assembler = Expression(names.os_variable(next(iter(catalogue.matrix.operating_systems))))
+    test = {"inherits": ["_common"], "target": "test", "contexts": {"os": assembler}, "output": ["type=cacheonly"]}
+    yield block("target", "_test", test)
+
+
+def _operating_systems(catalogue: Catalogue) -> Iterator[str]:
+    matrix = catalogue.matrix
+    for os in dict.fromkeys(image.os for image in catalogue.images):
+        system = matrix.operating_systems[os]
+        yield block(
+            "target",
+            names.os_target(os),
+            {
+                "inherits": ["_base"],
+                "platforms": [matrix.architectures[name].platform for name in system.architectures],
+                "contexts": {"os": Expression(names.os_variable(os))},
+            },
+        )
+
+
+def _ros_images(catalogue: Catalogue) -> Iterator[str]:
+    matrix = catalogue.matrix
+    for name, distribution in matrix.distributions.items():
+        yield block("target", _distribution_target(name), _distribution(matrix, name, distribution))
+        yield block("target", _ros_target(name), _ros(matrix, name, distribution))
+        for image in catalogue.images:
+            if image.distribution == name and image.stack is None:
+                yield block("target", image.target, _ros_image(catalogue, image))
+
+
+def _distribution_target(name: str) -> str:
+    return f"_distribution-{name}"
+
+
+def _ros_target(name: str) -> str:
+    return f"_ros-{name}"
+
+
+def _distribution(matrix: Matrix, name: str, distribution: Distribution) -> dict[str, object]:
+    """What all images of a distribution have in common."""
+    system = matrix.operating_systems[distribution.os]
+    variable = Expression(names.os_variable(distribution.os))
+    labels: Labels = {
+        "org.opencontainers.image.base.name": call("image_name", variable),
+        "org.opencontainers.image.base.digest": call("image_digest", variable),
+        "io.rosml.distribution": name,
+        "io.rosml.os": distribution.os,
+        "io.rosml.python": system.python,
+        "io.rosml.ros": str(distribution.ros),
+    }
+    platforms = [matrix.architectures[architecture].platform for architecture in system.architectures]
+    return {"inherits": ["_image"], "platforms": platforms, "labels": labels}
+
+
+def _ros(matrix: Matrix, name: str, distribution: Distribution) -> dict[str, object]:
+    """What a distribution's images without a framework have in common."""
+    args = {"ROS_DISTRO": distribution.ros_distro or name, "ROS_VERSION": str(distribution.ros)}
+    if distribution.apt:
+        args["ROS_CHANNEL"] = distribution.apt.channel
+        if distribution.apt.date:
+            args["ROS_SNAPSHOT"] = distribution.apt.date.isoformat()
+    labels = {"io.rosml.framework": rules.plain(matrix)}
+    return {"inherits": [_distribution_target(name)], "target": "ros", "args": args, "labels": labels}
+
+
+def _ros_image(catalogue: Catalogue, image: Image) -> dict[str, object]:
+    args = {"ROS_PACKAGES": image.packages}
+    parent = catalogue.by_target.get(image.parent)
+    if parent is None:  # the lowest component brings the developers' tools
+        args["ROS_TOOLS"] = catalogue.matrix.operating_systems[image.os].tools
+    return {
+        "inherits": [_ros_target(image.distribution)],
+        "tags": _tags(image),
+        "contexts": {"parent": _dependency(parent) if parent else f"target:{image.parent}"},
+        "args": args,
+        "labels": _labels(image),
+    }
+
+
+def _dependency(image: Image) -> Expression:
+    return call("image", image.repository, image.target)
+
+
+def _tags(image: Image) -> list[Expression]:
+    return [template(f"${{REGISTRY}}/{tag}") for tag in image.tags]
+
+
+def _labels(image: Image) -> Labels:
+    return {
+        "org.opencontainers.image.title": image.target,
+        "org.opencontainers.image.description": _description(image),
+        "org.opencontainers.image.version": max(image.tags[:2], key=len).split(":")[1],
+        "io.rosml.component": image.component,
+    }
+
+
+def _description(image: Image) -> str:
+    carried = [f"{title} {image.versions[key]}" for key, title in _TITLES.items() if key in image.versions]
+    return f"ROS {image.ros} {image.component} ({image.distribution})" + "".join(f", {item}" for item in carried)
+
+
+_TITLES = {"torch": "PyTorch", "tensorflow": "TensorFlow", "cuda": "CUDA"}
+
+
+def _payloads(catalogue: Catalogue) -> Iterator[str]:
+    for payload in catalogue.payloads:
+        yield block("target", names.files_target(payload.name), _files(catalogue.matrix, payload))
+        published = {
+            "inherits": [names.files_target(payload.name)],
+            "target": "payload",
+            "tags": [template(f"${{REGISTRY}}/payload:{payload.name}")],
+        }
+        yield block("target", payload.target, published)
+
+
+def _files(matrix: Matrix, payload: Payload) -> dict[str, object]:
+    return {
+        "inherits": ["_payload"],
+        "target": "payload-files",
+        "platforms": payload.platforms,
+        "contexts": {"os": Expression(names.os_variable(payload.os))},
+        "args": {
+            "PART": payload.part,
+            "STACK": payload.stack,
+            "PYTHON": payload.python,
+            "ACCELERATOR": matrix.stacks[payload.stack].accelerator,
+        },
+    }
+
+
+def _joined_images(catalogue: Catalogue) -> Iterator[str]:
+    matrix = catalogue.matrix
+    seen: set[str] = set()
+    for image in catalogue.images:
+        if image.stack is None:
+            continue
+        common = f"_{image.framework}-{image.stack}-{names.os_slug(image.os)}"
+        if common not in seen:
+            seen.add(common)
+            yield block("target", common, _join(matrix, image))
+        ros = catalogue.by_target[image.parent]
+        attributes = {
+            "inherits": [_distribution_target(image.distribution), common],
+            "tags": _tags(image),
+            "contexts": {"ros": _dependency(ros)},
+            "labels": _labels(image),
+        }
+        yield block("target", image.target, attributes)
+
+
+def _join(matrix: Matrix, image: Image) -> dict[str, object]:
+    """What images of one framework, stack and operating system have in common, whatever their component."""
+    framework, stack = matrix.frameworks[image.framework], matrix.stacks[image.stack or ""]
+    parts = dict(zip(rules.parts(framework, stack), image.parts, strict=True))
+    args: dict[str, str | Expression] = {"ACCELERATOR": stack.accelerator}
+    args |= {f"{part.upper()}_ROOT": call("root", parts[part]) for part in PARTS if part in parts}
+    args |= {f"{name.upper()}_VERSION": version for name, version in image.versions.items() if name != "nccl"}
+    return {
+        "target": image.framework,
+        "platforms": image.platforms,
+        "contexts": {f"part-{part}": call("part", name) for part, name in parts.items()},
+        "args": args,
+        "labels": {
+            "io.rosml.framework": image.framework,
+            "io.rosml.stack": image.stack or "",
+            **{f"io.rosml.{name}": version for name, version in image.versions.items() if name != "nccl"},
+        },
+    }
+
+
+def _tests(catalogue: Catalogue) -> Iterator[str]:
+    for image in catalogue.images:
+        attributes = {
+            "inherits": ["_test"],
+            "platforms": image.platforms,
+            "contexts": {"image": _dependency(image)},
+            "args": {
+                "TESTS": " ".join(image.tests),
+                "EXPECT": " ".join(f"{k}={v}" for k, v in expected(image).items()),
+            },
+        }
+        yield block("target", image.test_target, attributes)
+
+
+def expected(image: Image) -> dict[str, str]:
+    """What tags and labels promise, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
+    return {
+        "os": image.os,
+        "python": image.python,
+        "ros": str(image.ros),
+        "ros_distro": image.ros_distro,
+        **image.versions,
+    }

@@ -1,0 +1,157 @@
+"""Runs `buildx bake` for the publisher: shows progress, keeps a log, and turns failures into errors with a remedy."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import signal
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rosml.errors import RosmlError
+from rosml.progress import BuildProgress
+from rosml.services import Services
+
+# What BuildKit prints when something outside the build is wrong, and what helps.
+_REMEDIES = (
+    (
+        "no space left on device",
+        "free some disk space (make down; make clean removes all that was made), then run it again",
+    ),
+    ("connection refused", "run 'make up', which starts what is down, then run it again"),
+    ("failed to dial", "run 'make up', which starts what is down, then run it again"),
+    ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
+    ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
+    ("Failed to fetch", "a mirror or index did not answer; run it again, finished steps are kept"),
+    ("error sending request", "a mirror or index did not answer; run it again, finished steps are kept"),
+    ("Hash mismatch", "a download is not what the lock says: run 'make locks' if that is intended"),
+)
+_CANCEL_SECONDS = 15.0
+
+
+@dataclass(frozen=True)
+class Bake:
+    """One call of `buildx bake`.
+
+    Attributes:
+        target: the bake target.
+        sets: overrides of targets, `target.key=value` each.
+        variables: values of the bake file's variables.
+        name: what the log is called, without its ending.
+        file: the bake file.
+    """
+
+    target: str
+    name: str
+    file: Path
+    sets: Sequence[str] = ()
+    variables: Mapping[str, str] = field(default_factory=dict)
+
+
+def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
+    """The command line of a call."""
+    arguments = [*services.buildx, "bake", "--file", str(bake.file), "--progress", "rawjson"]
+    arguments += ["--metadata-file", str(metadata)]
+    if services.ca_bundle:
+        arguments += ["--allow", f"fs.read={services.ca_bundle}"]
+    for item in bake.sets:
+        arguments += ["--set", item]
+    return [*arguments, bake.target]
+
+
+def environment(services: Services, bake: Bake) -> dict[str, str]:
+    """The environment of a call: the bake file's variables, and what the user's shell says about proxies."""
+    env = services.environment()
+    # Attestations would make the pushed digest that of an index that changes with every build; they are kept apart.
+    env["BUILDX_NO_DEFAULT_ATTESTATIONS"] = "1"
+    env["CA_BUNDLE"] = services.ca_bundle
+    for name in ("HTTP_PROXY", "HTTPS_PROXY"):
+        env.setdefault(name, os.environ.get(name.lower(), ""))
+    env.update(bake.variables)
+    return env
+
+
+def run(services: Services, bake: Bake, progress: BuildProgress | None = None) -> tuple[BuildProgress, dict[str, str]]:
+    """Builds a target; lines for people go to standard error, everything to `.state/log/<name>.log`.
+
+    Returns:
+        The progress with all steps, and what buildx says about the target, e.g. `containerimage.digest`.
+
+    Raises:
+        RosmlError: the build failed; the message has the failed step's last lines.
+        KeyboardInterrupt: the user stopped it; the builder was told.
+    """
+    folder = services.state / "log"
+    folder.mkdir(parents=True, exist_ok=True)
+    log_path = folder / f"{bake.name}.log"
+    metadata = folder / f"{bake.name}.metadata.json"
+    metadata.unlink(missing_ok=True)
+    with log_path.open("w") as log:
+        arguments = command(services, bake, metadata)
+        log.write(f"$ {shlex.join(arguments)}\n")
+        progress = progress or BuildProgress(sys.stderr, log)
+        try:
+            process = subprocess.Popen(
+                arguments,
+                cwd=services.root,
+                env=environment(services, bake),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+                errors="replace",
+            )
+        except OSError as error:
+            raise RosmlError(f"cannot run {arguments[0]}: {error.strerror}", "run 'make up'") from None
+        try:
+            assert process.stderr is not None
+            progress.follow(process.stderr)
+            code = process.wait()
+        except BaseException:
+            _stop(process)
+            raise
+    if code != 0:
+        services.require_registry()
+        services.require_builder()
+        raise failure(bake, progress, log_path, code)
+    return progress, _metadata(metadata, bake.target)
+
+
+def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlError:
+    """The error for a build that failed: the step, its last lines, the log, and the remedy if the reason is known."""
+    step = progress.failed()
+    lines = list(step.tail) if step else []
+    text = "\n".join([*lines, step.error if step else "", *progress.other])
+    remedy = next((remedy for sign, remedy in _REMEDIES if sign.lower() in text.lower()), "")
+    message = f"building {bake.target} failed"
+    if step:
+        message += f" in step {step.label}"
+        lines = lines or [step.error]
+    else:
+        lines = list(progress.other) or [f"buildx ended with exit code {code}"]
+    message += "".join(f"\n    {line}" for line in lines)
+    return RosmlError(f"{message}\n  the whole log: {log}", remedy)
+
+
+def _stop(process: subprocess.Popen[str]) -> None:
+    """Ends buildx, which cancels the build; the builder keeps the finished steps."""
+    if process.poll() is None:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(_CANCEL_SECONDS)
+        except (subprocess.TimeoutExpired, KeyboardInterrupt):
+            process.kill()
+            process.wait()
+
+
+def _metadata(path: Path, target: str) -> dict[str, str]:
+    """What buildx wrote about a target; empty where it wrote nothing."""
+    try:
+        content = json.loads(path.read_text()).get(target, {})
+    except (OSError, ValueError):
+        return {}
+    return {key: value for key, value in content.items() if isinstance(value, str)}

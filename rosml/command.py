@@ -1,0 +1,55 @@
+"""What all commands do at their end: every failure is a message with its remedy and an exit code, never a traceback."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Sequence
+from types import FrameType
+
+import click
+
+from rosml.errors import RosmlError
+from rosml.problems import InputError
+
+INTERRUPTED = 130
+"""Exit code after Ctrl-C, as shells have it: 128 and the signal's number."""
+
+
+def run(main: click.Command, interrupted: str = "interrupted", arguments: Sequence[str] | None = None) -> int:
+    """Runs a click command.
+
+    Args:
+        main: the command.
+        interrupted: what to say after Ctrl-C or SIGTERM.
+        arguments: the command line; this process' own by default.
+
+    Returns:
+        The exit code: 0, 1 for work that failed, 2 for wrong input, 130 when interrupted.
+    """
+    signal.signal(signal.SIGTERM, _terminate)
+    try:
+        main(None if arguments is None else list(arguments), standalone_mode=False)
+    except RosmlError as error:
+        # Problems of the matrix begin with file and line, where editors and CI look for them.
+        head = "" if isinstance(error, InputError) else click.style("error: ", fg="red", bold=True)
+        click.echo(head + error.message, err=True)
+        if error.remedy:
+            click.echo(f"{click.style('remedy:', bold=True)} {error.remedy}", err=True)
+        return error.exit_code
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (KeyboardInterrupt, click.Abort):
+        click.echo(f"\n{interrupted}", err=True)
+        return INTERRUPTED
+    except BrokenPipeError:  # the reader of our output is gone: `… --list | head`
+        sys.stderr.close()
+    except OSError as error:
+        click.echo(f"{click.style('error:', fg='red', bold=True)} {error}", err=True)
+        return 1
+    return 0
+
+
+def _terminate(number: int, frame: FrameType | None) -> None:
+    raise KeyboardInterrupt

@@ -1,0 +1,19 @@
+"""Errors that a user can do something about."""
+
+from __future__ import annotations
+
+
+class RosmlError(Exception):
+    """A failure with its remedy. Commands print both, without a traceback.
+
+    Attributes:
+        message: what went wrong, with the value or place at fault.
+        remedy: what to do about it; empty where the message says it already.
+        exit_code: 1 when the work failed, 2 when the input was wrong.
+    """
+
+    def __init__(self, message: str, remedy: str = "", exit_code: int = 1) -> None:
+        super().__init__(message)
+        self.message = message
+        self.remedy = remedy
+        self.exit_code = exit_code

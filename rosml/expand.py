@@ -1,0 +1,367 @@
+"""The facts of a matrix -> every image and payload that they allow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
+from pathlib import Path
+
+from rosml import names, rules
+from rosml.errors import RosmlError
+from rosml.model import ANY_PYTHON, Distribution, Framework, Matrix, Part, Size, Stack
+from rosml.problems import SHOWN, InputError, unknown
+from rosml.problems import Path as Place
+from rosml.source import Document, read
+from rosml.structure import validate
+
+
+@dataclass(frozen=True)
+class Payload:
+    """A part of a stack, assembled once and added to many images.
+
+    Attributes:
+        name: `torch-cu128-py311`; also the tag in the repository `payload`, and the key in DIGESTS.
+        part: `cuda`, `common`, `torch` or `tensorflow`.
+        stack: name of the stack.
+        python: version of Python, `any` where the part is the same for all.
+        os: operating system that it is assembled on; one with that Python.
+        architectures: those that images need it for.
+        platforms: the same as BuildKit calls them.
+        locks: its lock for each architecture, relative to the project's root.
+        disk: forecast of its size.
+    """
+
+    name: str
+    part: Part
+    stack: str
+    python: str
+    os: str
+    architectures: tuple[str, ...]
+    platforms: tuple[str, ...]
+    locks: tuple[str, ...]
+    disk: Size
+
+    @property
+    def target(self) -> str:
+        """The bake target of the payload as an image of its own."""
+        return names.payload_target(self.name)
+
+
+@dataclass(frozen=True)
+class Image:
+    """An image with its resolved facts.
+
+    Attributes:
+        target: name of the bake target.
+        distribution, component, framework: its place on the axes.
+        stack: None for images without a framework.
+        os: operating system. python: version of its Python. ros: 1 or 2. ros_distro: value of ROS_DISTRO.
+        architectures: architectures with the same content; platforms: the same as BuildKit calls them.
+        versions: what it carries, e.g. `{"torch": "2.10.0", "cuda": "12.8.90"}`.
+        repository: without the registry. tags: `repository:tag` without the registry; the first one is the main tag.
+        groups: bake groups that build it.
+        parent: target that it stands on: of a ROS image the component below or the operating system, otherwise the
+            ROS image that payloads are joined to.
+        packages: Debian packages that a ROS image adds to its parent, separated by spaces.
+        parts: payloads that are joined to the parent, in this order.
+        tests: names of the files in tests/structure, those of its ancestors first.
+        locks: locks of its payloads.
+        disk: forecast of its size with everything below it.
+    """
+
+    target: str
+    distribution: str
+    component: str
+    framework: str
+    stack: str | None
+    os: str
+    python: str
+    ros: int
+    ros_distro: str
+    architectures: tuple[str, ...]
+    platforms: tuple[str, ...]
+    versions: dict[str, str]
+    repository: str
+    tags: tuple[str, ...]
+    groups: tuple[str, ...]
+    parent: str
+    packages: str
+    parts: tuple[str, ...]
+    tests: tuple[str, ...]
+    locks: tuple[str, ...]
+    disk: Size
+
+    @property
+    def test_target(self) -> str:
+        """The bake target that tests it."""
+        return names.test_target(self.target)
+
+
+@dataclass(frozen=True)
+class Catalogue:
+    """All that a matrix describes, in the order of the file."""
+
+    matrix: Matrix
+    images: tuple[Image, ...]
+    payloads: tuple[Payload, ...]
+
+    @cached_property
+    def by_target(self) -> dict[str, Image]:
+        """Images by target."""
+        return {image.target: image for image in self.images}
+
+    @cached_property
+    def payload_by_name(self) -> dict[str, Payload]:
+        """Payloads by name."""
+        return {payload.name: payload for payload in self.payloads}
+
+    @cached_property
+    def groups(self) -> dict[str, tuple[str, ...]]:
+        """Targets of every bake group; groups without a target are left out."""
+        members: dict[str, list[str]] = {"default": list(self.matrix.default.group)}
+        for axis in ("distributions", "components", "frameworks", "stacks"):
+            members.update({name: [] for name in getattr(self.matrix, axis)})
+        for image in self.images:
+            for group in image.groups:
+                if group != "default":
+                    members.setdefault(group, []).append(image.target)
+        members["payloads"] = [payload.target for payload in self.payloads]
+        members["tests"] = [image.test_target for image in self.images]
+        return {name: tuple(targets) for name, targets in members.items() if targets}
+
+    def image(self, target: str) -> Image:
+        """The image of a target.
+
+        Raises:
+            RosmlError: there is none (exit code 2); names near ones, or says why the facts rule it out.
+        """
+        if target in self.by_target:
+            return self.by_target[target]
+        from rosml.explain import why_not  # imports this module
+
+        reason = why_not(self, target) or unknown("image", target, self.by_target)
+        raise RosmlError(reason, remedy="see all with: uv run scripts/generate_bake.py --list", exit_code=2)
+
+    def select(self, name: str) -> tuple[Image, ...]:
+        """The images of a target or a group; raises as `image` does."""
+        if name not in self.by_target and name in self.groups and name not in ("payloads", "tests"):
+            return tuple(self.by_target[target] for target in self.groups[name])
+        return (self.image(name),)
+
+
+def load(file: Path) -> Catalogue:
+    """Reads, validates and expands a matrix.
+
+    Raises:
+        RosmlError: the file cannot be read (exit code 2).
+        InputError: it has problems: all that can be seen at once, each with its place (exit code 2).
+    """
+    return catalogue(read(file))
+
+
+def catalogue(document: Document) -> Catalogue:
+    """The catalogue of a parsed matrix; raises as `load` does."""
+    result = expand(validate(document))
+    if found := [document.problem(path, text) for path, text in islice(_collisions(result), SHOWN + 1)]:
+        raise InputError(document.name, found)
+    return result
+
+
+def expand(matrix: Matrix) -> Catalogue:
+    """Every image and payload of a matrix whose references hold."""
+    images = tuple(_images(matrix))
+    return Catalogue(matrix, images, tuple(_payloads(matrix, images)))
+
+
+def combinations(matrix: Matrix) -> Iterator[tuple[str, str, str, str | None]]:
+    """Distribution, component, framework and stack of everything that could be asked for."""
+    kinds = [
+        (framework, stack)
+        for framework, facts in matrix.frameworks.items()
+        for stack in (matrix.stacks if facts.parts else (None,))
+    ]
+    for distribution in matrix.distributions:
+        for framework, stack in kinds:
+            for component in matrix.components:
+                yield distribution, component, framework, stack
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """What images of one distribution with one framework and stack have in common."""
+
+    framework: str
+    facts: Framework
+    stack: str | None
+    architectures: tuple[str, ...]
+    payloads: tuple[Payload, ...]
+    versions: dict[str, str]
+
+
+def _images(matrix: Matrix) -> Iterator[Image]:
+    latest = _latest(matrix)
+    for name, distribution in matrix.distributions.items():
+        for framework, facts in matrix.frameworks.items():
+            for stack in matrix.stacks if facts.parts else (None,):
+                if rules.stack_reason(matrix, distribution.os, framework, stack) is None:
+                    kind = _kind(matrix, distribution, framework, stack)
+                    for component in matrix.components:
+                        if component in distribution.components:
+                            yield _image(matrix, name, distribution, component, kind, name == latest)
+
+
+def _kind(matrix: Matrix, distribution: Distribution, framework: str, stack: str | None) -> _Kind:
+    facts = matrix.frameworks[framework]
+    architectures = rules.architectures(matrix, distribution.os, framework, stack)
+    python = matrix.operating_systems[distribution.os].python
+    if stack is None:
+        return _Kind(framework, facts, None, architectures, (), {})
+    parts = rules.parts(facts, matrix.stacks[stack])
+    payloads = tuple(_payload(matrix, part, stack, python, architectures) for part in parts)
+    return _Kind(framework, facts, stack, architectures, payloads, _versions(facts, matrix.stacks[stack]))
+
+
+def _versions(framework: Framework, stack: Stack) -> dict[str, str]:
+    wanted: list[str] = list(rules.families(framework))
+    if "cuda" in framework.parts:
+        wanted += ["cuda", "cudnn", "nccl"]
+    return {name: getattr(stack, name) for name in wanted if getattr(stack, name)}
+
+
+def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
+    chain = _chain(matrix, distribution, component)
+    ros_image = names.image_target(name, component)
+    below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os)
+    target = names.image_target(name, component, kind.framework, kind.stack)
+    groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
+    ros = f"ros{distribution.ros}"
+    ml = ["ml"] if len(kind.facts.releases) > 1 else []
+    shared = [part.part for part in kind.payloads if part.part != "common"]
+    return Image(
+        target=target,
+        distribution=name,
+        component=component,
+        framework=kind.framework,
+        stack=kind.stack,
+        os=distribution.os,
+        python=matrix.operating_systems[distribution.os].python,
+        ros=distribution.ros,
+        ros_distro=distribution.ros_distro or name,
+        architectures=kind.architectures,
+        platforms=tuple(matrix.architectures[architecture].platform for architecture in kind.architectures),
+        versions=kind.versions,
+        repository=kind.facts.repository,
+        tags=_tags(distribution, name, component, kind, latest),
+        groups=(*groups, "default") if target in matrix.default.group else tuple(groups),
+        parent=ros_image if kind.stack else below,
+        packages="" if kind.stack else _packages(matrix, name, distribution, component),
+        parts=tuple(payload.name for payload in kind.payloads),
+        tests=("contract", ros, *(f"{ros}-{link}" for link in chain), *shared, *ml),
+        locks=tuple(lock for payload in kind.payloads for lock in payload.locks),
+        disk=sum(
+            [*(matrix.disk.components[link] for link in chain), *(payload.disk for payload in kind.payloads)],
+            start=matrix.disk.os,
+        ),
+    )
+
+
+def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:
+    """The components that one is built on, lowest first, itself last; those that the distribution lacks are skipped."""
+    chain: list[str] = []
+    link: str | None = component
+    while link:
+        if link in distribution.components:
+            chain.append(link)
+        link = matrix.components[link].builds_on
+    return tuple(reversed(chain))
+
+
+def _packages(matrix: Matrix, name: str, distribution: Distribution, component: str) -> str:
+    metapackage = matrix.components[component].metapackage or component
+    ros_distro = distribution.ros_distro or name
+    return distribution.packages.format(component=component, metapackage=metapackage, ros_distro=ros_distro)
+
+
+def _tags(distribution: Distribution, name: str, component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
+    main = "-".join([name, component, *([kind.stack] if kind.stack else [])])
+    tags = [main]
+    counted = rules.families(kind.facts) or (("cuda",) if "cuda" in kind.versions else ())
+    if counted:
+        tags.append("-".join([main, *(f"{names.SHORT[item]}{kind.versions[item]}" for item in counted)]))
+    if component == FLOATING and kind.stack in (None, distribution.default_stack):
+        tags += [name, *(["latest"] if latest else [])]
+    return tuple(f"{kind.facts.repository}:{tag}" for tag in tags)
+
+
+FLOATING = "base"
+"""The component of the short tags: `ros:jazzy` is `ros:jazzy-base`."""
+
+
+def _latest(matrix: Matrix) -> str | None:
+    """The newest long-term distribution: the one that lives longest."""
+    living = [(row.eol, name) for name, row in matrix.distributions.items() if row.lts and row.eol]
+    return max(living)[1] if living else None
+
+
+def _payload(matrix: Matrix, part: Part, stack: str, python: str, architectures: tuple[str, ...]) -> Payload:
+    systems = list(matrix.operating_systems)
+    if part == "cuda":  # the same for every Python
+        python, os = ANY_PYTHON, systems[0]
+    else:
+        os = next(name for name in systems if matrix.operating_systems[name].python == python)
+    return Payload(
+        name=names.payload_name(part, stack, python),
+        part=part,
+        stack=stack,
+        python=python,
+        os=os,
+        architectures=architectures,
+        platforms=tuple(matrix.architectures[architecture].platform for architecture in architectures),
+        locks=tuple(names.lock_path(stack, architecture, python, part) for architecture in architectures),
+        disk=matrix.disk.parts[stack][part],
+    )
+
+
+def _payloads(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Payload]:
+    """Each payload that an image needs, once, for all architectures that any image needs it for."""
+    needed: dict[tuple[str, str], dict[Part, set[str]]] = {}
+    for image in images:
+        if image.stack:
+            parts = needed.setdefault((image.stack, image.python), {})
+            for part in rules.parts(matrix.frameworks[image.framework], matrix.stacks[image.stack]):
+                parts.setdefault(part, set()).update(image.architectures)
+    merged: dict[str, tuple[Part, str, str, set[str]]] = {}
+    for (stack, python), parts in needed.items():
+        for part, wanted in parts.items():
+            name = names.payload_name(part, stack, ANY_PYTHON if part == "cuda" else python)
+            merged.setdefault(name, (part, stack, python, set()))[3].update(wanted)
+    for part, stack, python, wanted in merged.values():
+        yield _payload(matrix, part, stack, python, tuple(name for name in matrix.architectures if name in wanted))
+
+
+def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
+    """Names that two things would share, and names in `default` that nothing has."""
+    owners: dict[str, str] = {}
+    for image in catalogue.images:
+        for target in (image.target, image.test_target):
+            if target in owners:
+                text = f"{image.target} and {owners[target]} would both be the target {target}; rename one"
+                yield ("distributions", image.distribution), text
+            owners.setdefault(target, image.target)
+        for tag in image.tags:
+            if owners.setdefault(tag, image.target) != image.target:
+                text = f"{image.target} and {owners[tag]} would both have the tag {tag}; rename one"
+                yield ("distributions", image.distribution), text
+    for payload in catalogue.payloads:
+        if payload.target in owners:
+            yield ("stacks", payload.stack), f"{payload.target} is a payload and an image; rename one"
+    default = catalogue.matrix.default
+    targets: list[tuple[Place, str]] = [(("default", "target"), default.target)]
+    targets += [(("default", "group", index), name) for index, name in enumerate(default.group)]
+    for path, name in targets:
+        if name not in catalogue.by_target:
+            from rosml.explain import why_not  # imports this module
+
+            yield path, why_not(catalogue, name) or unknown("image", name, catalogue.by_target)

@@ -1,0 +1,110 @@
+"""Why an image exists, or why it does not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rosml import names, rules
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image
+from rosml.model import Matrix
+from rosml.problems import listed, unknown
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a name asks for. `stack` is None where the name has none."""
+
+    distribution: str
+    component: str
+    framework: str
+    stack: str | None
+
+
+def explain(catalogue: Catalogue, name: str) -> str:
+    """The facts behind an image, payload or group; or one sentence about why the facts rule it out.
+
+    Raises:
+        RosmlError: the name is not understood at all (exit code 2); names near ones.
+    """
+    if image := catalogue.by_target.get(name.removesuffix("-test"), catalogue.by_target.get(name)):
+        return _image(catalogue.matrix, image)
+    if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
+        users = sum(payload.name in image.parts for image in catalogue.images)
+        return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {users} images"
+    if name in catalogue.groups:
+        return f"{name}: a group of {len(catalogue.groups[name])} targets; see them with --list"
+    if reason := why_not(catalogue, name):
+        return reason
+    candidates = [*catalogue.by_target, *catalogue.groups]
+    raise RosmlError(unknown("image", name, candidates), remedy="see all with --list", exit_code=2)
+
+
+def why_not(catalogue: Catalogue, name: str) -> str | None:
+    """One sentence about why a combination does not exist; None where it exists or the name is not understood."""
+    if name in catalogue.by_target:
+        return None
+    for wanted in _readings(catalogue.matrix, name):
+        if sentence := _reason(catalogue, name, wanted):
+            return sentence
+    return None
+
+
+def _reason(catalogue: Catalogue, name: str, wanted: Wanted) -> str | None:
+    matrix = catalogue.matrix
+    if reason := rules.component_reason(matrix, wanted.distribution, wanted.component):
+        return f"{name} does not exist: {reason}."
+    os, facts = matrix.distributions[wanted.distribution].os, matrix.frameworks[wanted.framework]
+    if wanted.stack or not facts.parts:
+        if reason := rules.stack_reason(matrix, os, wanted.framework, wanted.stack):
+            return f"{name} does not exist: {reason}."
+        target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
+        return f"{name} is called {target}."
+    reasons = {stack: rules.stack_reason(matrix, os, wanted.framework, stack) for stack in matrix.stacks}
+    if there := [f"{name}-{stack}" for stack, reason in reasons.items() if reason is None]:
+        return f"{name} names no stack; there is {listed(there)}."
+    why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason)) or "there is no stack"
+    return f"{name} does not exist on any stack: {why}."
+
+
+def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
+    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`."""
+    for distribution in matrix.distributions:
+        for component in matrix.components:
+            start = f"{distribution}-{component}"
+            if name == start:
+                yield Wanted(distribution, component, rules.plain(matrix), None)
+            elif name.startswith(f"{start}-"):
+                rest = name[len(start) + 1 :]
+                for framework in matrix.frameworks:
+                    if rest == framework:
+                        yield Wanted(distribution, component, framework, None)
+                    elif rest.startswith(f"{framework}-") and (stack := rest[len(framework) + 1 :]) in matrix.stacks:
+                        yield Wanted(distribution, component, framework, stack)
+
+
+def _image(matrix: Matrix, image: Image) -> str:
+    return "\n".join([f"{image.target} exists:", *(f"  - {fact}" for fact in _facts(matrix, image))])
+
+
+def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
+    system = matrix.operating_systems[image.os]
+    yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
+    yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
+    if image.stack:
+        stack = matrix.stacks[image.stack]
+        for family in rules.families(matrix.frameworks[image.framework]):
+            release = matrix.releases.of(family)[stack.release(family) or ""]
+            wheels = listed(release.wheels[image.stack])
+            yield f"{family} {stack.release(family)} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
+        yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
+        yield f"it is {image.parent} joined with {listed(image.parts)}"
+    else:
+        yield f"it is {image.parent} with {image.packages} installed"
+    yield f"platforms: {listed(image.platforms)}"
+    for architecture in matrix.architectures:
+        reason = rules.architecture_reason(matrix, image.os, image.framework, image.stack, architecture)
+        if architecture not in image.architectures and reason:
+            yield f"not for {architecture}: {reason}"
+    yield f"tags: {listed(image.tags)}"

@@ -1,0 +1,59 @@
+"""A catalogue as a table for people and as JSON for machines."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from rosml.expand import Catalogue, Image
+
+
+def facts(image: Image) -> dict[str, Any]:
+    """An image's resolved facts as plain data. Tags are without the registry, sizes in MB."""
+    return {
+        "target": image.target,
+        "distribution": image.distribution,
+        "component": image.component,
+        "framework": image.framework,
+        "stack": image.stack,
+        "os": image.os,
+        "python": image.python,
+        "ros": image.ros,
+        "ros_distro": image.ros_distro,
+        "platforms": list(image.platforms),
+        "versions": dict(image.versions),
+        "repository": image.repository,
+        "tags": list(image.tags),
+        "groups": list(image.groups),
+        "parent": image.parent,
+        "packages": image.packages.split(),
+        "parts": list(image.parts),
+        "locks": list(image.locks),
+        "tests": list(image.tests),
+        "disk": {"unpacked": image.disk.unpacked, "compressed": image.disk.compressed},
+    }
+
+
+def as_json(catalogue: Catalogue) -> str:
+    """All images, in the order of the matrix."""
+    return json.dumps([facts(image) for image in catalogue.images], indent=2) + "\n"
+
+
+def print_table(catalogue: Catalogue) -> None:
+    """Prints all images; one line each, also where nobody watches and the terminal's width is unknown."""
+    from rich.console import Console  # slow to import, and only needed here
+    from rich.table import Table
+
+    table = Table(box=None, header_style="bold", pad_edge=False)
+    for column in ("target", "versions", "platforms", "main tag"):
+        table.add_column(column, no_wrap=True)
+    table.add_column("GB", justify="right", no_wrap=True)
+    for image in catalogue.images:
+        versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
+        platforms = ", ".join(image.platforms)
+        table.add_row(image.target, versions, platforms, image.tags[0], f"{image.disk.unpacked / 1000:.1f}")
+    console = Console(highlight=False, soft_wrap=True)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=200)
+    console.print(table)
+    console.print(f"{len(catalogue.images)} images, {len(catalogue.payloads)} payloads", style="dim")

@@ -1,0 +1,254 @@
+"""The structure of matrix.yaml: what may be written where.
+
+Only structure: whether a name that is used exists somewhere is checked in `references`, which combinations exist
+follows from the facts in `rules`. The descriptions here become matrix.schema.json, which editors show.
+"""
+
+from __future__ import annotations
+
+import datetime
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+
+Part = Literal["cuda", "common", "torch", "tensorflow"]
+Family = Literal["torch", "tensorflow"]
+
+PARTS: tuple[Part, ...] = ("cuda", "common", "torch", "tensorflow")
+"""Payload parts in the order in which the Dockerfile joins them."""
+
+FAMILIES: tuple[Family, ...] = ("torch", "tensorflow")
+"""What has releases: a version, and wheels for some Pythons, stacks and architectures."""
+
+ANY_PYTHON = "any"
+"""Stands for the Python version of a part that is the same for all of them; also a folder name in locks/."""
+
+# What a pattern asks for, in words: the message for a value that does not match it.
+NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*$"
+FILE_NAME = r"^[a-z][a-z0-9]*([.-][a-z0-9]+)*$"
+VERSION = r"^[0-9]+(\.[0-9A-Za-z]+)*$"
+PYTHON = r"^3\.(0|[1-9][0-9]?)$"
+DIGEST = r"^sha256:[0-9a-f]{64}$"
+REFERENCE = r"^[a-z0-9]([a-z0-9._:-]*[a-z0-9])?(/[a-z0-9]+([._-]+[a-z0-9]+)*)*$"
+IMAGE = r"^[a-z0-9.-]+(:[0-9]+)?(/[a-z0-9._-]+)+:[A-Za-z0-9_][A-Za-z0-9._-]*$"
+URL = r"^https?://[^\s\"'$%{}\\]+$"
+PLATFORM = r"^linux/[a-z0-9]+(/v[0-9]+)?$"
+WORD = r"^[A-Za-z0-9_][A-Za-z0-9_.+-]*$"
+SPECIFIER = r"^(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*]*(,(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*]*)*$"
+REQUIREMENT = (
+    r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?((<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*"
+    r"(,(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*)*)?$"
+)
+PACKAGES = r"^[a-z0-9.+{}_-]+( [a-z0-9.+{}_-]+)*$"
+MEANING = {
+    NAME: "a name of lower-case letters, digits and single hyphens, such as desktop-full",
+    FILE_NAME: "a name of lower-case letters, digits, points and hyphens, such as ubuntu-24.04",
+    VERSION: "a version, such as 2.10.0",
+    PYTHON: 'a Python version of two numbers in quotes, such as "3.11"',
+    DIGEST: "a digest: sha256: and 64 hexadecimal digits",
+    REFERENCE: "a registry without https://, such as ghcr.io/owner or localhost:5000",
+    IMAGE: "a full image name with its registry and tag, such as docker.io/library/debian:bookworm",
+    URL: "an address, such as https://example.org/images",
+    PLATFORM: "a platform, such as linux/arm64",
+    WORD: "one word",
+    SPECIFIER: 'a version range, such as "<2" or ">=2.2,<2.3"',
+    REQUIREMENT: 'a Python requirement, such as "protobuf>=5.28,<7"',
+    PACKAGES: "Debian package names separated by single spaces; {component}, {metapackage} and {ros_distro} are filled in",
+}
+
+# The limits on length keep a tag, which joins several of them, within a registry's 128 characters.
+Name = Annotated[str, Field(pattern=NAME, max_length=24)]
+OsName = Annotated[str, Field(pattern=FILE_NAME, max_length=24)]
+Version = Annotated[str, Field(pattern=VERSION, max_length=20)]
+Python = Annotated[str, Field(pattern=PYTHON)]
+Word = Annotated[str, Field(pattern=WORD, max_length=64)]
+Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
+Packages = Annotated[str, Field(pattern=PACKAGES, max_length=400)]
+Target = Annotated[str, Field(pattern=NAME, max_length=128)]
+Names = Annotated[tuple[Name, ...], Field(min_length=1)]
+Megabytes = Annotated[int, Field(ge=0, le=1_000_000)]
+
+
+def _requirement_kind(value: Any) -> str:
+    return "per-architecture" if isinstance(value, Mapping) else "same"
+
+
+# One requirement, or one for each architecture where the packages' names differ.
+Requirements = Annotated[
+    Annotated[Requirement, Tag("same")] | Annotated[dict[Name, Requirement], Tag("per-architecture")],
+    Discriminator(_requirement_kind),
+]
+
+
+class Facts(BaseModel):
+    """Base of all models: unknown keys are errors, nothing is converted silently, nothing changes afterwards."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, defer_build=True)
+
+
+class Default(Facts):
+    """What is built when nothing is named."""
+
+    target: Target = Field(description="the image that `make image` builds")
+    group: Annotated[tuple[Target, ...], Field(min_length=1)] = Field(
+        description="images of the bake file's `default` group: small and useful"
+    )
+
+
+class Architecture(Facts):
+    """A processor architecture, under BuildKit's name (TARGETARCH)."""
+
+    platform: Annotated[str, Field(pattern=PLATFORM)] = Field(description="BuildKit's platform")
+    wheels: Word = Field(description="uv's name of the wheel platform, with the oldest glibc that is supported")
+    triplet: Word = Field(description="Debian's multiarch triplet: the folder of libraries below /usr/lib")
+
+
+class OperatingSystem(Facts):
+    """What a distribution stands on."""
+
+    image: Annotated[str, Field(pattern=IMAGE)] = Field(description="base image with its registry and tag")
+    digest: Annotated[str, Field(pattern=DIGEST)] = Field(description="digest of the base image's index")
+    python: Python = Field(description="version of the system's own Python, in quotes")
+    numpy: Annotated[str, Field(pattern=SPECIFIER)] = Field(
+        description="numpy versions with the ABI of the system's own numpy, which ROS's packages are compiled against"
+    )
+    architectures: Names = Field(description="architectures that images of it are built for")
+    tools: Packages = Field(description="Debian packages of the developers' tools: colcon, rosdep, vcs")
+    provides: dict[Word, Version] = Field(
+        default={}, description="Python packages of the system that ROS's tools import: no payload carries them"
+    )
+
+
+class Component(Facts):
+    """A part of ROS that is installed at once."""
+
+    builds_on: Name | None = Field(
+        default=None, description="the component below; where a distribution lacks it, the next one below that"
+    )
+    metapackage: Word | None = Field(default=None, description="name in package names; the component's own if left out")
+
+
+class Framework(Facts):
+    """What is added to a ROS image."""
+
+    repository: Name = Field(description="repository of its images, without the registry")
+    parts: tuple[Part, ...] = Field(default=(), description="payload parts; cuda applies to stacks that have CUDA only")
+    releases: tuple[Family, ...] = Field(default=(), description="of what a stack must have a release")
+    accelerators: tuple[Literal["cpu", "cuda"], ...] = Field(
+        default=("cpu", "cuda"), description="accelerators that it exists for; both if left out"
+    )
+
+
+class Release(Facts):
+    """A release of PyTorch or TensorFlow: what its wheels exist for."""
+
+    python: Annotated[tuple[Python, ...], Field(min_length=1)] = Field(description="Python versions with wheels")
+    wheels: dict[Name, Names] = Field(description="stack -> architectures with wheels for that stack's accelerator")
+
+
+class Releases(Facts):
+    """Releases by version."""
+
+    torch: dict[Version, Release] = Field(default={}, description="PyTorch")
+    tensorflow: dict[Version, Release] = Field(default={}, description="TensorFlow")
+
+    def of(self, family: Family) -> dict[str, Release]:
+        """The releases of a family by version."""
+        return self.torch if family == "torch" else self.tensorflow
+
+
+class Stack(Facts):
+    """Versions that were resolved together: one CUDA and one numpy for all of them."""
+
+    accelerator: Literal["cpu", "cuda"] = Field(description="what its wheels compute on")
+    cuda: Version | None = Field(default=None, description="version of the CUDA runtime")
+    cudnn: Version | None = Field(default=None, description="version of cuDNN")
+    nccl: Version | None = Field(default=None, description="version of NCCL")
+    torch: Version | None = Field(default=None, description="release of PyTorch")
+    tensorflow: Version | None = Field(default=None, description="release of TensorFlow")
+    packages: dict[Family, Requirements] = Field(
+        default={}, description="what to ask the index for: a name, or one per architecture"
+    )
+    constraints: tuple[Requirement, ...] = Field(default=(), description="further requirements on dependencies")
+
+    def release(self, family: Family) -> str | None:
+        """The stack's version of a family; None where it has none."""
+        return self.torch if family == "torch" else self.tensorflow
+
+    def requirement(self, family: Family, architecture: str) -> str | None:
+        """What to ask the index for, e.g. `tensorflow[and-cuda]==2.20.0`; None where the stack has none."""
+        version = self.release(family)
+        package = self.packages.get(family, family)
+        name = package.get(architecture) if isinstance(package, dict) else package
+        return f"{name}=={version}" if version and name else None
+
+
+class Apt(Facts):
+    """Where ROS packages come from, for distributions that are not part of the operating system."""
+
+    channel: Literal["live", "snapshot", "final"] = Field(
+        description="live repository, dated snapshot, or the last snapshot of a distribution past its end of life"
+    )
+    date: datetime.date | None = Field(default=None, description="day of the snapshot")
+
+
+class Distribution(Facts):
+    """A ROS distribution on an operating system."""
+
+    os: OsName = Field(description="a name from operating_systems")
+    ros: Literal[1, 2] = Field(description="ROS 1 or ROS 2")
+    ros_distro: Name | None = Field(
+        default=None, description="value of ROS_DISTRO; the distribution's own name if left out"
+    )
+    packages: Packages = Field(
+        description="packages of a component; {component}, {metapackage} and {ros_distro} are filled in"
+    )
+    components: Names = Field(description="components that it has")
+    default_stack: Name = Field(description="stack of the short tags, e.g. ros-torch:jazzy")
+    eol: datetime.date | None = Field(default=None, description="end of life; leave out for a rolling distribution")
+    lts: bool = Field(default=False, description="a long-term release of ROS: the newest one gets the tag `latest`")
+    apt: Apt | None = Field(
+        default=None, description="ROS's own apt repository, for packages that are not the system's"
+    )
+
+
+class Size(Facts):
+    """Sizes in MB (10^6 bytes)."""
+
+    unpacked: Megabytes = Field(description="MB on disk")
+    compressed: Megabytes = Field(description="MB in the registry")
+
+    def __add__(self, other: Size) -> Size:
+        return Size.model_construct(
+            unpacked=self.unpacked + other.unpacked, compressed=self.compressed + other.compressed
+        )
+
+
+class Disk(Facts):
+    """Forecast of sizes in MB, each without what it stands on."""
+
+    os: Size = Field(description="operating system with the essentials")
+    components: dict[Name, Size] = Field(description="component -> size")
+    parts: dict[Name, dict[Part, Size]] = Field(description="stack -> payload part -> size")
+
+
+class Matrix(Facts):
+    """The one source of truth: what exists, as positive facts. Combinations that the facts allow are built."""
+
+    version: Literal[1] = Field(description="version of this file's format")
+    registry: Annotated[str, Field(pattern=REFERENCE)] = Field(
+        description="where images live, unless the variable REGISTRY says otherwise"
+    )
+    source: Annotated[str, Field(pattern=URL)] | None = Field(
+        default=None, description="the project's address, for the images' label"
+    )
+    default: Default
+    architectures: dict[Name, Architecture] = Field(min_length=1)
+    operating_systems: dict[OsName, OperatingSystem] = Field(min_length=1)
+    components: dict[Name, Component] = Field(min_length=1)
+    frameworks: dict[Name, Framework] = Field(min_length=1)
+    releases: Releases
+    stacks: dict[Name, Stack]
+    distributions: dict[Name, Distribution] = Field(min_length=1)
+    disk: Disk

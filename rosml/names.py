@@ -1,0 +1,56 @@
+"""Names: one place for how targets, payloads, variables and tags are called."""
+
+from __future__ import annotations
+
+from rosml.model import ANY_PYTHON
+
+RESERVED_GROUPS = ("all", "default", "payloads", "tests")
+"""Groups that do not come from an axis of the matrix."""
+
+SHORT = {"torch": "torch", "tensorflow": "tf", "cuda": "cuda"}
+"""How tags that spell versions out call what they count, as users know it from the predecessor."""
+
+
+def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
+    """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`."""
+    return "-".join([distribution, component] + ([framework, stack] if stack else []))
+
+
+def test_target(image: str) -> str:
+    """The target that tests an image."""
+    return f"{image}-test"
+
+
+def os_slug(os: str) -> str:
+    """An operating system within a target's name, where bake allows no points."""
+    return os.replace(".", "-")
+
+
+def os_target(os: str) -> str:
+    """The target of an operating system with the essentials."""
+    return f"_os-{os_slug(os)}"
+
+
+def os_variable(os: str) -> str:
+    """The bake variable that holds an operating system's base image."""
+    return "OS_" + os_slug(os).replace("-", "_").upper()
+
+
+def payload_name(part: str, stack: str, python: str) -> str:
+    """A payload: `torch-cu128-py311`; `cuda-cu128` where it is the same for every Python. Also its tag."""
+    return f"{part}-{stack}" + ("" if python == ANY_PYTHON else f"-py{python.replace('.', '')}")
+
+
+def files_target(payload: str) -> str:
+    """The target that assembles a payload's files below /out."""
+    return f"_files-{payload}"
+
+
+def payload_target(payload: str) -> str:
+    """The target of a payload as an image of its own."""
+    return f"payload-{payload}"
+
+
+def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
+    """A payload's lock, relative to the project's root; the Dockerfile spells the same path."""
+    return f"locks/{stack}/{architecture}/{python}/{part}.txt"

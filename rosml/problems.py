@@ -1,0 +1,78 @@
+"""Problems in an input file: where, what, and what to do about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from rosml.errors import RosmlError
+
+Path = tuple[str | int, ...]
+"""The way from a file's top to a value: keys, and indexes of lists."""
+
+SHOWN = 50
+"""How many problems one message spells out; a broken file can hold thousands."""
+
+SOUGHT = 2_000
+"""Among how many names near matches are sought, so that a broken file does not take minutes to explain."""
+
+
+@dataclass(frozen=True, order=True)
+class Problem:
+    """One problem. `line` and `column` count from 1; `path` is empty where the file as a whole is meant."""
+
+    line: int
+    column: int
+    path: str
+    text: str
+
+    def message(self, file: str) -> str:
+        """The problem as editors and terminals link it: `file:line:column: path: text`."""
+        return ": ".join(part for part in (f"{file}:{self.line}:{self.column}", self.path, self.text) if part)
+
+
+class InputError(RosmlError):
+    """A file with problems: all of them, in the order of the file. The exit code is 2."""
+
+    def __init__(self, file: str, problems: Iterable[Problem]) -> None:
+        self.problems = tuple(sorted(set(problems)))
+        lines = [problem.message(file) for problem in self.problems[:SHOWN]]
+        if len(self.problems) > SHOWN:
+            lines.append(f"{file}: and more; the first {SHOWN} problems are shown")
+        super().__init__("\n".join(lines), exit_code=2)
+
+
+def dotted(path: Path) -> str:
+    """A path for people: `distributions.jazzy.components[2]`."""
+    text = ""
+    for step in path:
+        if isinstance(step, int):
+            text += f"[{step}]"
+        else:
+            text += f".{step}" if text else step
+    return text
+
+
+def listed(names: Sequence[str], last: str = "and") -> str:
+    """Names in a sentence: `a`, `a and b`, `a, b and c`."""
+    return f" {last} ".join(part for part in (", ".join(names[:-1]), *names[-1:]) if part)
+
+
+def near(name: str, known: Iterable[str]) -> str:
+    """The remedy for an unknown name: near matches, or all known names where they are few.
+
+    Returns:
+        `did you mean 'x'?`, `known: a, b, c`, or nothing.
+    """
+    from difflib import get_close_matches  # only needed when something is wrong
+
+    names = list(known)
+    if matches := get_close_matches(name[:100], names[:SOUGHT], n=3):
+        return f"did you mean {listed([repr(match) for match in matches], last='or')}?"
+    return f"known: {', '.join(names)}" if 0 < len(names) <= 12 else ""
+
+
+def unknown(kind: str, name: str, known: Iterable[str]) -> str:
+    """The sentence about a name that nothing has: `no stack named 'cu129'; did you mean 'cu128'?`."""
+    names = list(known)
+    return "; ".join(part for part in (f"no {kind} named {name!r}", near(name, names)) if part)

@@ -1,0 +1,259 @@
+"""One image, all the way: base image, build, push by digest, structure tests, index, tags.
+
+The order is what makes tags trustworthy: a tag moves only after the very digest that it will point at passed its
+tests. Interrupted at any point, nothing is tagged; the builder and the registry keep what was finished, and the next
+call carries on from there.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rosml import base_images, builder, forecast, names, registry, verify
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image
+from rosml.progress import Step
+from rosml.services import Services
+
+NAMESPACE = "rosml"
+"""Namespace in the local registry; tests use another one, so that they never move a user's tags."""
+
+COMPRESSION = "compression=zstd,compression-level=3,oci-mediatypes=true"
+
+
+@dataclass
+class Result:
+    """What publishing one image came to.
+
+    Attributes:
+        target: the bake target.
+        reference: what to put after FROM: the main tag.
+        tags: all references that point at the image.
+        digest: digest of the index behind the tags; manifest: of the image manifest that was tested.
+        moved: tags that pointed elsewhere, or nowhere, before.
+        compressed, unpacked: bytes.
+        uploaded: bytes that this call added to the registry.
+        passed, failed: structure tests.
+        seconds: wall time by phase, in order.
+        work: seconds of the builder's work by kind of step.
+        reused: what was there already.
+        base: where the base images came from.
+    """
+
+    target: str
+    reference: str = ""
+    tags: list[str] = field(default_factory=list)
+    digest: str = ""
+    manifest: str = ""
+    moved: list[str] = field(default_factory=list)
+    compressed: int = 0
+    unpacked: int = 0
+    uploaded: int = 0
+    passed: int = 0
+    failed: int = 0
+    seconds: dict[str, float] = field(default_factory=dict)
+    work: dict[str, float] = field(default_factory=dict)
+    reused: list[str] = field(default_factory=list)
+    base: str = ""
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json` and for `.state/results`."""
+        return asdict(self)
+
+
+class TestsFailed(RosmlError):
+    """Structure tests failed: no tag was moved."""
+
+    __test__ = False  # its name does not make it a test
+
+    def __init__(self, result: Result, report: verify.Report, folder: Path) -> None:
+        self.result = result
+        lines = [f"    {outcome.file}: {outcome.name}\n{_indent(outcome.detail)}" for outcome in report.failed]
+        super().__init__(
+            f"{len(report.failed)} of {len(report.outcomes)} structure tests of {result.target} failed; no tag was moved\n"
+            + "\n".join(lines)
+            + f"\n  all reports: {folder}",
+            f"mend the component or the test, then run it again; the untested image stays at {result.manifest}",
+        )
+
+
+@dataclass
+class Publisher:
+    """Publishes images of a catalogue into the local registry.
+
+    Attributes:
+        services: registry and builder.
+        catalogue: all that the matrix describes.
+        say: told what is going on, a line at a time.
+        namespace: first part of the repositories' names.
+        bake_file: what buildx reads, rendered from the same catalogue.
+    """
+
+    services: Services
+    catalogue: Catalogue
+    say: Callable[[str], None]
+    namespace: str = NAMESPACE
+    bake_file: Path = Path("docker-bake.hcl")
+
+    @property
+    def prefix(self) -> str:
+        """Value of the bake variable REGISTRY."""
+        return f"{self.services.registry}/{self.namespace}"
+
+    def publish(self, target: str) -> Result:
+        """Builds, tests and tags one image.
+
+        Raises:
+            RosmlError: unknown target, no room, a service is down, the build failed.
+            TestsFailed: the structure tests failed; tags are where they were.
+        """
+        image = self.catalogue.image(target)
+        self.services.require_registry()
+        self.services.require_builder()
+        built = forecast.Built(self.services.state)
+        forecast.require(self.services.state, forecast.needed_mb(self.catalogue, image, built.names()), target)
+        result = Result(target)
+        clock = _Clock(result.seconds)
+
+        self.say("base image")
+        variables = self._base_images(image, result)
+        clock.lap("base image")
+
+        self.say(f"build {target} and push it by digest")
+        before = _folder_bytes(self.services.state / "registry")
+        self._build(image, variables, result)
+        built.add([target, image.parent, *image.parts])
+        result.uploaded = _folder_bytes(self.services.state / "registry") - before
+        clock.lap("build and push")
+
+        self.say("structure tests, inside the image")
+        self._test(image, variables, result)
+        clock.lap("structure tests")
+
+        self.say("index and tags")
+        self._tag(image, result)
+        clock.lap("index and tags")
+        self._remember(result)
+        return result
+
+    def _base_images(self, image: Image, result: Result) -> dict[str, str]:
+        """Variables of the bake file that say where base images are."""
+        assembled_on = {self.catalogue.payload_by_name[name].os for name in image.parts}
+        systems = self.catalogue.matrix.operating_systems
+        first = next(iter(systems))  # what the tools of tests and the cuda part are assembled on
+        variables = {"REGISTRY": self.prefix}
+        for name in sorted({image.os, first} | assembled_on):
+            reference = base_images.ensure(self.services, systems[name], say=self.say)
+            variables[names.os_variable(name)] = f"docker-image://{reference}"
+            if name == image.os:
+                made = "made with mmdebstrap, because Docker Hub does not answer"
+                result.base = f"{reference} ({made if self.services.mirror else 'the official image'})"
+        return variables
+
+    def _build(self, image: Image, variables: dict[str, str], result: Result) -> None:
+        repository = f"{self.prefix}/{image.repository}"
+        output = f"type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
+        sets = (f"{image.target}.output={output}", f"{image.target}.tags=")
+        progress, metadata = builder.run(
+            self.services, builder.Bake(image.target, f"build-{image.target}", self.bake_file, sets, variables)
+        )
+        result.work.update(progress.phases())
+        result.reused = _reused(progress.reused())
+        result.manifest = metadata.get("containerimage.digest", "")
+        if not result.manifest:
+            raise RosmlError(f"buildx did not say which digest it pushed for {image.target}", "run it again")
+        result.compressed = sum(
+            layer.size for layer in registry.layers(self.services, f"{repository}@{result.manifest}")
+        )
+
+    def _test(self, image: Image, variables: dict[str, str], result: Result) -> None:
+        reference = f"{self.prefix}/{image.repository}@{result.manifest}"
+        folder = self.services.state / "tests" / image.target
+        metadata, report_folder = folder / "metadata", folder / "report"
+        shutil.rmtree(report_folder, ignore_errors=True)
+        config = registry.image_config(self.services, reference, image.platforms[0])
+        verify.write_metadata(metadata, image, config)
+        # A run that failed is in the builder's cache like any other: another attempt has to be told apart.
+        attempts = folder / "failed-attempts"
+        attempt = attempts.read_text().strip() if attempts.exists() else "0"
+        name = image.test_target
+        sets = (
+            f"{name}.target=test-report",
+            f"{name}.output=type=local,dest={report_folder}",
+            f"{name}.contexts.metadata={metadata}",
+            f"{name}.args.TEST_ATTEMPT={attempt}",
+        )
+        progress, _ = builder.run(
+            self.services, builder.Bake(name, f"test-{image.target}", self.bake_file, sets, variables)
+        )
+        for phase, seconds in progress.phases().items():
+            result.work[phase] = result.work.get(phase, 0.0) + seconds
+        if any("/run/tests/run.sh" in step.name for step in progress.reused()):
+            result.reused.append("structure tests (same image, same tests)")
+        report = verify.read_report(report_folder, (*image.tests, "metadata"))
+        result.passed, result.failed, result.unpacked = report.passed, len(report.failed), report.unpacked
+        if report.failed:
+            attempts.write_text(str(int(attempt) + 1))
+            raise TestsFailed(result, report, report_folder)
+
+    def _tag(self, image: Image, result: Result) -> None:
+        """Makes the index and moves the tags to it, the most specific first, the floating ones last."""
+        repository = f"{self.prefix}/{image.repository}"
+        annotations = {"org.opencontainers.image.title": image.target}
+        result.digest = registry.create_index(self.services, repository, [result.manifest], annotations)
+        tags = [tag.split(":", 1)[1] for tag in image.tags]
+        for name in tags:
+            if registry.digest(self.services, f"{repository}:{name}") != result.digest:
+                registry.tag(self.services, repository, result.digest, name)
+                result.moved.append(name)
+        result.tags = [f"{repository}:{name}" for name in tags]
+        result.reference = result.tags[0]
+
+    def _remember(self, result: Result) -> None:
+        folder = self.services.state / "results"
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / f"{result.target}.json").write_text(json.dumps(result.to_json(), indent=2) + "\n")
+
+
+class _Clock:
+    """Wall time by phase."""
+
+    def __init__(self, laps: dict[str, float]) -> None:
+        self._laps = laps
+        self._last = time.monotonic()
+
+    def lap(self, name: str) -> None:
+        now = time.monotonic()
+        self._laps[name] = now - self._last
+        self._last = now
+
+
+def _reused(steps: list[Step]) -> list[str]:
+    """What the builder had already, in the words of the summary."""
+    kinds = {
+        "assemble payloads": "assembled payloads",
+        "install ROS packages": "ROS packages",
+        "install essentials": "essentials",
+        "join payloads": "joined payload layers",
+    }
+    return list(dict.fromkeys(kinds[step.phase] for step in steps if step.phase in kinds))
+
+
+def _folder_bytes(folder: Path) -> int:
+    """Size of a folder on disk in bytes; 0 where it cannot be read (a registry that is not ours)."""
+    try:
+        done = subprocess.run(["du", "-s", "-B1", str(folder)], capture_output=True, text=True, check=True)
+        return int(done.stdout.split()[0])
+    except (OSError, ValueError, IndexError, subprocess.CalledProcessError):
+        return 0
+
+
+def _indent(text: str) -> str:
+    return "\n".join(f"      {line}" for line in text.strip().splitlines())

@@ -1,0 +1,229 @@
+"""Whether every name that matrix.yaml uses exists in it, and whether its facts agree with each other."""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Iterable, Iterator
+
+from rosml import names
+from rosml.model import PARTS, Matrix
+from rosml.problems import Path, listed, near, unknown
+
+Finding = tuple[Path, str]
+"""A problem's path and its text."""
+
+MAX_COMBINATIONS = 200_000
+"""More combinations than that are a mistake; the full matrix has about 1,500."""
+
+PLACEHOLDERS = ("component", "metapackage", "ros_distro")
+
+
+def findings(matrix: Matrix) -> Iterator[Finding]:
+    """Every problem that needs more than one place of the file to be seen."""
+    for check in (
+        _duplicates,
+        _axes,
+        _operating_systems,
+        _components,
+        _frameworks,
+        _releases,
+        _stacks,
+        _distributions,
+        _disk,
+        _size,
+    ):
+        yield from check(matrix)
+
+
+def _each(path: Path, kind: str, used: Iterable[str], known: Iterable[str]) -> Iterator[Finding]:
+    """Names of a list that must exist."""
+    known = dict.fromkeys(known)
+    for index, name in enumerate(used):
+        if name not in known:
+            yield (*path, index), unknown(kind, name, known)
+
+
+def _duplicates(matrix: Matrix) -> Iterator[Finding]:
+    lists: list[tuple[Path, tuple[str, ...]]] = [(("default", "group"), matrix.default.group)]
+    for name, os in matrix.operating_systems.items():
+        lists.append((("operating_systems", name, "architectures"), os.architectures))
+    for name, framework in matrix.frameworks.items():
+        for key in ("parts", "releases", "accelerators"):
+            lists.append((("frameworks", name, key), getattr(framework, key)))
+    for family in ("torch", "tensorflow"):
+        for version, release in getattr(matrix.releases, family).items():
+            here: Path = ("releases", family, version)
+            lists.append(((*here, "python"), release.python))
+            lists += [((*here, "wheels", stack), wheels) for stack, wheels in release.wheels.items()]
+    for name, distribution in matrix.distributions.items():
+        lists.append((("distributions", name, "components"), distribution.components))
+    for path, values in lists:
+        seen: set[str] = set()
+        for index, value in enumerate(values):
+            if value in seen:
+                yield (*path, index), f"{value!r} is there twice; keep one"
+            seen.add(value)
+
+
+def _axes(matrix: Matrix) -> Iterator[Finding]:
+    """Every value of an axis is a group of the bake file, so no two may share a name."""
+    taken = dict.fromkeys(names.RESERVED_GROUPS, "a group of its own")
+    for axis in ("distributions", "components", "frameworks", "stacks"):
+        for name in getattr(matrix, axis):
+            if name in taken:
+                yield (
+                    (axis, name),
+                    f"the name {name!r} is taken ({taken[name]}); both would be the same group of targets",
+                )
+            else:
+                taken[name] = f"by {axis}.{name}"
+    slugs: dict[str, str] = {}
+    for name in matrix.operating_systems:
+        other = slugs.setdefault(names.os_slug(name), name)
+        if other != name:
+            yield ("operating_systems", name), f"{name!r} and {other!r} would have the same target; rename one"
+
+
+def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
+    for name, os in matrix.operating_systems.items():
+        path: Path = ("operating_systems", name)
+        yield from _each((*path, "architectures"), "architecture", os.architectures, matrix.architectures)
+        yield from _placeholders((*path, "tools"), os.tools, ())
+
+
+def _components(matrix: Matrix) -> Iterator[Finding]:
+    settled: set[str] = set()
+    for name, component in matrix.components.items():
+        if component.builds_on and component.builds_on not in matrix.components:
+            yield ("components", name, "builds_on"), unknown("component", component.builds_on, matrix.components)
+        chain: dict[str, None] = {}  # a set that keeps its order
+        below: str | None = name
+        while below in matrix.components and below not in chain and below not in settled:
+            chain[below] = None
+            below = matrix.components[below].builds_on
+        settled.update(chain)
+        if below in chain:
+            cycle = list(chain)[list(chain).index(below) :]
+            way = " -> ".join([*cycle, below] if len(cycle) <= 8 else [below, "…", below])
+            yield ("components", below, "builds_on"), f"a cycle: {way}; one of them must build on nothing"
+
+
+def _frameworks(matrix: Matrix) -> Iterator[Finding]:
+    repositories: dict[str, str] = {"payload": "the payloads"}
+    plain = 0
+    for name, framework in matrix.frameworks.items():
+        path: Path = ("frameworks", name)
+        if framework.repository in repositories:
+            other = repositories[framework.repository]
+            yield (*path, "repository"), f"repository {framework.repository!r} belongs to {other}; tags would collide"
+        repositories.setdefault(framework.repository, f"framework {name}")
+        for family in framework.releases:
+            if family not in framework.parts:
+                yield (*path, "releases"), f"{family} is not among the parts; add it to 'parts'"
+        for part in PARTS[2:]:
+            if part in framework.parts and part not in framework.releases:
+                yield (*path, "parts"), f"{part} is not among the releases; add it to 'releases'"
+        if framework.releases and "common" not in framework.parts:
+            yield (*path, "parts"), "frameworks with releases need the part common; add it to 'parts'"
+        plain += not framework.parts
+    if plain != 1:
+        found = f"{plain} have" if plain else "none has"
+        yield ("frameworks",), f"exactly one framework has no parts: the ROS images that all others stand on; {found}"
+
+
+def _releases(matrix: Matrix) -> Iterator[Finding]:
+    for family in ("torch", "tensorflow"):
+        for version, release in getattr(matrix.releases, family).items():
+            for stack, architectures in release.wheels.items():
+                path: Path = ("releases", family, version, "wheels", stack)
+                if stack not in matrix.stacks:
+                    yield path, unknown("stack", stack, matrix.stacks)
+                yield from _each(path, "architecture", architectures, matrix.architectures)
+
+
+def _stacks(matrix: Matrix) -> Iterator[Finding]:
+    for name, stack in matrix.stacks.items():
+        path: Path = ("stacks", name)
+        for family in ("torch", "tensorflow"):
+            version, releases = stack.release(family), matrix.releases.of(family)
+            if version and version not in releases:
+                yield (*path, family), unknown(f"release of {family}", version, releases)
+            package = stack.packages.get(family)
+            if package and not version:
+                yield (*path, "packages", family), f"stack {name} has no release of {family}; add '{family}: …' to it"
+            for architecture in package if isinstance(package, dict) else ():
+                if architecture not in matrix.architectures:
+                    problem = unknown("architecture", architecture, matrix.architectures)
+                    yield (*path, "packages", family, architecture), problem
+            wheels = releases[version].wheels.get(name, ()) if version in releases else ()
+            named = package if isinstance(package, dict) else dict.fromkeys(wheels)
+            for architecture in wheels:
+                if architecture not in named and architecture in matrix.architectures:
+                    yield (
+                        (*path, "packages", family),
+                        f"{family} {version} has a wheel for {architecture}; name its package",
+                    )
+        for key in ("cuda", "cudnn"):
+            if stack.accelerator == "cuda" and getattr(stack, key) is None:
+                yield path, f"a stack with accelerator cuda needs '{key}'; add its version"
+        for key in ("cuda", "cudnn", "nccl"):
+            if stack.accelerator != "cuda" and getattr(stack, key) is not None:
+                yield (*path, key), f"a stack with accelerator {stack.accelerator} has no {key}; remove it"
+
+
+def _distributions(matrix: Matrix) -> Iterator[Finding]:
+    for name, distribution in matrix.distributions.items():
+        path: Path = ("distributions", name)
+        if distribution.os not in matrix.operating_systems:
+            yield (*path, "os"), unknown("operating system", distribution.os, matrix.operating_systems)
+        yield from _each((*path, "components"), "component", distribution.components, matrix.components)
+        if distribution.default_stack not in matrix.stacks:
+            yield (*path, "default_stack"), unknown("stack", distribution.default_stack, matrix.stacks)
+        if distribution.lts and distribution.eol is None:
+            yield (*path, "lts"), "a long-term release has an end of life; add 'eol: …'"
+        yield from _placeholders((*path, "packages"), distribution.packages, PLACEHOLDERS)
+        if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
+            yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
+
+
+def _placeholders(path: Path, template: str, known: tuple[str, ...]) -> Iterator[Finding]:
+    try:
+        fields = [field for _, field, _, _ in string.Formatter().parse(template) if field is not None]
+    except ValueError:
+        yield path, f"unpaired braces in {template!r}; placeholders: {listed(known) or 'none'}"
+        return
+    for field in fields:
+        if field not in known:
+            remedy = near(field, known) if known else "no placeholders are filled in here"
+            yield path, f"no placeholder {{{field}}}; {remedy}"
+
+
+def _disk(matrix: Matrix) -> Iterator[Finding]:
+    for section, known in (("components", matrix.components), ("parts", matrix.stacks)):
+        forecasts = getattr(matrix.disk, section)
+        kind = "component" if section == "components" else "stack"
+        for name in forecasts:
+            if name not in known:
+                yield ("disk", section, name), unknown(kind, name, known)
+        for name in known:
+            if name not in forecasts:
+                yield ("disk", section), f"no forecast for {kind} {name}; add '{name}: …', a guess will do"
+    for name, stack in matrix.stacks.items():
+        used = {part for framework in matrix.frameworks.values() for part in framework.parts}
+        needed = [
+            part
+            for part in PARTS
+            if part in used
+            and (part != "cuda" or stack.accelerator == "cuda")
+            and (part not in ("torch", "tensorflow") or getattr(stack, part))
+        ]
+        for part in needed:
+            if name in matrix.disk.parts and part not in matrix.disk.parts[name]:
+                yield ("disk", "parts", name), f"no forecast for part {part}; add '{part}: …', a guess will do"
+
+
+def _size(matrix: Matrix) -> Iterator[Finding]:
+    components = sum(len(distribution.components) for distribution in matrix.distributions.values())
+    combinations = components * (1 + len(matrix.frameworks) * len(matrix.stacks))
+    if combinations > MAX_COMBINATIONS:
+        yield (), f"{combinations} combinations to look at, more than {MAX_COMBINATIONS}; remove rows"

@@ -1,0 +1,149 @@
+"""A document -> a `Matrix`, or every problem that it has, each with its place in the file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from datetime import date
+from itertools import islice
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from rosml.model import MEANING, Matrix
+from rosml.problems import SHOWN, InputError, Path, Problem, listed, near
+from rosml.references import findings
+from rosml.repair import annotation, bare, repaired, trusted
+from rosml.source import Document
+
+EXPLAINED = 500
+"""How many of the model's complaints are explained; of more than that nobody reads all."""
+
+
+def validate(document: Document) -> Matrix:
+    """The matrix of a document.
+
+    Raises:
+        InputError: with every problem of its structure, and of names that do not exist.
+    """
+    problems = list(document.problems)
+    stand_ins: set[Path] = set()
+    matrix: Matrix | None
+    try:
+        matrix = Matrix.model_validate(document.data)
+    except ValidationError as error:
+        details = error.errors(include_url=False)[:EXPLAINED]
+        # What YAML itself misreads (a key twice, `yes` for true) was explained already.
+        explained = {problem.path for problem in problems}
+        found = [_problem(document, detail) for detail in details]
+        problems += [problem for problem in found if problem.path not in explained]
+        refused = [(detail["type"], *_path(document, detail["loc"], detail["type"])) for detail in details]
+        matrix, stand_ins = repaired(document.data, refused)
+    if matrix is not None:
+        some = islice(findings(matrix), SHOWN + 1)
+        problems += [document.problem(path, text) for path, text in trusted(some, stand_ins)]
+    if matrix is None or problems:
+        raise InputError(document.name, problems)
+    return matrix
+
+
+def _problem(document: Document, error: Any) -> Problem:
+    kind: str = error["type"]
+    path, of_key = _path(document, error["loc"], kind)
+    if kind == "missing":
+        return document.problem(path[:-1], f"'{path[-1]}' is missing; add '{path[-1]}: …'{_purpose(path)}")
+    if kind == "extra_forbidden":
+        return document.problem(path, _join(f"unknown key {path[-1]!r}", near(str(path[-1]), _fields(path[:-1]))))
+    context, value = error.get("ctx", {}), error["input"]
+    if of_key:
+        value = path[-1]
+    written = document.place(path).text if not of_key else ""
+    return document.problem(path, _complaint(kind, context, value, written, error["msg"]))
+
+
+def _complaint(kind: str, context: Mapping[str, Any], value: Any, written: str, otherwise: str) -> str:
+    """One sentence: what was expected, what is there, and how to put it right."""
+    if kind == "string_type":
+        quoted = isinstance(value, (int, float, date)) and written
+        remedy = f'write it in quotes: "{written}"' if quoted else ""
+        return _join(f"expected text, found {_found(value, written)}", remedy)
+    if kind == "string_pattern_mismatch":
+        return f"expected {MEANING.get(context['pattern'], 'text')}, found {_found(value)}"
+    if kind == "literal_error":
+        known = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
+        return _join(f"expected {listed(known, last='or')}, found {_found(value, written)}", _near_match(value, known))
+    if kind in _EXPECTED:
+        return f"expected {_EXPECTED[kind]}, found {_found(value, written)}"
+    if kind in ("greater_than_equal", "less_than_equal"):
+        bound = "at least" if kind.startswith("greater") else "at most"
+        return f"expected {bound} {context.get('ge', context.get('le'))}, found {_found(value, written)}"
+    if kind in ("too_short", "string_too_short"):
+        return "nothing is there; at least one entry is needed"
+    if kind in ("too_long", "string_too_long"):
+        return f"too long: {len(value)} characters, at most {context['max_length']} are allowed"
+    return f"{otherwise[:1].lower()}{otherwise[1:]}, found {_found(value, written)}"
+
+
+_EXPECTED = {
+    "model_type": "keys and values",
+    "dict_type": "keys and values",
+    "tuple_type": "a list, such as [a, b]",
+    "int_type": "a whole number",
+    "bool_type": "true or false",
+    "date_type": "a day, such as 2028-06-30, without quotes",
+}
+
+
+def _found(value: Any, written: str = "") -> str:
+    if value is None:
+        return "nothing"
+    if isinstance(value, Mapping):
+        return "keys and values"
+    if isinstance(value, Sequence) and not isinstance(value, str):
+        return "a list"
+    if isinstance(value, str):
+        return repr(value) if len(value) <= 80 else f"{value[:77]!r}… ({len(value)} characters)"
+    kind = "a date" if isinstance(value, date) else "the number" if not isinstance(value, bool) else ""
+    return f"{kind} {written or value}".strip()
+
+
+def _near_match(value: Any, known: list[str]) -> str:
+    from difflib import get_close_matches
+
+    matches = get_close_matches(str(value)[:100], known, n=1)
+    return f"did you mean {matches[0]}?" if matches else ""
+
+
+def _join(*sentences: str) -> str:
+    return "; ".join(sentence for sentence in sentences if sentence)
+
+
+def _path(document: Document, location: Sequence[Any], kind: str) -> tuple[Path, bool]:
+    """Pydantic's location as a path in the file, and whether the key itself is meant.
+
+    Pydantic adds steps that the file does not have: `[key]` after a bad key, the tag of a union's member.
+    """
+    of_key = bool(location) and location[-1] == "[key]"
+    steps = list(location[:-1] if of_key else location)
+    path: Path = ()
+    for index, step in enumerate(steps):
+        last = index == len(steps) - 1
+        if (*path, step) in document.places or (last and kind == "missing"):
+            path = (*path, step)
+    return path, of_key
+
+
+def _fields(path: Path) -> list[str]:
+    model = _model(path)
+    return list(model.model_fields) if model else []
+
+
+def _purpose(path: Path) -> str:
+    model = _model(path[:-1])
+    field = model.model_fields.get(str(path[-1])) if model else None
+    return f" ({field.description})" if field and field.description else ""
+
+
+def _model(path: Path) -> type[BaseModel] | None:
+    """The model that describes what stands at `path`."""
+    kind = bare(annotation(path))
+    return kind if isinstance(kind, type) and issubclass(kind, BaseModel) else None

@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Writes docker-bake.hcl (and matrix.schema.json) from matrix.yaml; lists and explains images."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+import click
+
+from rosml import ROOT, command, files
+from rosml.errors import RosmlError
+
+COMMAND = "uv run scripts/generate_bake.py"
+
+
+@click.command(help=__doc__)
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
+@click.option("--list", "list_", is_flag=True, help="List every image with its facts.")
+@click.option("--json", "as_json", is_flag=True, help="With --list: as JSON.")
+@click.option("--explain", metavar="TARGET", help="Say why an image exists, or why it does not.")
+@click.option(
+    "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
+)
+@click.option("--output", type=click.Path(path_type=Path), help="Write this bake file instead, and nothing else.")
+def main(check: bool, list_: bool, as_json: bool, explain: str | None, matrix: Path, output: Path | None) -> None:
+    if check + list_ + (explain is not None) > 1:
+        raise click.UsageError("--check, --list and --explain do different things; use one of them")
+    if as_json and not list_:
+        raise click.UsageError("--json belongs to --list")
+    if output and (list_ or explain is not None):
+        raise click.UsageError("--output belongs to writing and --check")
+    from rosml import expand
+
+    catalogue = expand.load(matrix)
+    if list_:
+        from rosml import listing
+
+        if as_json:
+            click.echo(listing.as_json(catalogue), nl=False)
+        else:
+            listing.print_table(catalogue)
+    elif explain is not None:
+        from rosml.explain import explain as sentence
+
+        click.echo(sentence(catalogue, explain))
+    else:
+        from rosml import bake
+
+        wanted = {output or ROOT / "docker-bake.hcl": bake.render(catalogue)}
+        if output is None:
+            from rosml import schema
+
+            wanted[ROOT / "matrix.schema.json"] = schema.render()
+        (verify if check else write)(wanted)
+
+
+def write(wanted: dict[Path, str]) -> None:
+    """Writes the files that changed."""
+    for file, content in wanted.items():
+        changed = files.write(file, content)
+        click.echo(f"{files.shown(file)}: {'written' if changed else 'is up to date'}", err=True)
+
+
+def verify(wanted: dict[Path, str]) -> None:
+    """Compares the files; raises RosmlError if one is stale."""
+    differences = {file: files.difference(file, content) for file, content in wanted.items()}
+    stale = [files.shown(file) for file, text in differences.items() if text]
+    if not stale:
+        return
+    click.echo("".join(differences.values()), nl=False)
+    raise RosmlError(f"{', '.join(stale)}: stale", remedy=f"run '{COMMAND}' and commit the result")
+
+
+if __name__ == "__main__":
+    sys.exit(command.run(main))

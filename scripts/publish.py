@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Builds, tests and publishes images: a thin command over rosml/publish.py."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+import click
+
+from rosml import ROOT, command
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+def cli() -> None:
+    """Builds, tests and publishes images of matrix.yaml.
+
+    Needs the services that 'make up' starts.
+    """
+
+
+@cli.command()
+@click.argument("target")
+@click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
+@click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
+@click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
+def image(target: str, matrix: Path, namespace: str, as_json: bool) -> None:
+    """Builds TARGET, runs its structure tests, and moves its tags in the local registry.
+
+    \b
+    Examples:
+      uv run scripts/publish.py image bookworm-core-torch-cu128
+      uv run scripts/publish.py image bookworm-base --json
+    """
+    from rosml import bake, expand, files
+    from rosml.publish import Publisher
+    from rosml.services import Services
+    from rosml.summary import text
+
+    def say(line: str) -> None:
+        click.echo(click.style(f"==> {line}", bold=True), err=True)
+
+    catalogue = expand.load(matrix)
+    catalogue.image(target)  # a typo is told before anything else happens
+    services = Services.load(ROOT)
+    own = matrix.resolve() == ROOT / "matrix.yaml"
+    bake_file = ROOT / "docker-bake.hcl" if own else services.state / "docker-bake.hcl"
+    if files.write(bake_file, bake.render(catalogue)):
+        say(f"{bake_file.name} was not up to date with {matrix.name}: written anew")
+    result = Publisher(services, catalogue, say, namespace, bake_file).publish(target)
+    click.echo(json.dumps(result.to_json(), indent=2) if as_json else text(result))
+
+
+if __name__ == "__main__":
+    kept = "interrupted: no tag was moved; what was finished is kept, the next call carries on"
+    sys.exit(command.run(cli, kept))

@@ -1,0 +1,148 @@
+"""End-to-end tests build, enter and publish real images with the services that `make up` started.
+
+They publish into a namespace of their own, so that they never move a tag that somebody uses.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosml import ROOT, expand, registry
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image
+from rosml.services import Services
+
+NAMESPACE = "rosml-test"
+LOG = logging.getLogger("e2e")
+
+# What a build needs of a checkout; the rest is documentation and tests.
+CHECKOUT = (
+    "Dockerfile",
+    ".dockerignore",
+    "docker-bake.hcl",
+    "matrix.yaml",
+    "components",
+    "locks",
+    "rosml",
+    "scripts",
+    "tools",
+)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if Path(str(item.fspath)).parent == Path(__file__).parent:
+            item.add_marker(pytest.mark.e2e)
+
+
+@dataclass(frozen=True)
+class Run:
+    """A command that ended: exit code, standard output, standard error."""
+
+    code: int
+    out: str
+    err: str
+
+
+def run(*command: str, cwd: Path = ROOT, env: dict[str, str] | None = None) -> Run:
+    """Runs a command; its progress lines appear in the test's log while it works."""
+    process = subprocess.Popen(
+        command,
+        cwd=cwd,
+        env={**os.environ, **(env or {})},
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stderr and process.stdout
+    lines = []
+    for line in process.stderr:
+        LOG.info("%s", line.rstrip())
+        lines.append(line)
+    return Run(process.wait(), process.stdout.read(), "".join(lines))
+
+
+def publish(target: str, *options: str, root: Path = ROOT) -> Run:
+    """`scripts/publish.py image`, as `make image` calls it, in the tests' namespace."""
+    script = str(root / "scripts" / "publish.py")
+    return run(sys.executable, script, "image", target, "--namespace", NAMESPACE, "--json", *options, cwd=root)
+
+
+@pytest.fixture(scope="session")
+def services() -> Services:
+    try:
+        found = Services.load(ROOT)
+        found.require_registry()
+        found.require_builder()
+    except RosmlError as error:
+        pytest.fail(f"{error.message}; {error.remedy}", pytrace=False)
+    return found
+
+
+@pytest.fixture(scope="session")
+def catalogue() -> Catalogue:
+    return expand.load(ROOT / "matrix.yaml")
+
+
+@dataclass(frozen=True)
+class Published:
+    """A published image: its facts, what the command reported, and where it is."""
+
+    image: Image
+    result: dict[str, Any]
+    repository: str
+    services: Services
+
+    @property
+    def reference(self) -> str:
+        return f"{self.repository}@{self.result['manifest']}"
+
+    @property
+    def layers(self) -> list[str]:
+        return [layer.digest for layer in registry.layers(self.services, self.reference)]
+
+
+@pytest.fixture(scope="session")
+def published(services: Services, catalogue: Catalogue) -> Callable[[str], Published]:
+    """Publishes a target once per session."""
+    done: dict[str, Published] = {}
+
+    def once(target: str) -> Published:
+        if target not in done:
+            outcome = publish(target)
+            assert outcome.code == 0, outcome.err
+            image = catalogue.image(target)
+            repository = f"{services.registry}/{NAMESPACE}/{image.repository}"
+            done[target] = Published(image, json.loads(outcome.out), repository, services)
+        return done[target]
+
+    return once
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    """A copy of what a build needs, in another folder, on the same services: tests may break it."""
+    for name in CHECKOUT:
+        source = ROOT / name
+        if source.is_dir():
+            shutil.copytree(source, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(source, tmp_path / name)
+    shutil.copytree(ROOT / "tests" / "structure", tmp_path / "tests" / "structure")
+    (tmp_path / ".state").mkdir()
+    for name in ("services.json", "registry", "base", "regctl", "built.json"):
+        if (ROOT / ".state" / name).exists():
+            (tmp_path / ".state" / name).symlink_to(ROOT / ".state" / name)
+    return tmp_path

@@ -1,0 +1,151 @@
+"""What goes wrong: a clear message, a non-zero exit code, no tag moved, and the next call carries on."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from rosml import ROOT, registry
+from rosml.services import Services
+from tests.e2e.conftest import NAMESPACE, Published, publish, run
+
+TARGET = "bookworm-core"
+
+
+def rewrite_services(checkout: Path, **changes: object) -> None:
+    """Replaces facts in the checkout's services.json; the link to the real one goes."""
+    path = checkout / ".state" / "services.json"
+    content = json.loads(path.read_text()) | changes
+    path.unlink()
+    path.write_text(json.dumps(content))
+
+
+def test_an_unknown_target_names_near_ones() -> None:
+    outcome = publish("bookworm-core-torch-cu129")
+    assert outcome.code == 2
+    assert "bookworm-core-torch-cu128" in outcome.err
+    assert "Traceback" not in outcome.err
+
+
+def test_a_failing_structure_test_leaves_every_tag(
+    published: Callable[[str], Published], services: Services, checkout: Path
+) -> None:
+    """The matrix promises a Python that the image does not have: the label is right, the content is not."""
+    before = published(TARGET)
+    matrix = checkout / "matrix.yaml"
+    matrix.write_text(matrix.read_text().replace('python: "3.11"', 'python: "3.12"', 1))
+    outcome = publish(TARGET, root=checkout)
+    assert outcome.code == 1
+    assert "no tag was moved" in outcome.err
+    assert "Python 3.11, expected 3.12" in outcome.err
+    for tag in before.result["tags"]:
+        assert registry.digest(services, tag) == before.result["digest"]
+
+
+def test_a_failure_is_not_taken_from_the_cache(published: Callable[[str], Published], checkout: Path) -> None:
+    """A structure test that failed runs again: what made it fail may be gone."""
+    published(TARGET)
+    contract = checkout / "tests" / "structure" / "contract.yaml"
+    whole = contract.read_text()
+    contract.write_text(whole.replace("exitCode: 37", "exitCode: 38"))
+    for _ in range(2):
+        outcome = publish(TARGET, root=checkout)
+        assert outcome.code == 1
+        assert "run.sh /structure-report" in outcome.err, "the tests did not run again"
+    contract.write_text(whole)
+    assert publish(TARGET, root=checkout).code == 0
+
+
+def test_a_stale_bake_file_is_found_and_written_anew(published: Callable[[str], Published], checkout: Path) -> None:
+    published(TARGET)
+    with (checkout / "docker-bake.hcl").open("a") as stream:
+        stream.write("# somebody's edit\n")
+    generator = str(checkout / "scripts" / "generate_bake.py")
+    check = run(sys.executable, generator, "--check", "--output", str(checkout / "docker-bake.hcl"))
+    assert check.code == 1
+    assert "somebody's edit" in check.out
+    outcome = publish(TARGET, root=checkout)
+    assert outcome.code == 0
+    assert "written anew" in outcome.err
+    assert run(sys.executable, generator, "--check", "--output", str(checkout / "docker-bake.hcl")).code == 0
+
+
+def test_a_registry_that_is_down(checkout: Path) -> None:
+    rewrite_services(checkout, registry="127.0.0.1:9")  # the discard port: nothing answers
+    outcome = publish(TARGET, root=checkout)
+    assert outcome.code == 1
+    assert "registry at 127.0.0.1:9 does not answer" in outcome.err
+    assert "make up" in outcome.err
+
+
+def test_a_builder_that_is_down(checkout: Path) -> None:
+    rewrite_services(checkout, builder="nobody")
+    outcome = publish(TARGET, root=checkout)
+    assert outcome.code == 1
+    assert "builder 'nobody'" in outcome.err
+    assert "make up" in outcome.err
+
+
+@pytest.fixture
+def full_disk(checkout: Path) -> Iterator[Path]:
+    """The checkout with its state on a file system of 50 MB."""
+    if os.geteuid() != 0:
+        pytest.skip("mounting a small file system needs root")
+    content = (checkout / ".state" / "services.json").read_text()
+    state = checkout / ".state"
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=50m", "tmpfs", str(state)], check=False).returncode != 0:
+        pytest.skip("this machine does not allow mounts")
+    (state / "services.json").write_text(content)
+    yield checkout
+    subprocess.run(["umount", str(state)], check=True)
+
+
+def test_a_disk_without_room(full_disk: Path) -> None:
+    outcome = publish("bookworm-core-torch-cu128", root=full_disk)
+    assert outcome.code == 1
+    assert "not enough disk space" in outcome.err
+    assert "are needed" in outcome.err and "are free" in outcome.err
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_interrupted_in_the_middle(
+    published: Callable[[str], Published], services: Services, checkout: Path, number: signal.Signals
+) -> None:
+    before = published(TARGET)
+    install = checkout / "components" / "ros" / "install.sh"
+    install.write_text(install.read_text() + f"sleep 60 # {number.name}\n")
+    process = subprocess.Popen(
+        [sys.executable, str(checkout / "scripts" / "publish.py"), "image", TARGET, "--namespace", NAMESPACE],
+        cwd=checkout,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    log = checkout / ".state" / "log" / f"build-{TARGET}.log"
+    deadline = time.monotonic() + 120
+    while time.monotonic() < deadline and not (log.exists() and "$" in log.read_text()):
+        time.sleep(0.2)
+    time.sleep(3)
+    assert process.poll() is None, "it ended before it was interrupted"
+    process.send_signal(number)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert "no tag was moved" in err
+    assert "Traceback" not in err
+    for tag in before.result["tags"]:
+        assert registry.digest(services, tag) == before.result["digest"]
+    assert publish(TARGET).code == 0
+
+
+def test_make_lists_its_commands() -> None:
+    outcome = run("make", cwd=ROOT)
+    assert outcome.code == 0
+    for command in ("image", "test", "list", "up", "down", "clean"):
+        assert f"{command} " in outcome.out

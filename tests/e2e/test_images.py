@@ -1,0 +1,179 @@
+"""Images, all the way from matrix.yaml to a tag in a registry, and what users do with them."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from rosml import ROOT, builder, registry, verify
+from rosml.expand import Catalogue
+from rosml.services import Services
+from tests.e2e.conftest import NAMESPACE, Published, publish, run
+
+Publish = Callable[[str], Published]
+
+FIRST = "bookworm-core-torch-cu128"
+SECOND = "bookworm-base-torch-cu128"
+PAYLOAD_PARTS = 3
+"""cuda, common, torch."""
+
+SECOND_IMAGE_SECONDS = 20.0
+"""What building, testing and tagging a second image with the same payload may take beyond the ROS packages."""
+
+SECOND_IMAGE_BYTES = 100_000_000
+
+
+def test_an_image_is_built_tested_and_published(published: Publish, services: Services) -> None:
+    image = published(FIRST)
+    assert image.result["failed"] == 0
+    assert image.result["passed"] > 20
+    for tag in image.result["tags"]:
+        assert registry.digest(services, tag) == image.result["digest"]
+    index = registry.manifest(services, image.result["reference"])
+    assert [entry["digest"] for entry in index["manifests"]] == [image.result["manifest"]]
+    assert index["manifests"][0]["platform"] == {"architecture": "amd64", "os": "linux"}
+    config = registry.image_config(services, image.reference, "linux/amd64")["config"]
+    assert verify.expected_labels(image.image).items() <= config["Labels"].items()
+    assert config["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
+
+
+def test_a_second_call_changes_nothing(published: Publish) -> None:
+    first = published(FIRST)
+    again = publish(FIRST)
+    assert again.code == 0, again.err
+    assert f'"digest": "{first.result["digest"]}"' in again.out
+    assert '"moved": []' in again.out
+    assert "structure tests (same image, same tests)" in again.out
+
+
+def test_a_second_image_with_the_same_payload_costs_next_to_nothing(published: Publish) -> None:
+    first, second = published(FIRST), published(SECOND)
+    assert second.layers[-PAYLOAD_PARTS:] == first.layers[-PAYLOAD_PARTS:]
+    assert second.layers[:-PAYLOAD_PARTS] != first.layers[:-PAYLOAD_PARTS]
+    assert second.result["uploaded"] < SECOND_IMAGE_BYTES
+    beyond = sum(second.result["seconds"].values()) - second.result["work"].get("install ROS packages", 0.0)
+    assert beyond <= SECOND_IMAGE_SECONDS, second.result
+
+
+def test_nothing_runs_after_the_join(published: Publish, catalogue: Catalogue) -> None:
+    """The image is the ROS image's layers and the payloads' layers, and nothing else."""
+    joined = published(FIRST)
+    ros = published(joined.image.parent)
+    assert joined.layers[: len(ros.layers)] == ros.layers
+    assert len(joined.layers) == len(ros.layers) + len(joined.image.parts)
+
+
+def test_both_frameworks_share_their_layers_and_import_in_either_order(published: Publish) -> None:
+    both, torch = published("bookworm-core-ml-cu128"), published(FIRST)
+    assert both.layers[: len(torch.layers)] == torch.layers
+    report = verify.read_report(ROOT / ".state" / "tests" / both.image.target / "report", ("ml",))
+    assert {outcome.name for outcome in report.outcomes if outcome.passed} == {
+        "import torch, then tensorflow",
+        "import tensorflow, then torch",
+    }
+
+
+@pytest.mark.parametrize("target", ["bookworm-core-tensorflow-cpu", "trixie-core-tensorflow-cpu"])
+def test_tensorflow_without_cuda(published: Publish, target: str) -> None:
+    image = published(target)
+    assert image.result["failed"] == 0
+    assert image.result["compressed"] < 1_000_000_000
+
+
+def test_a_payload_assembled_again_elsewhere_has_the_same_digest(
+    published: Publish, services: Services, catalogue: Catalogue, checkout: Path
+) -> None:
+    """Without any cache, in another folder: the same lock gives the same layer."""
+    image = published("bookworm-core-tensorflow-cpu")
+    repository = f"{services.registry}/{NAMESPACE}/payload"
+    again = []
+    for name in image.image.parts:
+        payload = catalogue.payload_by_name[name]
+        output = f"type=image,name={repository},push=true,push-by-digest=true,compression=zstd,compression-level=3"
+        bake = builder.Bake(
+            payload.target,
+            f"again-{name}",
+            ROOT / "docker-bake.hcl",
+            (f"{payload.target}.output={output},oci-mediatypes=true", f"{payload.target}.tags=", "*.no-cache=true"),
+            {"REGISTRY": f"{services.registry}/{NAMESPACE}", "OS_BOOKWORM": base_image(image)},
+        )
+        _, metadata = builder.run(services_in(services, checkout), bake)
+        again += [
+            layer.digest for layer in registry.layers(services, f"{repository}@{metadata['containerimage.digest']}")
+        ]
+    assert again == image.layers[-len(again) :]
+
+
+def base_image(image: Published) -> str:
+    return f"docker-image://{image.result['base'].split()[0]}"
+
+
+def services_in(services: Services, root: Path) -> Services:
+    """The same services, used from another checkout."""
+    from dataclasses import replace
+
+    return replace(services, root=root)
+
+
+def test_the_committed_bake_file_works_by_itself(services: Services, published: Publish) -> None:
+    """`buildx bake <target>-test`, without our commands: as on a laptop, but for the base image's place."""
+    image = published("bookworm-core")
+    arguments = [*services.buildx, "bake", "--progress", "plain"]
+    if services.ca_bundle:
+        arguments += ["--allow", f"fs.read={services.ca_bundle}"]
+    env = {**services.environment(), "OS_BOOKWORM": base_image(image), "CA_BUNDLE": services.ca_bundle}
+    outcome = run(*arguments, "bookworm-core-test", env=env)
+    assert outcome.code == 0, outcome.err
+
+
+def test_a_user_builds_on_the_published_tag(services: Services, published: Publish, tmp_path: Path) -> None:
+    """FROM, as the README shows it: a C++ program with all of <torch/torch.h>, and a ROS package beside it."""
+    image = published(FIRST)
+    (tmp_path / "CMakeLists.txt").write_text(
+        textwrap.dedent("""\
+            cmake_minimum_required(VERSION 3.16)
+            project(train LANGUAGES CXX)
+            find_package(Torch REQUIRED)
+            add_executable(train train.cpp)
+            target_link_libraries(train PRIVATE torch)
+        """)
+    )
+    (tmp_path / "train.cpp").write_text(
+        textwrap.dedent("""\
+            #include <torch/torch.h>
+            #include <iostream>
+            int main() {
+              torch::manual_seed(1);
+              torch::nn::Linear model(2, 1);
+              torch::optim::SGD optimizer(model->parameters(), 0.1);
+              const auto x = torch::rand({64, 2}), y = x.sum(1, true);
+              float first = 0, last = 0;
+              for (int i = 0; i < 200; ++i) {
+                optimizer.zero_grad();
+                auto loss = torch::mse_loss(model->forward(x), y);
+                loss.backward();
+                optimizer.step();
+                (i ? last : first) = loss.item<float>();
+              }
+              std::cout << first << " -> " << last << std::endl;
+              return last < first / 10 ? 0 : 1;
+            }
+        """)
+    )
+    (tmp_path / "Dockerfile").write_text(
+        textwrap.dedent(f"""\
+            FROM {image.result["reference"]}
+            COPY CMakeLists.txt train.cpp /src/
+            RUN cmake -S /src -B /build -G Ninja && cmake --build /build && /build/train
+            RUN mkdir -p /ws/src && cd /ws/src && catkin_create_pkg example rospy std_msgs && \\
+                cd /ws && catkin_make && . devel/setup.sh && rospack find example
+        """)
+    )
+    outcome = run(
+        *services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", str(tmp_path),
+        env=services.environment(),
+    )  # fmt: skip
+    assert outcome.code == 0, outcome.err

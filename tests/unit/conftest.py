@@ -1,0 +1,121 @@
+"""What the unit tests share: a small matrix with every axis, and ways to change it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from hypothesis.configuration import set_hypothesis_home_dir
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
+
+from rosml import expand, source  # noqa: E402
+
+SMALL = f"""\
+version: 1
+registry: localhost:5000
+source: https://example.org/images
+default: {{target: alpha-core-torch-cu1, group: [alpha-core]}}
+architectures:
+  amd64: {{platform: linux/amd64, wheels: x86_64-manylinux_2_28, triplet: x86_64-linux-gnu}}
+  arm64: {{platform: linux/arm64, wheels: aarch64-manylinux_2_28, triplet: aarch64-linux-gnu}}
+operating_systems:
+  ubuntu-24.04:
+    image: docker.io/library/ubuntu:24.04
+    digest: sha256:{"1" * 64}
+    python: "3.12"
+    numpy: "<2"
+    architectures: [amd64, arm64]
+    tools: colcon
+  ubuntu-26.04:
+    image: docker.io/library/ubuntu:26.04
+    digest: sha256:{"2" * 64}
+    python: "3.14"
+    numpy: ">=2.2,<2.3"
+    architectures: [amd64, arm64]
+    tools: colcon
+components:
+  core: {{metapackage: ros-core}}
+  base: {{metapackage: ros-base, builds_on: core}}
+  robot: {{builds_on: base}}
+  desktop: {{builds_on: robot}}
+frameworks:
+  none: {{repository: ros}}
+  cuda: {{repository: ros-cuda, parts: [cuda], accelerators: [cuda]}}
+  torch: {{repository: ros-torch, parts: [cuda, common, torch], releases: [torch]}}
+  ml: {{repository: ros-ml, parts: [cuda, common, torch, tensorflow], releases: [torch, tensorflow]}}
+releases:
+  torch:
+    2.10.0: {{python: ["3.12", "3.14"], wheels: {{cu1: [amd64], cpu: [arm64]}}}}
+  tensorflow:
+    2.20.0: {{python: ["3.12"], wheels: {{cu1: [amd64], cpu: [amd64, arm64]}}}}
+stacks:
+  cu1: {{accelerator: cuda, cuda: 12.8.90, cudnn: 9.10.2.21, torch: 2.10.0, tensorflow: 2.20.0}}
+  cpu:
+    accelerator: cpu
+    torch: 2.10.0
+    tensorflow: 2.20.0
+    packages: {{tensorflow: {{amd64: tensorflow-cpu, arm64: tensorflow}}}}
+distributions:
+  alpha:
+    os: ubuntu-24.04
+    ros: 2
+    packages: ros-{{ros_distro}}-{{metapackage}}
+    components: [core, base, desktop]
+    default_stack: cu1
+    eol: 2029-05-31
+    lts: true
+  omega:
+    os: ubuntu-26.04
+    ros: 2
+    packages: ros-{{ros_distro}}-{{metapackage}}
+    components: [core, base]
+    default_stack: cpu
+    apt: {{channel: snapshot, date: 2026-11-01}}
+disk:
+  os: {{unpacked: 100, compressed: 10}}
+  components:
+    core: {{unpacked: 20, compressed: 2}}
+    base: {{unpacked: 20, compressed: 2}}
+    robot: {{unpacked: 20, compressed: 2}}
+    desktop: {{unpacked: 20, compressed: 2}}
+  parts:
+    cu1:
+      cuda: {{unpacked: 1000, compressed: 100}}
+      common: {{unpacked: 300, compressed: 30}}
+      torch: {{unpacked: 2000, compressed: 200}}
+      tensorflow: {{unpacked: 1500, compressed: 150}}
+    cpu:
+      common: {{unpacked: 300, compressed: 30}}
+      torch: {{unpacked: 500, compressed: 50}}
+      tensorflow: {{unpacked: 500, compressed: 50}}
+"""
+
+Parse = Callable[[str], expand.Catalogue]
+
+
+def parse(text: str) -> expand.Catalogue:
+    """The catalogue of a matrix's text."""
+    return expand.catalogue(source.parse(text.encode()))
+
+
+def changed(old: str, new: str, text: str = SMALL) -> str:
+    """A matrix's text with one place changed. The place must be there, and only once."""
+    assert text.count(old) == 1, f"{text.count(old)} times in the matrix: {old!r}"
+    return text.replace(old, new)
+
+
+@pytest.fixture(scope="session")
+def small() -> expand.Catalogue:
+    """The catalogue of the small matrix."""
+    return parse(SMALL)
+
+
+@pytest.fixture(scope="session")
+def real() -> expand.Catalogue:
+    """The catalogue of the project's matrix."""
+    return expand.load(ROOT / "matrix.yaml")

@@ -1,0 +1,333 @@
+"""docker-bake.hcl: what it says, that it is up to date, and that the real tool reads it as it is meant."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import ROOT, SMALL
+
+from rosml import bake, command, expand, files, hcl, model, schema, source
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from scripts import generate_bake
+
+SCRIPT = ROOT / "scripts/generate_bake.py"
+
+
+def generate(*arguments: str | Path, cwd: Path = ROOT, **env: str) -> subprocess.CompletedProcess[str]:
+    """Runs the command as a user does."""
+    return subprocess.run(
+        [sys.executable, str(SCRIPT), *map(str, arguments)],
+        cwd=cwd,
+        env={**os.environ, **env},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+
+
+@pytest.fixture
+def small_file(tmp_path: Path) -> Path:
+    file = tmp_path / "matrix.yaml"
+    file.write_text(SMALL)
+    return file
+
+
+# ---- HCL -------------------------------------------------------------------------------------------------------------
+
+
+def test_text_is_never_filled_in() -> None:
+    assert hcl.text('a"${b}%{c}\n') == '"a\\"$${b}%%{c}\\n"'
+    assert hcl.template("${REGISTRY}/x").code == '"${REGISTRY}/x"'
+
+
+def test_block() -> None:
+    block = hcl.block("target", "a", {"inherits": ["b"], "empty": [], "args": {"A": "1", "B": hcl.Expression("B")}})
+    assert block == 'target "a" {\n  inherits = ["b"]\n  args = {\n    A = "1"\n    B = B\n  }\n}\n'
+
+
+def test_long_lists_take_a_line_for_each_item() -> None:
+    long, longer = "x" * 70, "y" * 80
+    block = hcl.block("group", "g", {"targets": [long, longer]})
+    assert block == f'group "g" {{\n  targets = [\n    "{long}",\n    "{longer}",\n  ]\n}}\n'
+
+
+# ---- The committed file ----------------------------------------------------------------------------------------------
+
+
+def test_committed_files_are_up_to_date(real: Catalogue) -> None:
+    assert files.difference(ROOT / "docker-bake.hcl", bake.render(real)) == ""
+    assert files.difference(ROOT / "matrix.schema.json", schema.render()) == ""
+
+
+def test_same_input_same_bytes() -> None:
+    """In processes of their own, with different hash seeds, time zones and locales."""
+    outputs = {
+        generate("--list", "--json", PYTHONHASHSEED=seed, TZ=zone, LC_ALL=locale).stdout
+        + generate("--output", "/dev/stdout", PYTHONHASHSEED=seed, TZ=zone, LC_ALL=locale).stdout
+        for seed, zone, locale in (("1", "UTC", "C"), ("2", "Asia/Tokyo", "C.UTF-8"))
+    }
+    assert len(outputs) == 1
+
+
+def test_no_day_but_those_of_the_matrix(real: Catalogue) -> None:
+    assert re.findall(r"\b20\d\d-\d\d-\d\d\b", bake.render(real)) == []
+
+
+# ---- Agreement with the Dockerfile -----------------------------------------------------------------------------------
+
+BUILTIN = {"TARGETARCH", "BUILDARCH", "BUILDPLATFORM", "SOURCE_DATE_EPOCH", "HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY"}
+
+
+def dockerfile() -> str:
+    return (ROOT / "Dockerfile").read_text()
+
+
+def test_every_argument_is_declared(real: Catalogue) -> None:
+    declared = {name.split("=")[0] for line in re.findall(r"^ARG (.+)$", dockerfile(), re.M) for name in line.split()}
+    passed = set(re.findall(r"^\s+(?:args\s+= \{ )?([A-Z][A-Z_]+)\s+= ", bake.render(real), re.M))
+    assert passed - declared - BUILTIN == set()
+
+
+def test_every_stage_and_context_is_there(real: Catalogue) -> None:
+    stages = set(re.findall(r"^FROM .* AS ([a-z-]+)$", dockerfile(), re.M))
+    used = set(re.findall(r'^\s+target\s+= "([a-z-]+)"$', bake.render(real), re.M))
+    assert used - stages == set()
+    assert {"base", "ros", "payload-files", "payload", "torch", "tensorflow", "ml", "test"} <= used
+
+
+# ---- The command -----------------------------------------------------------------------------------------------------
+
+
+def test_writes_once(small_file: Path) -> None:
+    output = small_file.with_name("out.hcl")
+    first, second = (generate("--matrix", small_file, "--output", output) for _ in range(2))
+    assert (first.returncode, second.returncode) == (0, 0)
+    assert "out.hcl: written" in first.stderr
+    assert "out.hcl: is up to date" in second.stderr
+    assert not list(small_file.parent.glob(".out.hcl*"))
+
+
+def test_pipes_are_written_to_and_links_followed(small_file: Path) -> None:
+    link, target = small_file.with_name("link.hcl"), small_file.with_name("target.hcl")
+    link.symlink_to(target)
+    piped = generate("--matrix", small_file, "--output", "/dev/stdout")
+    generate("--matrix", small_file, "--output", link)
+    assert link.is_symlink()
+    assert piped.stdout == target.read_text()
+    assert Path("/dev/stdout").is_symlink()
+
+
+def test_works_from_any_folder(tmp_path: Path) -> None:
+    done = generate("--check", cwd=tmp_path)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_check_fails_when_stale(small_file: Path) -> None:
+    output = small_file.with_name("out.hcl")
+    generate("--matrix", small_file, "--output", output)
+    output.write_text(output.read_text().replace('"ros-alpha-desktop"', '"ros-alpha-desktop-full"'))
+    done = generate("--check", "--matrix", small_file, "--output", output)
+    assert done.returncode == 1
+    assert '-  args     = { ROS_PACKAGES = "ros-alpha-desktop-full" }' in done.stdout
+    assert '+  args     = { ROS_PACKAGES = "ros-alpha-desktop" }' in done.stdout
+    assert "out.hcl: stale" in done.stderr
+    assert "uv run scripts/generate_bake.py" in done.stderr
+    assert "desktop-full" in output.read_text(), "--check must not write"
+
+
+def test_check_fails_when_the_file_is_missing(small_file: Path) -> None:
+    done = generate("--check", "--matrix", small_file, "--output", small_file.with_name("none.hcl"))
+    assert done.returncode == 1
+    assert "none.hcl: stale" in done.stderr
+
+
+def test_output_that_cannot_be_written(small_file: Path) -> None:
+    done = generate("--matrix", small_file, "--output", small_file / "x.hcl")
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
+    assert "x.hcl: cannot be" in done.stderr
+
+
+def test_list_json(real: Catalogue) -> None:
+    done = generate("--list", "--json")
+    listed = json.loads(done.stdout)
+    assert [image["target"] for image in listed] == [image.target for image in real.images]
+    keys = {"target", "distribution", "component", "framework", "stack", "platforms", "versions", "tags", "groups"}
+    assert all(keys <= image.keys() for image in listed)
+
+
+def test_list_is_one_line_for_each_image(real: Catalogue) -> None:
+    lines = generate("--list").stdout.splitlines()
+    assert len(lines) == len(real.images) + 2
+    assert lines[1].split()[0] == "bookworm-core"
+    assert lines[-1] == "60 images, 11 payloads"
+
+
+EXITS: dict[str, tuple[list[str], int, str]] = {
+    "exists": (["--explain", "bookworm-core"], 0, "bookworm-core exists:"),
+    "ruled out": (["--explain", "bookworm-core-torch-cpu"], 0, "stack cpu has no release of torch"),
+    "not understood": (["--explain", "bokworm-core"], 2, "did you mean 'bookworm-core'"),
+    "nothing": (["--explain", ""], 2, "no image named ''"),
+    "two things at once": (["--check", "--list"], 2, "use one of them"),
+    "json of nothing": (["--json"], 2, "belongs to --list"),
+    "output of a list": (["--list", "--output", "x"], 2, "belongs to writing"),
+    "unknown option": (["--chek"], 2, "--check"),
+    "no such matrix": (["--matrix", "/nowhere/matrix.yaml"], 2, "no such file"),
+    "help": (["--help"], 0, "--explain TARGET"),
+}
+
+
+@pytest.mark.parametrize("name", EXITS)
+def test_exit_codes(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments, code, text = EXITS[name]
+    assert command.run(generate_bake.main, arguments=arguments) == code
+    done = capsys.readouterr()
+    assert text in (done.err if code else done.out)
+    assert (done.out if code else done.err) == ""
+
+
+def test_wrong_matrix(small_file: Path) -> None:
+    small_file.write_text(SMALL.replace("os: ubuntu-24.04", "os: ubuntu-24.4"))
+    done = generate("--list", "--matrix", "matrix.yaml", cwd=small_file.parent)
+    assert done.returncode == 2
+    assert done.stderr == (
+        "matrix.yaml:47:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
+        "did you mean 'ubuntu-24.04' or 'ubuntu-26.04'?\n"
+    )
+
+
+def test_closed_pipe() -> None:
+    done = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", f"{sys.executable} {SCRIPT} --list --json | head -1"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert "Traceback" not in done.stderr
+
+
+def test_ten_thousand_images_in_three_seconds() -> None:
+    small = expand.catalogue(source.parse(SMALL.encode())).matrix
+    rows = {f"d{n}": small.distributions["alpha"] for n in range(560)}
+    big = model.Matrix.model_construct(**{**dict(small), "distributions": rows})
+    start = time.perf_counter()
+    catalogue = expand.expand(big)
+    bake.render(catalogue)
+    assert len(catalogue.images) == 10_080
+    assert time.perf_counter() - start < 3
+
+
+# ---- buildx ----------------------------------------------------------------------------------------------------------
+
+
+def buildx() -> list[str]:
+    """The machine's buildx: the one that the set-up chose, or any other. `--print` needs no builder."""
+    services = ROOT / ".state/services.json"
+    if services.is_file():
+        return [str(word) for word in json.loads(services.read_text())["buildx"]]
+    if found := shutil.which("buildx", path=f"{ROOT}/.state/bin:{os.environ.get('PATH', '')}"):
+        return [found]
+    if shutil.which("docker") and not subprocess.run(["docker", "buildx", "version"], capture_output=True).returncode:
+        return ["docker", "buildx"]
+    pytest.skip("no buildx on this machine; 'make up' installs it")
+
+
+def printed(*targets: str, file: Path = ROOT / "docker-bake.hcl", **env: str) -> dict[str, Any]:
+    """What buildx makes of the bake file."""
+    clean = {key: value for key, value in os.environ.items() if not key.upper().endswith("_PROXY")}
+    done = subprocess.run(
+        [*buildx(), "bake", "--print", "--file", str(file), *targets],
+        cwd=ROOT,
+        env={**clean, **env},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    if done.returncode:
+        raise RosmlError(done.stderr)
+    result: dict[str, Any] = json.loads(done.stdout)["target"]
+    return result
+
+
+def test_every_target_prints(real: Catalogue) -> None:
+    targets = printed("all", "payloads", "tests")
+    for image in real.images:
+        target, test = targets[image.target], targets[image.test_target]
+        assert target["tags"] == [f"{real.matrix.registry}/{tag}" for tag in image.tags]
+        assert tuple(target["platforms"]) == image.platforms
+        assert target["labels"]["io.rosml.distribution"] == image.distribution
+        assert target["labels"]["io.rosml.framework"] == image.framework
+        assert test["contexts"]["image"] == f"target:{image.target}"
+        assert test["args"]["TESTS"].split() == list(image.tests)
+    for payload in real.payloads:
+        assert targets[payload.target]["tags"] == [f"{real.matrix.registry}/payload:{payload.name}"]
+
+
+def test_default_group(real: Catalogue) -> None:
+    assert set(printed("default")) == {*real.matrix.default.group, "_os-bookworm"}
+
+
+def test_dependencies_are_built_here() -> None:
+    target = printed("bookworm-core-torch-cu128")["bookworm-core-torch-cu128"]
+    assert target["contexts"] == {
+        "ros": "target:bookworm-core",
+        "part-cuda": "target:_files-cuda-cu128",
+        "part-common": "target:_files-common-cu128-py311",
+        "part-torch": "target:_files-torch-cu128-py311",
+    }
+    assert target["args"]["CUDA_ROOT"] == target["args"]["TORCH_ROOT"] == "/out/"
+
+
+def test_dependencies_are_taken_from_the_registry() -> None:
+    digests = json.dumps({"cuda-cu128": "sha256:aa", "bookworm-core": "sha256:bb"})
+    targets = printed("bookworm-core-torch-cu128", REGISTRY="registry:1/x", DIGESTS=digests)
+    target = targets["bookworm-core-torch-cu128"]
+    assert target["contexts"]["part-cuda"] == "docker-image://registry:1/x/payload@sha256:aa"
+    assert target["contexts"]["ros"] == "docker-image://registry:1/x/ros@sha256:bb"
+    assert target["contexts"]["part-torch"] == "target:_files-torch-cu128-py311"
+    assert target["args"]["CUDA_ROOT"] == "/"
+    assert target["args"]["TORCH_ROOT"] == "/out/"
+    assert set(targets) == {"bookworm-core-torch-cu128", "_files-common-cu128-py311", "_files-torch-cu128-py311"}
+
+
+def test_broken_digests_fail() -> None:
+    with pytest.raises(RosmlError, match="jsondecode"):
+        printed("bookworm-base", DIGESTS='{"bookworm-core": ')
+
+
+def test_variables() -> None:
+    base = "docker-image://registry:1/debian@sha256:cc"
+    bundle = str(ROOT / "matrix.yaml")  # any file
+    targets = printed("bookworm-core", OS_BOOKWORM=base, REVISION="abc", CA_BUNDLE=bundle, HTTPS_PROXY="http://proxy:1")
+    core = targets["bookworm-core"]
+    assert targets["_os-bookworm"]["contexts"] == {"os": base}
+    assert core["labels"]["org.opencontainers.image.base.name"] == "registry:1/debian"
+    assert core["labels"]["org.opencontainers.image.base.digest"] == "sha256:cc"
+    assert core["labels"]["org.opencontainers.image.revision"] == "abc"
+    assert core["secret"] == [{"id": "ca-bundle", "src": bundle}]
+    assert core["args"]["HTTPS_PROXY"] == "http://proxy:1"
+    plain = printed("bookworm-core")["bookworm-core"]
+    assert "secret" not in plain
+    assert "HTTPS_PROXY" not in plain["args"]
+    assert "org.opencontainers.image.revision" not in plain["labels"]
+
+
+def test_a_matrix_with_every_axis_prints(small: Catalogue, tmp_path: Path) -> None:
+    file = tmp_path / "small.hcl"
+    file.write_text(bake.render(small))
+    targets = printed("all", "payloads", "tests", file=file)
+    assert {image.target for image in small.images} <= targets.keys()
+    assert targets["omega-core"]["args"]["ROS_SNAPSHOT"] == "2026-11-01"
+    assert targets["alpha-core-cuda-cu1"]["target"] == "cuda"

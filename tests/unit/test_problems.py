@@ -1,0 +1,479 @@
+"""What a wrong matrix.yaml says: the exact message for each kind of mistake."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+from conftest import SMALL, changed, parse
+
+from rosml import expand, source
+from rosml.errors import RosmlError
+from rosml.problems import InputError, Problem, dotted, listed, near
+
+ZEROS = "sha256:" + "1" * 64
+
+# What stands in the small matrix, what a user wrote instead, and all that is said about it.
+WRONG = {
+    "unknown name": (
+        "os: ubuntu-24.04",
+        "os: ubuntu-24.4",
+        "47:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
+        "did you mean 'ubuntu-24.04' or 'ubuntu-26.04'?",
+    ),
+    "misspelt key": (
+        "    default_stack: cpu\n",
+        "    default_stak: cpu\n",
+        "54:3: distributions.omega: 'default_stack' is missing; add 'default_stack: …' "
+        "(stack of the short tags, e.g. ros-torch:jazzy)\n"
+        "59:5: distributions.omega.default_stak: unknown key 'default_stak'; did you mean 'default_stack'?",
+    ),
+    "misspelt section": (
+        "distributions:",
+        "distribution:",
+        "1:1: 'distributions' is missing; add 'distributions: …'\n"
+        "45:1: distribution: unknown key 'distribution'; did you mean 'distributions'?",
+    ),
+    "number for text": (
+        'python: "3.12"',
+        "python: 3.10",
+        '12:5: operating_systems.ubuntu-24.04.python: expected text, found the number 3.10; write it in quotes: "3.10"',
+    ),
+    "number in a list": (
+        '["3.12", "3.14"]',
+        '["3.12", 3.14]',
+        '35:31: releases.torch.2.10.0.python[1]: expected text, found the number 3.14; write it in quotes: "3.14"',
+    ),
+    "number for a key": (
+        "    2.20.0: {python",
+        "    2.20: {python",
+        '37:5: releases.tensorflow.2.20: YAML reads the key 2.20 as a number; write it in quotes: "2.20"\n'
+        "39:76: stacks.cu1.tensorflow: no release of tensorflow named '2.20.0'; did you mean '2.20'?\n"
+        "43:5: stacks.cpu.tensorflow: no release of tensorflow named '2.20.0'; did you mean '2.20'?",
+    ),
+    "true for a key": (
+        "  alpha:",
+        "  on:",
+        '46:3: distributions.on: YAML reads the key on as true or false; write it in quotes: "on"',
+    ),
+    "version of one number": (
+        "torch: 2.10.0, tensorflow",
+        "torch: v2, tensorflow",
+        "39:61: stacks.cu1.torch: expected a version, such as 2.10.0, found 'v2'",
+    ),
+    "key twice": (
+        "eol: 2029-05-31",
+        "eol: 2029-05-31\n    eol: 2029-05-30",
+        "53:5: distributions.alpha.eol: the key 'eol' is there twice, first on line 52; keep one",
+    ),
+    "yes for true": (
+        "lts: true",
+        "lts: yes",
+        "53:5: distributions.alpha.lts: YAML reads yes as true or false; write true or false; "
+        'or, if text is meant, in quotes: "yes"',
+    ),
+    "text for true": (
+        "lts: true",
+        "lts: maybe",
+        "53:5: distributions.alpha.lts: expected true or false, found 'maybe'",
+    ),
+    "octal": (
+        "os: {unpacked: 100",
+        "os: {unpacked: 0100",
+        "62:8: disk.os.unpacked: YAML reads 0100 as a number; write it in decimal digits; "
+        'or, if text is meant, in quotes: "0100"',
+    ),
+    "text for a list": (
+        "components: [core, base]",
+        "components: core",
+        "58:5: distributions.omega.components: expected a list, such as [a, b], found 'core'",
+    ),
+    "list for text": (
+        "    tools: colcon\n  ubuntu-26.04",
+        "    tools: [colcon]\n  ubuntu-26.04",
+        "15:5: operating_systems.ubuntu-24.04.tools: expected text, found a list",
+    ),
+    "empty list": (
+        "components: [core, base]",
+        "components: []",
+        "58:5: distributions.omega.components: nothing is there; at least one entry is needed",
+    ),
+    "nothing for keys": (
+        "robot: {builds_on: base}",
+        "robot:",
+        "26:3: components.robot: expected keys and values, found nothing",
+    ),
+    "twice, and unknown, in a list": (
+        "components: [core, base]",
+        "components: [core, core, bse]",
+        "58:24: distributions.omega.components[1]: 'core' is there twice; keep one\n"
+        "58:30: distributions.omega.components[2]: no component named 'bse'; did you mean 'base'?",
+    ),
+    "cycle": (
+        "robot: {builds_on: base}",
+        "robot: {builds_on: desktop}",
+        "26:11: components.robot.builds_on: a cycle: robot -> desktop -> robot; one of them must build on nothing",
+    ),
+    "cycle of one": (
+        "robot: {builds_on: base}",
+        "robot: {builds_on: robot}",
+        "26:11: components.robot.builds_on: a cycle: robot -> robot; one of them must build on nothing",
+    ),
+    "two mistakes in one row": (
+        "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n",
+        "    ros: 3\n    packages: ros-{distro}-{metapackage}\n    components: [core, base]\n",
+        "56:5: distributions.omega.ros: expected 1 or 2, found the number 3\n"
+        "57:5: distributions.omega.packages: no placeholder {distro}; did you mean 'ros_distro'?",
+    ),
+    "unpaired brace": (
+        "    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n",
+        "    packages: ros-{ros_distro-x\n    components: [core, base]\n",
+        "57:5: distributions.omega.packages: unpaired braces in 'ros-{ros_distro-x'; "
+        "placeholders: component, metapackage and ros_distro",
+    ),
+    "placeholder where none is": (
+        "    tools: colcon\n  ubuntu-26.04",
+        "    tools: colcon-{component}\n  ubuntu-26.04",
+        "15:5: operating_systems.ubuntu-24.04.tools: no placeholder {component}; no placeholders are filled in here",
+    ),
+    "format from the future": ("version: 1", "version: 2", "1:1: version: expected 1, found the number 2"),
+    "registry with a scheme": (
+        "registry: localhost:5000",
+        "registry: https://localhost",
+        "2:1: registry: expected a registry without https://, such as ghcr.io/owner or localhost:5000, "
+        "found 'https://localhost'",
+    ),
+    "short digest": (
+        f"digest: {ZEROS}",
+        "digest: sha256:11",
+        "11:5: operating_systems.ubuntu-24.04.digest: expected a digest: sha256: and 64 hexadecimal digits, "
+        "found 'sha256:11'",
+    ),
+    "unknown release": (
+        "    torch: 2.10.0\n",
+        "    torch: 2.10.1\n",
+        "42:5: stacks.cpu.torch: no release of torch named '2.10.1'; did you mean '2.10.0'?",
+    ),
+    "stack without CUDA": (
+        "cuda: 12.8.90, ",
+        "",
+        "39:3: stacks.cu1: a stack with accelerator cuda needs 'cuda'; add its version",
+    ),
+    "CPU with CUDA": (
+        "    accelerator: cpu\n",
+        "    accelerator: cpu\n    nccl: 2.27.5\n",
+        "42:5: stacks.cpu.nccl: a stack with accelerator cpu has no nccl; remove it",
+    ),
+    "unknown accelerator": (
+        "accelerator: cuda",
+        "accelerator: gpu",
+        "39:9: stacks.cu1.accelerator: expected cpu or cuda, found 'gpu'; did you mean cpu?",
+    ),
+    "package of nothing": (
+        "    torch: 2.10.0\n    tensorflow: 2.20.0\n",
+        "    torch: 2.10.0\n",
+        "43:16: stacks.cpu.packages.tensorflow: stack cpu has no release of tensorflow; add 'tensorflow: …' to it",
+    ),
+    "package of one architecture": (
+        "{amd64: tensorflow-cpu, arm64: tensorflow}",
+        "{amd64: tensorflow-cpu}",
+        "44:16: stacks.cpu.packages.tensorflow: tensorflow 2.20.0 has a wheel for arm64; name its package",
+    ),
+    "package that is a number": (
+        "{amd64: tensorflow-cpu, arm64: tensorflow}",
+        "{amd64: 3, arm64: tensorflow}",
+        '44:29: stacks.cpu.packages.tensorflow.amd64: expected text, found the number 3; write it in quotes: "3"',
+    ),
+    "wheels for an unknown architecture": (
+        "cu1: [amd64], cpu: [arm64]",
+        "cu1: [amd46], cpu: [arm64]",
+        "35:55: releases.torch.2.10.0.wheels.cu1[0]: no architecture named 'amd46'; did you mean 'amd64' or 'arm64'?",
+    ),
+    "wheels for an unknown stack": (
+        "wheels: {cu1: [amd64], cpu: [arm64]}",
+        "wheels: {rocm: [amd64], cpu: [arm64]}",
+        "35:49: releases.torch.2.10.0.wheels.rocm: no stack named 'rocm'; known: cu1, cpu",
+    ),
+    "framework without its release": (
+        "parts: [cuda, common, torch], releases: [torch]",
+        "parts: [cuda, common, torch]",
+        "31:34: frameworks.torch.parts: torch is not among the releases; add it to 'releases'",
+    ),
+    "framework without common": (
+        "parts: [cuda, common, torch], releases",
+        "parts: [cuda, torch], releases",
+        "31:34: frameworks.torch.parts: frameworks with releases need the part common; add it to 'parts'",
+    ),
+    "one repository for two": (
+        "repository: ros-ml",
+        "repository: ros",
+        "32:8: frameworks.ml.repository: repository 'ros' belongs to framework none; tags would collide",
+    ),
+    "no plain framework": (
+        "  none: {repository: ros}\n",
+        "",
+        "28:1: frameworks: exactly one framework has no parts: the ROS images that all others stand on; none has",
+    ),
+    "one name for two": (
+        "none: {repository: ros}",
+        "cpu: {repository: ros}",
+        "40:3: stacks.cpu: the name 'cpu' is taken (by frameworks.cpu); both would be the same group of targets",
+    ),
+    "reserved name": (
+        "none: {repository: ros}",
+        "all: {repository: ros}",
+        "29:3: frameworks.all: the name 'all' is taken (a group of its own); both would be the same group of targets",
+    ),
+    "upper case": (
+        "  alpha:",
+        "  Alpha:",
+        "46:3: distributions.Alpha: expected a name of lower-case letters, digits and single hyphens, "
+        "such as desktop-full, found 'Alpha'",
+    ),
+    "a name too long": (
+        "  alpha:",
+        f"  {'a' * 30}:",
+        f"46:3: distributions.{'a' * 30}: too long: 30 characters, at most 24 are allowed",
+    ),
+    "no forecast": (
+        "    robot: {unpacked: 20, compressed: 2}\n",
+        "",
+        "63:3: disk.components: no forecast for component robot; add 'robot: …', a guess will do",
+    ),
+    "no forecast of a part": (
+        "      torch: {unpacked: 500, compressed: 50}\n",
+        "",
+        "74:5: disk.parts.cpu: no forecast for part torch; add 'torch: …', a guess will do",
+    ),
+    "negative size": (
+        "os: {unpacked: 100",
+        "os: {unpacked: -1",
+        "62:8: disk.os.unpacked: expected at least 0, found the number -1",
+    ),
+    "absurd size": (
+        "os: {unpacked: 100",
+        "os: {unpacked: 100000000",
+        "62:8: disk.os.unpacked: expected at most 1000000, found the number 100000000",
+    ),
+    "part of a megabyte": (
+        "os: {unpacked: 100",
+        "os: {unpacked: 1.5",
+        "62:8: disk.os.unpacked: expected a whole number, found the number 1.5",
+    ),
+    "no such day": (
+        "eol: 2029-05-31",
+        "eol: 2029-02-31",
+        "52:5: distributions.alpha.eol: 2029-02-31 is not a day of the calendar, as in 2028-06-30",
+    ),
+    "day in quotes": (
+        "eol: 2029-05-31",
+        'eol: "2029-05-31"',
+        "52:5: distributions.alpha.eol: expected a day, such as 2028-06-30, without quotes, found '2029-05-31'",
+    ),
+    "long-term without end": (
+        "    eol: 2029-05-31\n",
+        "",
+        "52:5: distributions.alpha.lts: a long-term release has an end of life; add 'eol: …'",
+    ),
+    "snapshot without a day": (
+        ", date: 2026-11-01",
+        "",
+        "60:5: distributions.omega.apt: 'date' belongs to the channel snapshot, and to it alone",
+    ),
+    "unknown channel": (
+        "channel: snapshot",
+        "channel: nightly",
+        "60:11: distributions.omega.apt.channel: expected live, snapshot or final, found 'nightly'",
+    ),
+    "default without a stack": (
+        "alpha-core-torch-cu1",
+        "alpha-core-torch",
+        "4:11: default.target: alpha-core-torch names no stack; there is alpha-core-torch-cu1 and alpha-core-torch-cpu.",
+    ),
+    "default that nothing has, default that cannot be": (
+        "[alpha-core]",
+        "[alpha-cor, omega-robot]",
+        "4:49: default.group[0]: no image named 'alpha-cor'; did you mean 'alpha-core', 'alpha-core-ml-cu1' "
+        "or 'alpha-core-ml-cpu'?\n"
+        "4:60: default.group[1]: omega-robot does not exist: omega (ROS 2) has no robot metapackage; "
+        "it has core and base.",
+    ),
+    "operating systems that bake cannot tell apart": (
+        "  ubuntu-26.04:\n",
+        "  ubuntu-24-04:\n",
+        "16:3: operating_systems.ubuntu-24-04: 'ubuntu-24-04' and 'ubuntu-24.04' would have the same target; "
+        "rename one\n"
+        "55:5: distributions.omega.os: no operating system named 'ubuntu-26.04'; "
+        "did you mean 'ubuntu-24.04' or 'ubuntu-24-04'?",
+    ),
+    "anchor": (
+        "lts: true",
+        "lts: &yes true",
+        "53:10: the anchor &yes is not allowed; write the value out where it is used",
+    ),
+    "anchor and alias": (
+        "components: [core, base]\n",
+        "components: &c [core, base]\n    extra: *c\n",
+        "58:17: the anchor &c is not allowed; write the value out where it is used\n"
+        "59:12: the alias *c is not allowed; write the value out",
+    ),
+    "merge key": (
+        "lts: true",
+        "<<: {lts: true}",
+        "53:5: distributions.alpha: the merge key << is not allowed; write the keys out",
+    ),
+    "tag": (
+        "lts: true",
+        "lts: !!python/name:os.system true",
+        "53:10: the tag 'tag:yaml.org,2002:python/name:os.system' is not allowed; remove it",
+    ),
+    "list for a key": ("lts: true", "? [a]\n    : true", "53:7: distributions.alpha: a key must be plain text"),
+    "tab": ("    lts: true", "\tlts: true", "53:1: a tab; indent with spaces"),
+    "tab after spaces": ("    lts: true", "    \tlts: true", "53:5: a tab; indent with spaces"),
+    "open brace": (
+        "lts: true",
+        "lts: {",
+        "55:7: not YAML: did not find expected ',' or '}' (while parsing a flow mapping)",
+    ),
+    "second document": (
+        "distributions:",
+        "---\ndistributions:",
+        "45:1: a second document starts here; keep one document in a file",
+    ),
+    "control character": ("lts: true", "lts: \x07", "53:10: the character U+0007 is not allowed in YAML; remove it"),
+    "three mistakes far apart": (
+        SMALL,
+        changed(
+            "lts: true", "lts: 1", changed("os: ubuntu-24.04", "os: debian", changed("core: {meta", "core: {mata"))
+        ),
+        "24:10: components.core.matapackage: unknown key 'matapackage'; did you mean 'metapackage'?\n"
+        "47:5: distributions.alpha.os: no operating system named 'debian'; known: ubuntu-24.04, ubuntu-26.04\n"
+        "53:5: distributions.alpha.lts: expected true or false, found the number 1",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_message(name: str) -> None:
+    old, new, expected = WRONG[name]
+    with pytest.raises(InputError) as caught:
+        parse(changed(old, new))
+    assert str(caught.value) == "\n".join(f"matrix.yaml:{line}" for line in expected.split("\n"))
+    assert caught.value.exit_code == 2
+
+
+CONTENT = {
+    "empty": (b"", "matrix.yaml:1:1: the file is empty; a matrix needs at least 'version: 1'"),
+    "comments only": (b"# nothing\n", "matrix.yaml:1:1: the file is empty; a matrix needs at least 'version: 1'"),
+    "text": (b"hello", "matrix.yaml:1:1: expected keys and values, found 'hello'"),
+    "list": (b"- 1\n- 2\n", "matrix.yaml:1:1: expected keys and values, found a list"),
+    "null": (b"~", "matrix.yaml:1:1: expected keys and values, found nothing"),
+    "not UTF-8": (b"version: 1\nsource: \xff", "matrix.yaml:2:9: not UTF-8 (byte 0xff); save the file as UTF-8"),
+    "UTF-16": ("version: 1".encode("utf-16"), "matrix.yaml:1:1: not UTF-8 (byte 0xff); save the file as UTF-8"),
+    "NUL": (b"version: \x00", "matrix.yaml:1:10: the character U+0000 is not allowed in YAML; remove it"),
+    "nested": (b"[" * 1000, "matrix.yaml:1:17: nested more than 16 levels deep"),
+    "nested blocks": (b"- " * 1000, "matrix.yaml:1:33: nested more than 16 levels deep"),
+    "bomb": (
+        b"a: &a [x]\nb: [*a, *a]",
+        "matrix.yaml:1:4: the anchor &a is not allowed; write the value out where it is used\n"
+        "matrix.yaml:2:5: the alias *a is not allowed; write the value out\n"
+        "matrix.yaml:2:9: the alias *a is not allowed; write the value out",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CONTENT)
+def test_content(name: str) -> None:
+    content, expected = CONTENT[name]
+    with pytest.raises(InputError) as caught:
+        expand.catalogue(source.parse(content))
+    assert str(caught.value) == expected
+
+
+def test_byte_order_mark() -> None:
+    assert expand.catalogue(source.parse(b"\xef\xbb\xbf" + SMALL.encode())).images
+
+
+def test_missing_file(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match=r"none\.yaml: no such file") as caught:
+        expand.load(tmp_path / "none.yaml")
+    assert caught.value.exit_code == 2
+    assert caught.value.remedy
+
+
+def test_folder(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match="cannot be read: Is a directory") as caught:
+        expand.load(tmp_path)
+    assert caught.value.exit_code == 2
+
+
+def test_file_name_with_nul() -> None:
+    with pytest.raises(RosmlError, match="cannot be read"):
+        expand.load(Path("a\0b"))
+
+
+def test_huge_file(tmp_path: Path) -> None:
+    file = tmp_path / "huge.yaml"
+    file.write_bytes(b"#" * (source.MAX_BYTES + 1))
+    with pytest.raises(RosmlError, match="larger than 128 KiB") as caught:
+        expand.load(file)
+    assert caught.value.exit_code == 2
+
+
+def test_too_many_combinations() -> None:
+    row = "{os: ubuntu-24.04, ros: 2, packages: x, components: [core], default_stack: cpu}"
+    text = changed("distributions:\n", "distributions:\n" + "".join(f"  d{n}: {row}\n" for n in range(1000)))
+    text = changed("\nstacks:\n", "\nstacks:\n" + "".join(f"  s{n}: {{accelerator: cpu}}\n" for n in range(100)), text)
+    forecasts = "".join(f"    s{n}: {{common: {{unpacked: 1, compressed: 1}}}}\n" for n in range(100))
+    with pytest.raises(InputError) as caught:
+        parse(changed("  parts:\n", f"  parts:\n{forecasts}", text))
+    assert str(caught.value) == "matrix.yaml:1:1: 411045 combinations to look at, more than 200000; remove rows"
+
+
+def test_long_lists_of_problems_are_cut() -> None:
+    wrong = ", ".join(f"x{n}" for n in range(60))
+    with pytest.raises(InputError) as caught:
+        parse(changed("[core, base]", f"[{wrong}]"))
+    lines = str(caught.value).splitlines()
+    assert len(lines) == 51
+    assert lines[-1] == "matrix.yaml: and more; the first 50 problems are shown"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x: [" + "1," * 60_000 + "1]",
+        "version: [" + "1," * 60_000 + "1]",
+        "architectures: {" + ",".join(f"a{n}: 1" for n in range(12_000)) + "}",
+        "components: {" + ",".join(f"a{n}: {{builds_on: a{n + 1}}}" for n in range(4_000)) + "}",
+        changed(
+            "\ncomponents:\n", "\ncomponents:\n" + "".join(f"  a{n}: {{builds_on: a{n + 1}}}\n" for n in range(3_000))
+        ),
+        changed("\ncomponents:\n", "\ncomponents:\n" + "".join(f"  x{n}: {{builds_on: y{n}}}\n" for n in range(3_000))),
+        changed("[core, base]", "[" + ", ".join(f"x{n}" for n in range(10_000)) + "]"),
+        "a: 1\n" * 20_000,
+        "\n".join(f"k{n}: &a{n} 1" for n in range(6_000)),
+    ],
+)
+def test_bounded_time(text: str) -> None:
+    assert len(text) <= source.MAX_BYTES
+    start = time.perf_counter()
+    with pytest.raises(InputError):
+        parse(text)
+    assert time.perf_counter() - start < 5
+
+
+def test_problems_are_sorted_and_unique() -> None:
+    problems = [Problem(2, 1, "b", "y"), Problem(1, 5, "a", "x"), Problem(2, 1, "b", "y")]
+    assert str(InputError("m.yaml", problems)) == "m.yaml:1:5: a: x\nm.yaml:2:1: b: y"
+
+
+def test_words() -> None:
+    assert dotted(("a", "b", 2, "c")) == "a.b[2].c"
+    assert listed(["a"]) == "a"
+    assert listed(["a", "b", "c"], last="or") == "a, b or c"
+    assert listed([]) == ""
+    assert near("jazy", ["jazzy", "humble"]) == "did you mean 'jazzy'?"
+    assert near("x", ["humble"]) == "known: humble"
+    assert near("x", []) == ""

@@ -1,0 +1,148 @@
+"""What is read from services.json, and the checks before work starts."""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosml.errors import RosmlError
+from rosml.services import Services
+
+FACTS: dict[str, Any] = {
+    "registry": "127.0.0.1:1",
+    "buildx": ["docker", "buildx"],
+    "builder": "rosml",
+    "builder_kind": "buildkitd",
+    "buildx_config": "/x/.state/buildx",
+    "regctl": "/x/regctl",
+    "uv": "/x/uv",
+    "ca_bundle": "/ca.pem",
+    "docker_hub": False,
+    "mirror": True,
+}
+
+
+def load(root: Path, **changes: Any) -> Services:
+    """Services of a checkout with these facts."""
+    (root / ".state").mkdir(exist_ok=True)
+    (root / ".state" / "services.json").write_text(json.dumps({**FACTS, **changes}))
+    return Services.load(root)
+
+
+def test_load(tmp_path: Path) -> None:
+    services = load(tmp_path)
+    assert services.buildx == ("docker", "buildx")
+    assert services.buildx_config == Path("/x/.state/buildx")
+    assert load(tmp_path, buildx_config=None).buildx_config is None
+
+
+def test_not_up(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match="not up") as caught:
+        Services.load(tmp_path)
+    assert caught.value.remedy == "run 'make up'"
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"registry": 1}', "null"])
+def test_damaged(tmp_path: Path, text: str) -> None:
+    (tmp_path / ".state").mkdir()
+    (tmp_path / ".state" / "services.json").write_text(text)
+    with pytest.raises(RosmlError, match="damaged"):
+        Services.load(tmp_path)
+
+
+def test_environment(tmp_path: Path) -> None:
+    env = load(tmp_path).environment({"PATH": "/bin", "NO_PROXY": "example.org"})
+    assert env == {
+        "PATH": "/bin",
+        "BUILDX_BUILDER": "rosml",
+        "BUILDX_CONFIG": "/x/.state/buildx",
+        "REGCTL_CONFIG": str(tmp_path / ".state/regctl/config.json"),
+        "SSL_CERT_FILE": "/ca.pem",
+        "NO_PROXY": "example.org,127.0.0.1,localhost",
+        "no_proxy": "127.0.0.1,localhost",
+    }
+
+
+def test_environment_of_the_users_own_builder(tmp_path: Path) -> None:
+    env = load(tmp_path, builder="mine", buildx_config=None, ca_bundle="").environment({})
+    assert env["BUILDX_BUILDER"] == "mine"
+    assert "BUILDX_CONFIG" not in env
+    assert "SSL_CERT_FILE" not in env
+
+
+@pytest.fixture
+def registry() -> Iterator[str]:
+    """A server that answers as a registry does, and nothing else."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self.send_response(200 if self.path == "/v2/" else 404)
+            self.end_headers()
+            self.wfile.write(b"{}")
+
+        def log_message(self, format: str, *args: object) -> None:
+            pass
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+def test_registry_answers(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("http_proxy", "http://127.0.0.1:1")  # a proxy could not reach loopback
+    services = load(tmp_path, registry=registry)
+    services.require_registry()
+    assert services.get("/v2/")[1] == b"{}"
+    with pytest.raises(RosmlError, match="answers 404 to GET /v2/x"):
+        services.get("/v2/x")
+
+
+def test_registry_is_down(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match=r"127\.0\.0\.1:1 does not answer") as caught:
+        load(tmp_path).require_registry()
+    assert caught.value.remedy == "run 'make up'"
+
+
+def fake_buildx(folder: Path, text: str) -> list[str]:
+    """A stand-in for buildx."""
+    path = folder / "buildx"
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
+    return [str(path)]
+
+
+def test_builder_runs(tmp_path: Path) -> None:
+    load(tmp_path, buildx=fake_buildx(tmp_path, 'echo "Name: $2"; echo "Status:   running"')).require_builder()
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("echo 'Status: inactive'", "'rosml' is inactive"),
+        ("echo 'Error: running out of luck'", "does not answer"),
+        ("echo no builder >&2; exit 1", "does not answer"),
+    ],
+)
+def test_builder_is_down(tmp_path: Path, text: str, says: str) -> None:
+    with pytest.raises(RosmlError, match=says) as caught:
+        load(tmp_path, buildx=fake_buildx(tmp_path, text)).require_builder()
+    assert caught.value.remedy == "run 'make up'"
+
+
+def test_buildx_is_gone(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match="does not answer"):
+        load(tmp_path, buildx=[str(tmp_path / "gone")]).require_builder()
+
+
+def test_builder_of_the_user_is_down(tmp_path: Path) -> None:
+    services = load(tmp_path, builder="mine", builder_kind="user", buildx=fake_buildx(tmp_path, "exit 1"))
+    with pytest.raises(RosmlError) as caught:
+        services.require_builder()
+    assert "unset BUILDX_BUILDER" in caught.value.remedy
