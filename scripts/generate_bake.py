@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docker-bake.hcl (and matrix.schema.json) from matrix.yaml; lists and explains images."""
+"""Writes docker-bake.hcl (and matrix.schema.json and README.md's table) from matrix.yaml; lists and explains images."""
 
 from __future__ import annotations
 
@@ -51,9 +51,10 @@ def main(check: bool, list_: bool, as_json: bool, explain: str | None, matrix: P
 
         wanted = {output or ROOT / "docker-bake.hcl": bake.render(catalogue)}
         if output is None:
-            from rosml import schema
+            from rosml import readme, schema
 
             wanted[ROOT / "matrix.schema.json"] = schema.render()
+            wanted[ROOT / "README.md"] = readme.render((ROOT / "README.md").read_text(encoding="utf-8"), catalogue)
         (verify if check else write)(wanted)
 
 

@@ -3,15 +3,15 @@
 # linker find them without ldconfig, so nothing has to run after the payload is joined to an image.
 set -euo pipefail
 
-libraries=$out/usr/lib/$triplet
+libraries=${OUT:?}/usr/lib/${TRIPLET:?}
 # Every package brings a nvidia/__init__.py or none; with none it is a namespace package, which other wheels join.
-rm -f "$out$site/nvidia/__init__.py"
+rm -f "$OUT${SITE:?}/nvidia/__init__.py"
 
 while IFS= read -r library; do
   name=$(basename "$library")
-  if [[ -e $libraries/$name ]]; then echo "cuda: two packages bring $name" >&2 && exit 1; fi
-  ln -s "${library#"$out"}" "$libraries/$name"
+  if [[ -L $libraries/$name ]]; then echo "cuda: two packages bring $name" >&2 && exit 1; fi
+  ln -s "${library#"$OUT"}" "$libraries/$name"
   # the name that `-lcudart` asks for
   plain=${name%%.so*}.so
-  [[ -e $libraries/$plain || -L $libraries/$plain ]] || ln -s "$name" "$libraries/$plain"
-done < <(find "$out$site/nvidia" -path '*/lib/*.so*' -type f | sort)
+  [[ -L $libraries/$plain ]] || ln -s "$name" "$libraries/$plain"
+done < <(find "$OUT$SITE/nvidia" -path '*/lib/*.so*' -type f | sort)

@@ -4,6 +4,7 @@
 #   PYTHON     3.11, ...; "any" for a part that does not depend on the Python version
 #   TARGETARCH amd64 | arm64 (set by BuildKit)
 #   LOCK       the requirements file with hashes
+# A part's own steps are in components/<part>/files.sh; they get OUT (/out), SITE (where packages go) and TRIPLET.
 # The result depends on the lock and on these scripts alone: not on the day, the machine or the build folder.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -11,28 +12,33 @@ here=$(dirname "${BASH_SOURCE[0]}")
 source "$here/../build/network.sh"
 
 case ${TARGETARCH:?} in
-  amd64) platform=x86_64-manylinux_2_28 triplet=x86_64-linux-gnu ;;
-  arm64) platform=aarch64-manylinux_2_28 triplet=aarch64-linux-gnu ;;
+  amd64) platform=x86_64-manylinux_2_28 TRIPLET=x86_64-linux-gnu ;;
+  arm64) platform=aarch64-manylinux_2_28 TRIPLET=aarch64-linux-gnu ;;
   *) echo "assemble: no wheels are known for architecture '$TARGETARCH' (known: amd64, arm64)" >&2 && exit 64 ;;
 esac
 
 if [[ ${PYTHON:?} == any ]]; then
-  site=/usr/local/lib/rosml/${PART:?}
+  SITE=/usr/local/lib/rosml/${PART:?}
   python_version=3.11 # wheels of such parts are tagged py3-none: the version only has to be a valid one
 else
-  site=/usr/local/lib/python$PYTHON/dist-packages
+  SITE=/usr/local/lib/python$PYTHON/dist-packages
   python_version=$PYTHON
 fi
-export out=/out site triplet PYTHON
+export OUT=/out SITE TRIPLET PYTHON
 
 # uv unpacks while it downloads and checks every hash. Its cache is on the same file system, so files are linked,
 # not copied: one copy on disk instead of two.
-mkdir -p "$out$site" "$out/usr/lib/$triplet"
+mkdir -p "$OUT$SITE" "$OUT/usr/lib/$TRIPLET"
 uv pip install --no-deps --require-hashes --only-binary :all: --link-mode hardlink --cache-dir /out/.cache \
-  --target "$out$site" --python-platform "$platform" --python-version "$python_version" --requirement "${LOCK:?}"
-rm -rf /out/.cache "$out$site/.lock"
+  --target "$OUT$SITE" --python-platform "$platform" --python-version "$python_version" --requirement "${LOCK:?}"
+rm -rf /out/.cache "$OUT$SITE/.lock"
 
 "$here/relocate_scripts.py"
+
+# What the part holds, for the login banner and for whoever asks: no import, no package manager needed.
+mkdir -p "$OUT/usr/local/share/rosml/versions.d"
+sed -n 's/^\([A-Za-z0-9._-]*\)==\([^ ]*\).*/\1 \2/p' "$LOCK" >"$OUT/usr/local/share/rosml/versions.d/$PART"
+
 if [[ -x $here/../part/files.sh ]]; then "$here/../part/files.sh"; fi
 [[ $PYTHON == any ]] || "$here/bytecode.sh"
 "$here/normalise.sh"

@@ -7,5 +7,5 @@ set -euo pipefail
 compile() { "python$PYTHON" -m compileall -q "$@"; }
 
 # Some packages ship templates and code for other Pythons that do not compile; they are never imported here.
-compile --invalidation-mode checked-hash -j 0 -s "$out" -p / "$out$site" >/tmp/compileall.log 2>&1 ||
+compile --invalidation-mode checked-hash -j 0 -s "${OUT:?}" -p / "$OUT${SITE:?}" >/tmp/compileall.log 2>&1 ||
   { echo "bytecode: left without bytecode:"; grep -o "File \"[^\"]*\"" /tmp/compileall.log | sort -u; }

@@ -13,8 +13,8 @@ import os
 import re
 from pathlib import Path
 
-out = Path(os.environ["out"])
-site = out / os.environ["site"].lstrip("/")
+out = Path(os.environ["OUT"])
+site = out / os.environ["SITE"].lstrip("/")
 interpreter = "/usr/bin/python3" if os.environ["PYTHON"] == "any" else f"/usr/bin/python{os.environ['PYTHON']}"
 commands = out / "usr/local/bin"
 

@@ -3,26 +3,26 @@
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 
-libraries=$out/usr/lib/$triplet
-for library in "$out$site"/torch/lib/*.so*; do
-  ln -s "${library#"$out"}" "$libraries/$(basename "$library")"
+libraries=${OUT:?}/usr/lib/${TRIPLET:?}
+for library in "$OUT${SITE:?}"/torch/lib/*.so*; do
+  ln -s "${library#"$OUT"}" "$libraries/$(basename "$library")"
 done
 
 # Triton brings a second copy of CUPTI and its companions: the CUDA payload's serve it as well.
-bundled=$out$site/triton/backends/nvidia/lib/cupti
+bundled=$OUT$SITE/triton/backends/nvidia/lib/cupti
 if [[ ${ACCELERATOR:?} == cuda && -d $bundled ]]; then
   rm -f "$bundled"/*.a
   for library in "$bundled"/*.so*; do
     name=$(basename "$library")
     case $name in libcupti.so*) name=libcupti.so.12 ;; esac
-    ln -sf "/usr/lib/$triplet/$name" "$library"
+    ln -sf "/usr/lib/$TRIPLET/$name" "$library"
   done
 fi
 
-version=$(sed -n "s/^__version__ = '\([0-9.]*\).*'/\1/p" "$out$site/torch/version.py")
-cmake=$out/usr/local/lib/cmake/Torch
+version=$(sed -n "s/^__version__ = '\([0-9.]*\).*'/\1/p" "$OUT$SITE/torch/version.py")
+cmake=$OUT/usr/local/lib/cmake/Torch
 mkdir -p "$cmake"
 for template in "$here"/cmake/*.in; do
-  sed -e "s|@TORCH_ROOT@|$site/torch|g" -e "s|@TORCH_VERSION@|$version|g" -e "s|@TRIPLET@|$triplet|g" \
+  sed -e "s|@TORCH_ROOT@|$SITE/torch|g" -e "s|@TORCH_VERSION@|$version|g" -e "s|@TRIPLET@|$TRIPLET|g" \
     "$template" >"$cmake/$(basename "$template" .in)"
 done

@@ -10,7 +10,10 @@ roscore -p 11411 >"$work/roscore.log" 2>&1 &
 # shellcheck disable=SC2046  # pkg-config prints words
 g++ -O0 -o "$work/node" "$here/node.cpp" $(pkg-config --cflags --libs roscpp std_msgs)
 
-for _ in $(seq 100); do rostopic list >/dev/null 2>&1 && break || sleep 0.1; done
+for _ in $(seq 100); do
+  if rostopic list >/dev/null 2>&1; then break; fi
+  sleep 0.1
+done
 rostopic list >/dev/null || { cat "$work/roscore.log" >&2; exit 1; }
 
 python3 "$here/node.py" talk /from_rospy "hello from rospy" &
