@@ -170,7 +170,7 @@ target "_ros-bookworm" {
   inherits = ["_distribution-bookworm"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "debian"
+    ROS_DISTRO  = "Debian"
     ROS_VERSION = "1"
   }
   labels = { "io.rosml.framework" = "none" }
@@ -274,7 +274,7 @@ target "_ros-trixie" {
   inherits = ["_distribution-trixie"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "debian"
+    ROS_DISTRO  = "Debian"
     ROS_VERSION = "1"
   }
   labels = { "io.rosml.framework" = "none" }
@@ -1407,7 +1407,7 @@ target "bookworm-core-test" {
   contexts  = { image = image("ros", "bookworm-core") }
   args = {
     TESTS  = "contract ros1 ros1-core"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1417,7 +1417,7 @@ target "bookworm-base-test" {
   contexts  = { image = image("ros", "bookworm-base") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1427,7 +1427,7 @@ target "bookworm-robot-test" {
   contexts  = { image = image("ros", "bookworm-robot") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1437,7 +1437,7 @@ target "bookworm-perception-test" {
   contexts  = { image = image("ros", "bookworm-perception") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1447,7 +1447,7 @@ target "bookworm-desktop-test" {
   contexts  = { image = image("ros", "bookworm-desktop") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1457,7 +1457,7 @@ target "bookworm-desktop-full-test" {
   contexts  = { image = image("ros", "bookworm-desktop-full") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1467,7 +1467,7 @@ target "bookworm-core-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1477,7 +1477,7 @@ target "bookworm-base-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1487,7 +1487,7 @@ target "bookworm-robot-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1497,7 +1497,7 @@ target "bookworm-perception-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1507,7 +1507,7 @@ target "bookworm-desktop-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1517,7 +1517,7 @@ target "bookworm-desktop-full-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1527,7 +1527,7 @@ target "bookworm-core-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1537,7 +1537,7 @@ target "bookworm-base-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1547,7 +1547,7 @@ target "bookworm-robot-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1557,7 +1557,7 @@ target "bookworm-perception-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1567,7 +1567,7 @@ target "bookworm-desktop-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1577,7 +1577,7 @@ target "bookworm-desktop-full-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1587,7 +1587,7 @@ target "bookworm-core-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1597,7 +1597,7 @@ target "bookworm-base-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1607,7 +1607,7 @@ target "bookworm-robot-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1617,7 +1617,7 @@ target "bookworm-perception-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1627,7 +1627,7 @@ target "bookworm-desktop-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1637,7 +1637,7 @@ target "bookworm-desktop-full-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1647,7 +1647,7 @@ target "bookworm-core-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "bookworm-core-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch tensorflow ml"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1657,7 +1657,7 @@ target "bookworm-base-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "bookworm-base-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch tensorflow ml"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1667,7 +1667,7 @@ target "bookworm-robot-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "bookworm-robot-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch tensorflow ml"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1677,7 +1677,7 @@ target "bookworm-perception-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "bookworm-perception-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch tensorflow ml"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1687,7 +1687,7 @@ target "bookworm-desktop-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "bookworm-desktop-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch tensorflow ml"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1697,7 +1697,7 @@ target "bookworm-desktop-full-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "bookworm-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch tensorflow ml"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1707,7 +1707,7 @@ target "trixie-core-test" {
   contexts  = { image = image("ros", "trixie-core") }
   args = {
     TESTS  = "contract ros1 ros1-core"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1717,7 +1717,7 @@ target "trixie-base-test" {
   contexts  = { image = image("ros", "trixie-base") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1727,7 +1727,7 @@ target "trixie-robot-test" {
   contexts  = { image = image("ros", "trixie-robot") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1737,7 +1737,7 @@ target "trixie-perception-test" {
   contexts  = { image = image("ros", "trixie-perception") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1747,7 +1747,7 @@ target "trixie-desktop-test" {
   contexts  = { image = image("ros", "trixie-desktop") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1757,7 +1757,7 @@ target "trixie-desktop-full-test" {
   contexts  = { image = image("ros", "trixie-desktop-full") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian"
   }
 }
 
@@ -1767,7 +1767,7 @@ target "trixie-core-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1777,7 +1777,7 @@ target "trixie-base-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1787,7 +1787,7 @@ target "trixie-robot-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1797,7 +1797,7 @@ target "trixie-perception-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1807,7 +1807,7 @@ target "trixie-desktop-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1817,7 +1817,7 @@ target "trixie-desktop-full-torch-cu128-test" {
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1827,7 +1827,7 @@ target "trixie-core-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "trixie-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1837,7 +1837,7 @@ target "trixie-base-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "trixie-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1847,7 +1847,7 @@ target "trixie-robot-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "trixie-robot-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1857,7 +1857,7 @@ target "trixie-perception-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "trixie-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1867,7 +1867,7 @@ target "trixie-desktop-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "trixie-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1877,7 +1877,7 @@ target "trixie-desktop-full-tensorflow-cu128-test" {
   contexts  = { image = image("ros-tf", "trixie-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1887,7 +1887,7 @@ target "trixie-core-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "trixie-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1897,7 +1897,7 @@ target "trixie-base-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "trixie-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1907,7 +1907,7 @@ target "trixie-robot-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "trixie-robot-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1917,7 +1917,7 @@ target "trixie-perception-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "trixie-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1927,7 +1927,7 @@ target "trixie-desktop-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "trixie-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1937,7 +1937,7 @@ target "trixie-desktop-full-tensorflow-cpu-test" {
   contexts  = { image = image("ros-tf", "trixie-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian tensorflow=2.20.0"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian tensorflow=2.20.0"
   }
 }
 
@@ -1947,7 +1947,7 @@ target "trixie-core-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "trixie-core-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch tensorflow ml"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1957,7 +1957,7 @@ target "trixie-base-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "trixie-base-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch tensorflow ml"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1967,7 +1967,7 @@ target "trixie-robot-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "trixie-robot-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch tensorflow ml"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1977,7 +1977,7 @@ target "trixie-perception-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "trixie-perception-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch tensorflow ml"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1987,7 +1987,7 @@ target "trixie-desktop-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "trixie-desktop-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch tensorflow ml"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 
@@ -1997,7 +1997,7 @@ target "trixie-desktop-full-ml-cu128-test" {
   contexts  = { image = image("ros-ml", "trixie-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch tensorflow ml"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
 

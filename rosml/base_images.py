@@ -104,10 +104,14 @@ def ensure(
     folder = services.state / "base"
     folder.mkdir(parents=True, exist_ok=True)
     with (folder / f"{suite}.lock").open("a") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            say(f"base image debian:{suite}: waiting for another call that makes it")
+            fcntl.flock(lock, fcntl.LOCK_EX)
         digest = find(services, suite, architecture)
         if not digest:
-            digest = make(services, suite, architecture, folder / suite, say)
+            digest = make(services, suite, architecture, folder / suite, say, lock.fileno())
     return f"{os.image}@{digest}"
 
 
@@ -161,8 +165,21 @@ def command(suite: str, architecture: str, files: Path, output: Path) -> list[st
     ]
 
 
-def make(services: Services, suite: str, architecture: str, folder: Path, say: Callable[[str], None]) -> str:
+def isolated(argv: list[str]) -> list[str]:
+    """The command in namespaces of its own (for root): whatever ends it, its mounts and its children end with it."""
+    if os.geteuid() != 0 or shutil.which("unshare") is None:
+        return argv
+    return ["unshare", "--mount", "--pid", "--fork", "--kill-child", *argv]
+
+
+def make(
+    services: Services, suite: str, architecture: str, folder: Path, say: Callable[[str], None], lock: int | None = None
+) -> str:
     """Makes a Debian image and pushes it; gives its digest. The tag appears last: an interrupted call leaves none.
+
+    Args:
+        folder: for its files; removed at the end.
+        lock: file descriptor of a lock that holds while mmdebstrap runs, even if this process is killed.
 
     Raises:
         RosmlError: mmdebstrap is missing or fails, or the push does.
@@ -175,24 +192,24 @@ def make(services: Services, suite: str, architecture: str, folder: Path, say: C
     started = time.monotonic()
     shutil.rmtree(folder, ignore_errors=True)
     log = services.state / "log" / f"base-{suite}.log"
-    log.parent.mkdir(parents=True, exist_ok=True)
     try:
+        log.parent.mkdir(parents=True, exist_ok=True)
         write_files(folder / "files")
         tar = folder / "root.tar"
-        work = folder / "tmp"
-        work.mkdir()
-        env = dict(os.environ, SOURCE_DATE_EPOCH=str(EPOCH), TMPDIR=str(work), LC_ALL="C.UTF-8")
-        run_logged(command(suite, architecture, folder / "files", tar), env, log)
-        layout = folder / "layout"
-        digest = write_layout(layout, tar, suite, architecture)
-        push(services, layout, suite)
+        (folder / "tmp").mkdir()
+        env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
+        run_logged(isolated(command(suite, architecture, folder / "files", tar)), env, log, lock)
+        digest = write_layout(folder / "layout", tar, suite, architecture)
+        push(services, folder / "layout", suite)
+    except OSError as error:
+        raise RosmlError(f"base image debian:{suite}: {error}", "check the disk (df), then run it again") from None
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     say(f"base image debian:{suite}: made in {time.monotonic() - started:.0f} s, served as the mirror of Docker Hub")
     return digest
 
 
-def run_logged(argv: list[str], env: dict[str, str], log: Path) -> None:
+def run_logged(argv: list[str], env: dict[str, str], log: Path, lock: int | None = None) -> None:
     """Runs a command with its output in a log.
 
     Raises:
@@ -200,12 +217,18 @@ def run_logged(argv: list[str], env: dict[str, str], log: Path) -> None:
     """
     with log.open("wb") as stream:
         done = subprocess.run(
-            argv, stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT, env=env, check=False
+            argv,
+            stdin=subprocess.DEVNULL,
+            stdout=stream,
+            stderr=subprocess.STDOUT,
+            env=env,
+            pass_fds=() if lock is None else (lock,),
+            check=False,
         )
     if done.returncode != 0:
         end = "\n".join(log.read_text(errors="replace").splitlines()[-TAIL_LINES:])
         raise RosmlError(
-            f"{argv[0]} failed (exit code {done.returncode}):\n{end}", f"see {log}; check that Debian's mirrors answer"
+            f"mmdebstrap failed (exit code {done.returncode}):\n{end}", f"see {log}; check that Debian's mirrors answer"
         )
 
 

@@ -198,7 +198,7 @@ class Distribution(Facts):
 
     os: OsName = Field(description="a name from operating_systems")
     ros: Literal[1, 2] = Field(description="ROS 1 or ROS 2")
-    ros_distro: Name | None = Field(
+    ros_distro: Word | None = Field(
         default=None, description="value of ROS_DISTRO; the distribution's own name if left out"
     )
     packages: Packages = Field(

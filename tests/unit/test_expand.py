@@ -35,7 +35,7 @@ def test_image_facts(real: Catalogue) -> None:
         "os": "bookworm",
         "python": "3.11",
         "ros": 1,
-        "ros_distro": "debian",
+        "ros_distro": "Debian",
         "platforms": ["linux/amd64"],
         "versions": {
             "torch": "2.10.0",
