@@ -1,0 +1,58 @@
+# The few commands a newcomer needs. `make` alone lists them.
+TARGET ?= bookworm-core-torch-cu128
+
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+MAKEFLAGS += --no-print-directory --no-builtin-rules
+.DEFAULT_GOAL := help
+
+export PATH := $(CURDIR)/.state/bin:$(PATH)
+export UV_COMPILE_BYTECODE := 1
+export UV_CACHE_DIR ?= $(CURDIR)/.state/uv
+export HYPOTHESIS_STORAGE_DIRECTORY ?= $(CURDIR)/.state/cache/hypothesis
+export TARGET
+
+BOOTSTRAP := python3 scripts/bootstrap.py
+RUN := uv run --quiet
+
+.PHONY: help image test lint unit list generate locks up down clean status
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' Makefile
+
+image: up ## build, test, push and tag one image: make image TARGET=bookworm-base-torch-cu128
+	@$(RUN) scripts/publish.py image "$$TARGET"
+
+test: up ## the whole suite: linters, unit tests, real builds
+	@$(RUN) pytest
+
+lint: .python ## the linters only
+	@$(RUN) pytest tests/lint
+
+unit: .python ## the linters and the unit tests: no builder, seconds
+	@$(RUN) pytest tests/lint tests/unit
+
+list: .python ## every image that can be built
+	@$(RUN) scripts/generate_bake.py --list
+
+generate: .python ## docker-bake.hcl and matrix.schema.json anew, after a change of matrix.yaml
+	@$(RUN) scripts/generate_bake.py
+
+locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml
+	@$(RUN) scripts/lock.py
+
+up: ## set up: tools, local registry, builder (the commands above do it by themselves)
+	@$(BOOTSTRAP) up
+
+down: ## stop the registry and the builder; what they stored stays
+	@$(BOOTSTRAP) down
+
+clean: ## stop them and remove all that was made
+	@$(BOOTSTRAP) clean
+
+status: ## what is running
+	@$(BOOTSTRAP) status
+
+.PHONY: .python
+.python:
+	@$(BOOTSTRAP) tools --python

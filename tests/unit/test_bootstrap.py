@@ -1,0 +1,682 @@
+"""The set-up's parts that need no network: pins, ports, pid files, configurations, commands it would run."""
+
+from __future__ import annotations
+
+import fcntl
+import http.server
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from machine import commands, console, install, mounts, network, services
+from machine.console import Failure
+from machine.daemon import Daemon, command_line
+from machine.state import LONGEST_SOCKET_PATH, State, read_json, write_atomically
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture
+def state(tmp_path: Path) -> State:
+    made = State(tmp_path)
+    made.prepare()
+    return made
+
+
+def program(folder: Path, name: str, text: str) -> Path:
+    """Makes a shell program."""
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / name
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
+    return path
+
+
+# ---- pins -----------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("tool", install.GO_TOOLS, ids=lambda tool: tool.name)
+def test_every_go_tool_is_pinned(tool: install.GoTool) -> None:
+    module = ROOT / "tools" / "go" / tool.folder
+    pin = install.parse_pin((module / "go.mod").read_text())
+    assert re.fullmatch(r"v\d+\.\d+\.\d+", pin.version)
+    root = pin.package.split("/cmd/")[0]
+    assert f"{root} {pin.version} h1:" in (module / "go.sum").read_text()
+
+
+def test_python_tools_are_pinned_by_hash() -> None:
+    text = (ROOT / "tools" / "requirements.txt").read_text()
+    assert re.search(r"^uv==\d+\.\d+\.\d+ ", text, re.MULTILINE)
+    assert text.count("--hash=sha256:") == 2
+    assert "http" not in text
+
+
+def test_parse_pin_takes_the_module_of_the_tool() -> None:
+    go_mod = """module x.invalid/tools
+
+go 1.26.8
+
+tool example.org/a/v3/cmd/a
+
+require (
+\texample.org/a v1.0.0 // indirect
+\texample.org/a/v3 v3.1.2 // indirect
+\texample.org/b v0.1.0 // indirect
+)
+"""
+    assert install.parse_pin(go_mod) == install.Pin("example.org/a/v3/cmd/a", "v3.1.2")
+
+
+@pytest.mark.parametrize("text", ["", "tool example.org/a/cmd/a\n"])
+def test_parse_pin_without_a_pin(text: str) -> None:
+    with pytest.raises(ValueError, match=r"tool|module"):
+        install.parse_pin(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "version"),
+    [
+        ("VCSTag:     v0.11.7\nVCSRef: unknown", (0, 11, 7)),
+        ("uv 0.13.8 (x86_64)", (0, 13, 8)),
+        ("go version go1.26.8 linux/amd64", (1, 26, 8)),
+        ("github.com/docker/buildx v0.33.0 abc", (0, 33, 0)),
+        ("unknown", ()),
+    ],
+)
+def test_version_in(text: str, version: tuple[int, ...]) -> None:
+    assert install.version_in(text) == version
+
+
+# ---- tools ----------------------------------------------------------------------------------------------------------
+def test_a_tool_on_path_is_used_if_it_is_new_enough(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    mine = program(state.root / "mine", "regctl", "echo VCSTag: v0.11.9")
+    monkeypatch.setenv("PATH", str(mine.parent))
+    installer = install.Installer(state, "")
+    assert installer.found("regctl", ["version"], (0, 11)) == str(mine)
+    assert installer.found("regctl", ["version"], (0, 12)) is None
+    assert installer.have == ["regctl v0.11.9 (found on PATH)"]
+
+
+def test_our_own_folder_does_not_count_as_the_machines(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    program(state.bin, "regctl", "echo v9.9.9")
+    monkeypatch.setenv("PATH", str(state.bin))
+    assert install.Installer(state, "").found("regctl", ["version"], (0, 11)) is None
+
+
+@pytest.fixture
+def go(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A checkout with one tool to build, and a stand-in for Go that writes the file it was asked for."""
+    module = state.root / "tools" / "go" / "regctl"
+    module.mkdir(parents=True)
+    (module / "go.mod").write_text("tool example.org/r/cmd/regctl\nrequire example.org/r v1.2.3\n")
+    (module / "go.sum").write_text("")
+    script = """case $1 in
+  version) echo go version go1.26.8 linux/amd64 ;;
+  build) while [ "$1" != -o ]; do shift; done; echo "$GOFLAGS|$CGO_ENABLED|$GOMODCACHE" >"$2" ;;
+esac"""
+    path = program(state.root / "go-bin", "go", script)
+    monkeypatch.setenv("PATH", f"{path.parent}:/usr/bin:/bin")
+    monkeypatch.setenv("GOFLAGS", "-mod=mod")
+    return path
+
+
+def test_go_tool_is_built_once(state: State, go: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    built = Path(install.Installer(state, "").go_tool(install.REGCTL))
+    assert built.read_text() == f"-mod=readonly -modcacherw -buildvcs=false|0|{state.folder}/go/modules\n"
+    assert "regctl v1.2.3: built from its Go module in" in capsys.readouterr().out
+    go.unlink()
+    again = install.Installer(state, "")
+    again.go_tool(install.REGCTL)
+    assert again.have == ["regctl v1.2.3"]
+
+
+def test_go_tool_is_built_anew_when_a_pin_changes(state: State, go: Path) -> None:
+    install.Installer(state, "").go_tool(install.REGCTL)
+    (state.root / "tools/go/regctl/go.sum").write_text("changed")
+    (state.bin / "regctl").write_text("old")
+    assert "readonly" in Path(install.Installer(state, "").go_tool(install.REGCTL)).read_text()
+
+
+def test_a_failed_build_shows_the_log_and_leaves_no_tool(state: State, go: Path) -> None:
+    program(go.parent, "go", "[ $1 = version ] && echo go1.26.8 && exit 0; seq 100; echo no such module >&2; exit 3")
+    with pytest.raises(Failure) as caught:
+        install.Installer(state, "").go_tool(install.REGCTL)
+    message = caught.value.message
+    assert "exit code 3" in message
+    assert "no such module" in message
+    assert str(state.log / "build-regctl.log") in message
+    assert len(message.splitlines()) == console.TAIL_LINES + 2
+    assert not (state.bin / "regctl").exists()
+
+
+@pytest.mark.parametrize(("text", "says"), [("", "not installed"), ("echo go version go1.19.8 linux/amd64", "too old")])
+def test_no_go(state: State, go: Path, monkeypatch: pytest.MonkeyPatch, text: str, says: str) -> None:
+    go.unlink()
+    which = shutil.which
+    monkeypatch.setattr(shutil, "which", lambda name, path: which(name, path=str(go.parent)))
+    if text:
+        program(go.parent, "go", text)
+    with pytest.raises(Failure, match=says) as caught:
+        install.Installer(state, "").go_tool(install.REGCTL)
+    assert "install Go" in caught.value.remedy
+
+
+def test_go_build_needs_disk(state: State, go: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(install, "BUILD_BYTES", 10**18)
+    with pytest.raises(Failure, match="of disk are free"):
+        install.Installer(state, "").go_tool(install.REGCTL)
+
+
+def test_debian_packages_by_a_plain_user(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    monkeypatch.setattr(install, "which_system", lambda name: f"/usr/bin/{name}")
+    with pytest.raises(Failure, match="only root may") as caught:
+        install.Installer(state, "").debian_packages({"runc": "runs build steps"})
+    assert "sudo sh -c 'apt-get update && apt-get install --no-install-recommends runc'" in caught.value.remedy
+
+
+def test_debian_packages_say_so_before(
+    state: State, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    calls = state.root / "calls"
+    apt = program(state.root / "apt", "apt-get", f'echo "$@" >>{calls}')
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    monkeypatch.setattr(install, "which_system", lambda name: str(apt))
+    install.Installer(state, "").debian_packages({"runc": "runs build steps", "mmdebstrap": "makes images"})
+    said = capsys.readouterr().out.splitlines()
+    assert (
+        said[0]
+        == "this changes the system: installs the Debian packages runc (runs build steps), mmdebstrap (makes images)"
+    )
+    update, installs = calls.read_text().splitlines()
+    assert update.endswith("update")
+    assert installs.endswith("install --yes --no-install-recommends runc mmdebstrap")
+
+
+def test_no_apt(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(install, "which_system", lambda name: None)
+    with pytest.raises(Failure, match="no apt-get"):
+        install.Installer(state, "").debian_packages({"runc": "runs build steps"})
+
+
+def test_no_package_is_installed_without_need(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    install.Installer(state, "").debian_packages({})
+    monkeypatch.setattr(commands, "which_system", lambda name: None)
+    assert list(commands.missing_packages("buildkitd", hub=False)) == ["runc", "mmdebstrap"]
+    assert list(commands.missing_packages("docker", hub=True)) == []
+    monkeypatch.setattr(commands, "which_system", lambda name: name if name == "crun" else None)
+    assert list(commands.missing_packages("buildkitd", hub=True)) == []
+
+
+@pytest.mark.parametrize(
+    ("docker", "hub", "image", "root", "kind"),
+    [
+        (True, True, False, False, "docker"),
+        (True, False, True, False, "docker"),
+        (True, False, False, True, "buildkitd"),  # Docker could not pull BuildKit
+        (False, True, False, True, "buildkitd"),
+        (False, True, False, False, ""),
+    ],
+)
+def test_choice_of_the_builder(
+    state: State, monkeypatch: pytest.MonkeyPatch, docker: bool, hub: bool, image: bool, root: bool, kind: str
+) -> None:
+    monkeypatch.delenv("BUILDX_BUILDER", raising=False)
+    monkeypatch.setattr(commands, "docker_is_there", lambda installer: docker)
+    monkeypatch.setattr(commands, "docker_has_buildkit", lambda installer: image)
+    monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
+    installer = install.Installer(state, "")
+    if kind:
+        assert commands.choose_builder(installer, hub) == (kind, "rosml")
+    else:
+        with pytest.raises(Failure, match="needs root"):
+            commands.choose_builder(installer, hub)
+    monkeypatch.setenv("BUILDX_BUILDER", "mine")
+    assert commands.choose_builder(installer, hub) == ("user", "mine")
+
+
+def test_buildkit_in_docker_is_of_the_pinned_release() -> None:
+    assert re.fullmatch(r"moby/buildkit:v\d+\.\d+\.\d+", commands.buildkit_image(State(ROOT)))
+
+
+# ---- network --------------------------------------------------------------------------------------------------------
+def test_ca_bundle(tmp_path: Path) -> None:
+    pem = tmp_path / "ca.pem"
+    pem.write_text("")
+    assert network.ca_bundle({}) == ""
+    assert network.ca_bundle({"SSL_CERT_FILE": str(tmp_path / "gone"), "CURL_CA_BUNDLE": str(pem)}) == str(pem)
+    with pytest.raises(Failure, match="no such file"):
+        network.ca_bundle({"ROSML_CA_BUNDLE": str(tmp_path / "gone")})
+
+
+def test_docker_hub_can_be_decided_by_the_user() -> None:
+    assert network.docker_hub_answers({"ROSML_DOCKER_HUB": "1"}, "")
+    assert not network.docker_hub_answers({"ROSML_DOCKER_HUB": "0"}, "")
+    with pytest.raises(Failure, match="neither 0 nor 1"):
+        network.docker_hub_answers({"ROSML_DOCKER_HUB": "yes"}, "")
+
+
+@pytest.fixture
+def answer(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[tuple[int, dict[str, str]]]]:
+    """A server in the place of Docker Hub; the list's one entry is what it answers."""
+    wanted: list[tuple[int, dict[str, str]]] = []
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            code, headers = wanted[0]
+            self.send_response(code)
+            for name, value in headers.items():
+                self.send_header(name, value)
+            self.end_headers()
+
+        def log_message(self, format: str, *args: object) -> None:
+            pass
+
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        monkeypatch.setattr(network, "HUB_API", f"http://127.0.0.1:{server.server_port}/v2/")
+        monkeypatch.setenv("no_proxy", "127.0.0.1")
+        yield wanted
+        server.shutdown()
+
+
+REGISTRY_HEADER = {"Docker-Distribution-Api-Version": "registry/2.0"}
+
+
+@pytest.mark.parametrize(
+    ("code", "headers", "answers"),
+    [
+        (401, REGISTRY_HEADER, True),
+        (200, REGISTRY_HEADER, True),
+        (403, REGISTRY_HEADER, False),
+        (503, REGISTRY_HEADER, False),
+        (200, {}, False),  # a sign-in page of a hotel
+        (401, {}, False),  # a proxy that wants a password
+    ],
+)
+def test_docker_hub_answers(
+    answer: list[tuple[int, dict[str, str]]], code: int, headers: dict[str, str], answers: bool
+) -> None:
+    answer.append((code, headers))
+    assert network.docker_hub_answers({}, "") is answers
+
+
+def test_docker_hub_that_hangs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(network, "HUB_SECONDS", 0.2)
+    monkeypatch.setenv("no_proxy", "127.0.0.1")
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        monkeypatch.setattr(network, "HUB_API", f"http://127.0.0.1:{server.getsockname()[1]}/v2/")
+        started = time.monotonic()
+        assert not network.docker_hub_answers({}, "")
+    assert time.monotonic() - started < 3
+
+
+def test_ports() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        port = server.getsockname()[1]
+        assert not network.port_is_free(port)
+    assert network.port_is_free(port)
+    assert network.free_port() > 1023
+    assert not network.registry_answers(f"127.0.0.1:{port}")
+
+
+# ---- state ----------------------------------------------------------------------------------------------------------
+def test_socket_of_a_short_path() -> None:
+    assert State(Path("/work/x")).socket("b.sock") == Path("/work/x/.state/run/b.sock")
+
+
+@pytest.mark.parametrize("root", ["/" + "deep/" * 30, "/with space", "/ümlaut"])
+def test_socket_of_a_path_that_cannot_hold_one(root: str) -> None:
+    path = State(Path(root)).socket("buildkitd.sock")
+    assert str(path).startswith(f"/tmp/rosml-{os.getuid()}-")
+    assert len(str(path)) <= LONGEST_SOCKET_PATH
+    assert path != State(Path(root + "x")).socket("buildkitd.sock")
+
+
+def test_socket_folder_of_somebody_else(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tmp_path / "short"
+    monkeypatch.setattr(State, "short_run", property(lambda self: folder))
+    state = State(tmp_path)
+    state.prepare_socket(folder / "s")
+    assert folder.stat().st_mode & 0o777 == 0o700
+    monkeypatch.setattr(os, "getuid", lambda: 12345)
+    with pytest.raises(Failure, match="somebody else"):
+        state.prepare_socket(folder / "s")
+
+
+def test_state_that_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / ".state").write_text("a file")
+    with pytest.raises(Failure, match="cannot write to") as caught:
+        State(tmp_path).prepare()
+    assert caught.value.remedy
+
+
+def test_the_second_set_up_waits(state: State, capsys: pytest.CaptureFixture[str]) -> None:
+    with (state.run / "lock").open("a") as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        threading.Timer(0.3, lambda: fcntl.flock(held, fcntl.LOCK_UN)).start()
+        with state.lock():
+            pass
+    assert capsys.readouterr().out == "waiting for another set-up of this checkout to finish\n"
+
+
+@pytest.mark.parametrize("text", ["", "{", "[1]", "null"])
+def test_damaged_json_reads_as_none(tmp_path: Path, text: str) -> None:
+    (tmp_path / "x").write_text(text)
+    assert read_json(tmp_path / "x") is None
+    assert read_json(tmp_path / "gone") is None
+
+
+# ---- daemons --------------------------------------------------------------------------------------------------------
+@pytest.fixture
+def sleeper(state: State) -> Iterator[Daemon]:
+    config = state.run / "sleeper.conf"
+    config.write_text("1")
+    code = "import time; time.sleep(60)"
+    daemon = Daemon(state, "sleeper", (sys.executable, "-c", code, str(config)), config, dict(os.environ))
+    yield daemon
+    daemon.stop()
+
+
+def test_daemon_starts_and_stops(sleeper: Daemon) -> None:
+    assert sleeper.pid() is None
+    sleeper.start()
+    pid = sleeper.pid()
+    assert pid is not None
+    assert os.getsid(pid) == pid
+    assert sleeper.current()
+    sleeper.config.write_text("2")
+    assert not sleeper.current()
+    assert sleeper.stop()
+    assert sleeper.pid() is None
+    assert not sleeper.stop()
+
+
+def test_daemon_without_a_record_is_found(sleeper: Daemon) -> None:
+    """As after a set-up that was killed between the start and the record."""
+    sleeper.start()
+    pid = sleeper.pid()
+    sleeper.pid_file.unlink()
+    assert sleeper.pid() == pid
+    assert not sleeper.current()
+
+
+def test_a_foreign_process_is_never_stopped(sleeper: Daemon) -> None:
+    with subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"]) as foreign:
+        write_atomically(sleeper.pid_file, json.dumps({"pid": foreign.pid, "config": ""}))
+        assert sleeper.pid() is None
+        assert not sleeper.stop()
+        assert foreign.poll() is None
+        foreign.kill()
+
+
+def test_daemon_that_ignores_sigterm_is_killed(state: State) -> None:
+    config = state.run / "stubborn.conf"
+    config.write_text("")
+    code = "import signal, time; signal.signal(signal.SIGTERM, signal.SIG_IGN); open('ready', 'w'); time.sleep(60)"
+    daemon = Daemon(state, "stubborn", (sys.executable, "-c", code, str(config)), config, dict(os.environ))
+    daemon.start()
+    while not (state.folder / "ready").exists():
+        time.sleep(0.01)
+    assert daemon.stop(patience=0.3)
+    assert daemon.pid() is None
+
+
+def test_daemon_that_cannot_be_run(state: State) -> None:
+    config = state.run / "x"
+    with pytest.raises(Failure, match="cannot run /nowhere/at/all"):
+        Daemon(state, "x", ("/nowhere/at/all",), config, {}).start()
+
+
+def test_command_line_of_nobody() -> None:
+    assert command_line(2**22 + 1) == ()
+    assert command_line(os.getpid())
+
+
+# ---- services -------------------------------------------------------------------------------------------------------
+def tools(kind: str, buildx: str = "buildx") -> services.Tools:
+    return services.Tools(kind, "rosml", (buildx,), "regctl", "registry", "uv")
+
+
+def test_registry_config_is_yaml_of_a_plain_registry() -> None:
+    config = json.loads(services.registry_config(Path("/a b/.state/registry"), 5001))
+    assert config["http"] == {"addr": "127.0.0.1:5001"}
+    assert config["storage"]["delete"] == {"enabled": True}
+    assert config["storage"]["filesystem"]["rootdirectory"] == "/a b/.state/registry"
+
+
+def test_registry_port_is_remembered(state: State) -> None:
+    assert services.registry_port(state) is None
+    (state.run / "registry.yaml").write_text(services.registry_config(state.folder, 5001))
+    assert services.registry_port(state) == 5001
+
+
+def test_registry_environment(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("REGISTRY_HTTP_ADDR", "0.0.0.0:80")
+    env = services.registry_daemon(state, "registry").env
+    assert "REGISTRY_HTTP_ADDR" not in env
+
+
+def test_buildkit_config() -> None:
+    own = {"root": '/r "x"', "socket": "/s", "otel": "/o", "runc": "/usr/sbin/runc"}
+    text = services.buildkit_config("127.0.0.1:5001", True, own)
+    toml = pytest.importorskip("tomllib", reason="Python 3.10 cannot read TOML").loads(text)
+    assert toml["root"] == '/r "x"'
+    assert toml["grpc"]["address"] == ["unix:///s"]
+    assert toml["registry"]["docker.io"]["mirrors"] == ["127.0.0.1:5001"]
+    assert toml["registry"]["127.0.0.1:5001"] == {"http": True, "insecure": True}
+    assert toml["worker"]["oci"]["gcpolicy"] == [{"all": True, "maxUsedSpace": "30GB", "minFreeSpace": "12GB"}]
+    in_docker = services.buildkit_config("127.0.0.1:5001", False)
+    assert "docker.io" not in in_docker
+    assert "root" not in in_docker
+
+
+@pytest.fixture
+def buildx(state: State) -> Path:
+    """A stand-in for buildx that notes its calls and keeps records of builders as buildx does."""
+    return program(
+        state.root / "fake",
+        "buildx",
+        f"""echo "$@" >>{state.root}/calls
+case $1 in
+  inspect) if [ -e {state.root}/broken ]; then echo no connection >&2; exit 1; fi; printf 'Name: rosml\\nStatus: running\\n' ;;
+  create) mkdir -p "$BUILDX_CONFIG/instances" && touch "$BUILDX_CONFIG/instances/$3" ;;
+esac""",
+    )
+
+
+def test_builder_in_docker(state: State, buildx: Path) -> None:
+    docker = tools("docker", str(buildx))
+    calls = state.root / "calls"
+    services.up_builder(state, docker, "127.0.0.1:5001", False, "moby/buildkit:v0.29.0")
+    assert calls.read_text().splitlines() == [
+        "rm --force --keep-state rosml",
+        "create --name rosml --driver docker-container --driver-opt network=host,image=moby/buildkit:v0.29.0"
+        f" --buildkitd-config {state.run}/buildkitd-docker.new.toml",
+        "inspect --bootstrap rosml",
+    ]
+    calls.unlink()
+    services.up_builder(state, docker, "127.0.0.1:5001", False, "moby/buildkit:v0.29.0")
+    assert calls.read_text().splitlines() == ["inspect --bootstrap rosml"]
+    services.up_builder(state, docker, "127.0.0.1:5002", False, "moby/buildkit:v0.29.0")
+    assert "create" in calls.read_text(), "a new port of the registry needs a new configuration"
+    (state.root / "broken").touch()
+    with pytest.raises(Failure, match="no connection"):
+        services.up_builder(state, docker, "127.0.0.1:5002", False, "moby/buildkit:v0.29.0")
+
+
+def test_builder_in_docker_is_stopped(state: State, buildx: Path) -> None:
+    facts = services.describe(state, tools("docker", str(buildx)), "127.0.0.1:1", True, False, "")
+    for remove, action in ((False, "stop rosml"), (True, "rm --force rosml")):
+        write_atomically(state.services, json.dumps(facts))
+        assert services.down(state, remove) == ["builder in Docker"]
+        assert (state.root / "calls").read_text().splitlines()[-1] == action
+        assert not state.services.exists()
+
+
+def test_builder_of_the_user(state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("BUILDX_CONFIG", raising=False)
+    user = tools("user", str(buildx))
+    services.up_builder(state, user, "127.0.0.1:5001", False, "")
+    assert (state.root / "calls").read_text() == "inspect --bootstrap rosml\n"
+    assert "BUILDX_CONFIG" not in services.buildx_environment(state, "user")
+    (state.root / "broken").touch()
+    with pytest.raises(Failure, match="BUILDX_BUILDER=rosml") as caught:
+        services.up_builder(state, user, "127.0.0.1:5001", False, "")
+    assert "unset BUILDX_BUILDER" in caught.value.remedy
+
+
+def test_own_builder_in_a_path_that_overlays_cannot_have(tmp_path: Path) -> None:
+    with pytest.raises(Failure, match="overlay"):
+        services.up_builder(State(tmp_path / "a:b"), tools("buildkitd"), "127.0.0.1:1", True, "")
+
+
+def test_services_json(state: State) -> None:
+    facts = services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, True, "/ca.pem")
+    assert facts == {
+        "registry": "127.0.0.1:1",
+        "buildx": ["buildx"],
+        "builder": "rosml",
+        "builder_kind": "buildkitd",
+        "buildx_config": str(state.buildx_config),
+        "regctl": "regctl",
+        "uv": "uv",
+        "ca_bundle": "/ca.pem",
+        "docker_hub": False,
+        "mirror": True,
+    }
+
+
+def test_build_steps_of_a_killed_builder_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = (
+        "126 72 0:52 / / rw - overlay overlay rw,lowerdir=/a\\040b/.state/buildkit/x/3,upperdir=/y\n"
+        "127 126 0:55 / /proc rw - proc proc rw\n"
+    )
+    monkeypatch.setattr(Path, "read_text", lambda self, errors="": text)
+    assert services.is_build_step(1, Path("/a b/.state/buildkit"))
+    assert not services.is_build_step(1, Path("/a/.state/buildkit"))
+    assert not services.is_build_step(1, Path("/a b/.state/build"))
+
+
+def test_no_other_process_is_a_build_step(state: State) -> None:
+    assert not services.is_build_step(os.getpid(), state.folder / "buildkit")
+    assert not services.is_build_step(2**22 + 1, state.folder / "buildkit")
+
+
+# ---- console --------------------------------------------------------------------------------------------------------
+def test_run_shows_signs_of_life(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(console, "HEARTBEAT_SECONDS", 0.1)
+    console.run("nap", ["sleep", "0.25"], tmp_path / "log")
+    assert "  nap: still at work (0 s)\n" in capsys.readouterr().out
+
+
+def test_run_of_a_missing_program(tmp_path: Path) -> None:
+    with pytest.raises(Failure, match="cannot run nothing-like-this"):
+        console.run("x", ["nothing-like-this"], tmp_path / "log")
+
+
+def test_interrupt_ends_what_runs(tmp_path: Path) -> None:
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        console.run("nap", ["sh", "-c", f"sleep 60 & echo $! >{tmp_path}/pid; wait"], tmp_path / "log")
+    child = int((tmp_path / "pid").read_text())
+    assert command_line(child) == ()
+
+
+def test_interrupt_waits_for_what_must_not_be_torn(tmp_path: Path) -> None:
+    threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        console.run(
+            "dpkg", ["sh", "-c", f"sleep 0.6; touch {tmp_path}/done"], tmp_path / "log", finish_on_interrupt=True
+        )
+    assert (tmp_path / "done").exists()
+
+
+def test_uninterrupted_holds_a_signal_back() -> None:
+    done = False
+    with pytest.raises(KeyboardInterrupt), console.uninterrupted():
+        os.kill(os.getpid(), signal.SIGINT)
+        done = True
+    assert done
+
+
+# ---- commands -------------------------------------------------------------------------------------------------------
+def bootstrap(root: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Calls the command as a user does, in a copy of the checkout that has only the set-up."""
+    copy = root / "scripts" / "bootstrap.py"
+    if not copy.exists():
+        copy.parent.mkdir(parents=True)
+        copy.write_text((ROOT / "scripts/bootstrap.py").read_text())
+        (root / "tools").symlink_to(ROOT / "tools")
+    return subprocess.run(
+        [sys.executable, str(copy), *arguments], capture_output=True, text=True, timeout=60, check=False
+    )
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["up", "--help"], ["status", "--help"]])
+def test_help(tmp_path: Path, arguments: list[str]) -> None:
+    done = bootstrap(tmp_path, *arguments)
+    assert done.returncode == 0
+    assert "usage: bootstrap.py" in done.stdout
+
+
+@pytest.mark.parametrize("arguments", [[], ["upp"], ["up", "--fast"]])
+def test_wrong_usage(tmp_path: Path, arguments: list[str]) -> None:
+    assert bootstrap(tmp_path, *arguments).returncode == 2
+
+
+def test_down_and_clean_with_nothing_there(tmp_path: Path) -> None:
+    assert bootstrap(tmp_path, "down").stdout == "nothing was running\n"
+    assert bootstrap(tmp_path, "clean").stdout == "nothing to remove\n"
+    assert not (tmp_path / ".state").exists()
+
+
+def test_status_with_nothing_there(tmp_path: Path) -> None:
+    assert "not up (make up)" in bootstrap(tmp_path, "status").stdout
+    facts = json.loads(bootstrap(tmp_path, "status", "--json").stdout)
+    assert facts["up"] is False
+    assert not (tmp_path / ".state").exists()
+
+
+def test_status_after_the_services_died(tmp_path: Path) -> None:
+    state = State(tmp_path)
+    write_atomically(
+        state.services, json.dumps(services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, True, ""))
+    )
+    assert bootstrap(tmp_path, "status").stdout.count("DOES NOT ANSWER (make up)") == 2
+
+
+def test_clean_removes_what_was_made(tmp_path: Path) -> None:
+    for path in (".state/registry/blob", ".venv/bin/python", "mine.txt", "uv.lock"):
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text("x" * 100)
+    done = bootstrap(tmp_path, "clean")
+    assert done.returncode == 0
+    assert "freed" in done.stdout
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.txt", "scripts", "tools"]
+
+
+def test_failure_is_told_without_a_traceback(tmp_path: Path) -> None:
+    (tmp_path / ".state").write_text("a file")
+    done = bootstrap(tmp_path, "up")
+    assert done.returncode == 1
+    assert done.stderr.startswith("error: cannot write to ")
+    assert "remedy: " in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_mount_points_are_read_as_the_kernel_writes_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "overlay /a\\040b/.state/buildkit/x overlay rw 0 0\nproc /proc proc rw 0 0\n"
+    monkeypatch.setattr(Path, "read_text", lambda self: text)
+    assert mounts.mounted_below(Path("/a b/.state")) == ["/a b/.state/buildkit/x"]

@@ -1,0 +1,311 @@
+"""The commands of scripts/bootstrap.py: tools, up, down, clean, status."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import signal
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from types import FrameType
+from typing import Any, Callable, NoReturn
+
+from machine import mounts, network, services
+from machine.console import Failure, colour, elapsed, say
+from machine.install import (
+    BUILDKITD,
+    BUILDX,
+    GO_TOOLS,
+    REGCTL,
+    REGISTRY,
+    Installer,
+    dotted,
+    output_of,
+    parse_pin,
+    version_in,
+    which_system,
+)
+from machine.services import BUILDER, Tools
+from machine.state import State, read_json
+
+OLDEST_REGCTL = (0, 11)
+OLDEST_BUILDX = (0, 26)
+OLDEST_UV = (0, 9)
+
+
+def docker_is_there(installer: Installer) -> bool:
+    """Whether the user's Docker daemon can be reached."""
+    docker = shutil.which("docker", path=installer.outer_path())
+    return docker is not None and bool(
+        (output_of([docker, "info", "--format", "{{.ServerVersion}}"], 10.0) or "").strip()
+    )
+
+
+def docker_has_buildkit(installer: Installer) -> bool:
+    """Whether the user's Docker has BuildKit's image already, so that Docker Hub need not answer."""
+    docker = shutil.which("docker", path=installer.outer_path())
+    return docker is not None and output_of([docker, "image", "inspect", buildkit_image(installer.state)]) is not None
+
+
+def buildkit_image(state: State) -> str:
+    """BuildKit's image of the same release as the buildkitd that is built where there is no Docker."""
+    pin = parse_pin((state.root / "tools" / "go" / BUILDKITD.folder / "go.mod").read_text())
+    return f"moby/buildkit:{pin.version}"
+
+
+def buildx_of(installer: Installer) -> tuple[str, ...] | None:
+    """The machine's own buildx that is new enough: Docker's plugin, or one on PATH."""
+    path = installer.outer_path()
+    for name, argv in (("docker", ("docker", "buildx")), ("buildx", ("buildx",))):
+        program = shutil.which(name, path=path)
+        version = version_in(output_of([program, *argv[1:], "version"]) or "") if program else ()
+        if version >= OLDEST_BUILDX:
+            installer.have.append(f"{' '.join(argv)} v{dotted(version)} (found on PATH)")
+            return argv if name == "docker" else (str(program),)
+    return None
+
+
+def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
+    """Kind and name of the builder: the one that BUILDX_BUILDER names, one in Docker, or buildkitd on its own.
+
+    Raises:
+        Failure: there is no Docker, and this user may not run buildkitd.
+    """
+    name = os.environ.get("BUILDX_BUILDER", "")
+    if name and name != BUILDER:
+        return "user", name
+    if docker_is_there(installer) and (hub or docker_has_buildkit(installer)):
+        return "docker", BUILDER
+    if os.geteuid() != 0:
+        raise Failure(
+            "no Docker daemon answers, and without one the builder needs root",
+            "start Docker (or get access to it), or call this as root",
+        )
+    return "buildkitd", BUILDER
+
+
+def missing_packages(kind: str, hub: bool) -> dict[str, str]:
+    """Debian packages to install, and what each is for."""
+    packages: dict[str, str] = {}
+    if kind == "buildkitd" and not (which_system("runc") or which_system("crun")):
+        packages["runc"] = "runs build steps"
+    if not hub and not which_system("mmdebstrap"):
+        packages["mmdebstrap"] = "makes Debian base images, since Docker Hub does not answer"
+    return packages
+
+
+def install_tools(state: State, hub: bool, bundle: str) -> Tools:
+    """Finds or installs all that the services and builds need."""
+    installer = Installer(state, bundle)
+    kind, builder = choose_builder(installer, hub)
+    installer.debian_packages(missing_packages(kind, hub))
+    uv = installer.uv(OLDEST_UV)
+    regctl = installer.found("regctl", ["version"], OLDEST_REGCTL) or installer.go_tool(REGCTL)
+    registry = installer.go_tool(REGISTRY)
+    buildx = buildx_of(installer) or (installer.go_tool(BUILDX),)
+    buildkitd = installer.go_tool(BUILDKITD) if kind == "buildkitd" else ""
+    runc = (which_system("runc") or which_system("crun") or "") if kind == "buildkitd" else ""
+    installer.drop_go_caches()
+    installer.packages(uv)
+    installer.report()
+    return Tools(kind, builder, buildx, regctl, registry, uv, buildkitd, runc)
+
+
+def tools(state: State) -> Tools:
+    """Command ``tools``."""
+    return prepare(state)[0]
+
+
+def python_tools(state: State) -> None:
+    """Command ``tools --python``."""
+    installer = Installer(state, network.ca_bundle(os.environ))
+    installer.packages(installer.uv(OLDEST_UV))
+
+
+def prepare(state: State) -> tuple[Tools, bool, str]:
+    """Looks at the network, then at the tools: those, whether Docker Hub answers, and the user's CA bundle."""
+    bundle = network.ca_bundle(os.environ)
+    hub = network.docker_hub_answers(os.environ, bundle)
+    say("Docker Hub: answers" if hub else "Docker Hub: does not answer; Debian base images are made here")
+    return install_tools(state, hub, bundle), hub, bundle
+
+
+def up(state: State) -> None:
+    """Command ``up``."""
+    started = time.monotonic()
+    found, hub, bundle = prepare(state)
+    services.up(state, found, hub, bundle, buildkit_image(state))
+    say(f"set-up: done in {elapsed(started)}")
+
+
+def down(state: State) -> None:
+    """Command ``down``."""
+    stopped = services.down(state) if state.folder.exists() else []
+    say(f"stopped: {', '.join(stopped)}" if stopped else "nothing was running")
+
+
+def clean(state: State) -> None:
+    """Command ``clean``."""
+    stopped = services.down(state, remove=True) if state.folder.exists() else []
+    if stopped:
+        say(f"stopped: {', '.join(stopped)}")
+    mounts.unmount_below(state.folder)
+    freed = 0
+    for folder in (state.folder, state.root / ".venv", *byte_code(state.root)):
+        if folder.exists():
+            freed += disk_usage(folder)
+            if folder.name != "__pycache__":
+                say(f"removing {folder}")
+            remove(folder)
+    (state.root / "uv.lock").unlink(missing_ok=True)
+    say(f"freed {freed / 1e9:.1f} GB" if freed else "nothing to remove")
+
+
+def byte_code(root: Path) -> list[Path]:
+    """Folders that Python made beside the project's modules."""
+    return [found for name in ("rosml", "scripts", "tools", "tests") for found in (root / name).rglob("__pycache__")]
+
+
+def disk_usage(folder: Path) -> int:
+    """Bytes on disk below a folder."""
+    total = 0
+    seen: set[tuple[int, int]] = set()
+    for parent, _folders, files in os.walk(folder):
+        for name in files:
+            try:
+                facts = os.lstat(os.path.join(parent, name))
+            except OSError:
+                continue
+            if (facts.st_dev, facts.st_ino) not in seen:
+                seen.add((facts.st_dev, facts.st_ino))
+                total += facts.st_blocks * 512
+    return total
+
+
+def remove(folder: Path) -> None:
+    """Removes a folder.
+
+    Raises:
+        Failure: something is left, e.g. because it belongs to root.
+    """
+    shutil.rmtree(folder, ignore_errors=True)
+    if folder.exists():
+        raise Failure(f"cannot remove all of {folder}", f"remove it as the user who made it: sudo rm -rf {folder}")
+
+
+def status(state: State) -> dict[str, Any]:
+    """Facts for the command ``status``."""
+    facts: dict[str, Any] = read_json(state.services) or {}
+    registry = str(facts.get("registry", ""))
+    tools_found = Tools(
+        kind=str(facts.get("builder_kind", "")),
+        builder=str(facts.get("builder", "")),
+        buildx=tuple(facts.get("buildx", ())),
+        regctl=str(facts.get("regctl", "")),
+        registry="",
+        uv=str(facts.get("uv", "")),
+    )
+    return {
+        "state": str(state.folder),
+        "up": bool(facts),
+        "registry": {"address": registry, "answers": bool(registry) and network.registry_answers(registry)},
+        "builder": {
+            "name": tools_found.builder,
+            "kind": tools_found.kind,
+            "answers": bool(facts) and services.builder_runs(state, tools_found),
+        },
+        "docker_hub": facts.get("docker_hub"),
+        "ca_bundle": facts.get("ca_bundle", ""),
+        "installed": sorted(tool.name for tool in GO_TOOLS if (state.bin / f".{tool.name}.pin").exists()),
+        "disk_free_gb": round(shutil.disk_usage(state.root).free / 1e9, 1),
+    }
+
+
+def print_status(state: State, as_json: bool) -> None:
+    """Command ``status``."""
+    facts = status(state)
+    if as_json:
+        say(json.dumps(facts, indent=2))
+        return
+    if not facts["up"]:
+        rows = [("services", "not up (make up)")]
+    else:
+        registry, builder = facts["registry"], facts["builder"]
+        rows = [
+            ("registry", f"{registry['address']}, {'answers' if registry['answers'] else 'DOES NOT ANSWER (make up)'}"),
+            (
+                "builder",
+                f"{builder['name']} ({builder['kind']}), {'answers' if builder['answers'] else 'DOES NOT ANSWER (make up)'}",
+            ),
+            ("base images", "official ones, from Docker Hub" if facts["docker_hub"] else "made here with mmdebstrap"),
+            ("CA bundle", facts["ca_bundle"] or "the system's"),
+        ]
+    rows += [
+        ("built tools", ", ".join(facts["installed"]) or "none"),
+        ("disk free", f"{facts['disk_free_gb']} GB"),
+        ("state", facts["state"]),
+    ]
+    width = max(len(name) for name, _ in rows)
+    for name, value in rows:
+        say(f"{name:<{width}}  {value}")
+
+
+def parser() -> argparse.ArgumentParser:
+    """The command line."""
+    top = argparse.ArgumentParser(
+        prog="bootstrap.py",
+        description="Sets this machine up for building images: tools, a local registry, a builder. "
+        "All that it makes is in .state; Debian packages are installed only where they are missing, and it says so.",
+        epilog="Environment: ROSML_DOCKER_HUB=0|1 (do not ask whether Docker Hub answers), ROSML_CA_BUNDLE (a company's "
+        "certificates; also SSL_CERT_FILE, REQUESTS_CA_BUNDLE, CURL_CA_BUNDLE), BUILDX_BUILDER (use this builder).",
+    )
+    commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    found = commands.add_parser("tools", help="find the tools that builds need, install those that are missing")
+    found.add_argument(
+        "--python", action="store_true", help="only uv and the Python packages: enough for linters and lists"
+    )
+    commands.add_parser("up", help="the same, then start the local registry and the builder")
+    commands.add_parser("down", help="stop the registry and the builder; keeps what they stored")
+    commands.add_parser("clean", help="stop them and remove all that was made (.state, .venv)")
+    shown = commands.add_parser("status", help="say what is running")
+    shown.add_argument("--json", action="store_true", help="for machines")
+    return top
+
+
+def terminate(_number: int, _frame: FrameType | None) -> NoReturn:
+    """SIGTERM ends as Ctrl-C does: what was started for the moment is ended, half-made files are left unused."""
+    raise KeyboardInterrupt
+
+
+def main(root: Path, argv: Sequence[str]) -> int:
+    """Runs a command; gives the exit code: 0, 1 (failed), 2 (usage), 130 (interrupted)."""
+    arguments = parser().parse_args(argv)
+    signal.signal(signal.SIGTERM, terminate)
+    state = State(root)
+    try:
+        if arguments.command == "status":
+            print_status(state, arguments.json)
+            return 0
+        if not sys.platform.startswith("linux"):
+            raise Failure("this set-up needs Linux", "use a Linux machine, a virtual one, or WSL")
+        table: dict[str, Callable[[State], Any]] = {"tools": tools, "up": up, "down": down, "clean": clean}
+        work = python_tools if getattr(arguments, "python", False) else table[arguments.command]
+        if work in (down, clean) and not state.folder.exists():
+            work(state)
+            return 0
+        state.prepare()
+        with state.lock():
+            work(state)
+    except Failure as failure:
+        print(colour("error: ", 31) + failure.message, file=sys.stderr)
+        if failure.remedy:
+            print(f"remedy: {failure.remedy}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("interrupted; call it again to carry on", file=sys.stderr)
+        return 130
+    return 0

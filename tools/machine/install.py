@@ -1,0 +1,299 @@
+"""Programs: taken from the machine where they are, installed into ``.state/bin`` where they are not."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from machine.console import Failure, elapsed, run, say
+from machine.state import State, write_atomically
+
+Version = tuple[int, ...]
+
+BUILD_BYTES = 5_000_000_000
+"""Disk that the builds of all Go tools need together; removed afterwards."""
+
+OLDEST_GO: Version = (1, 21)
+"""From this release on Go fetches the newer toolchain that a go.mod asks for by itself."""
+
+
+@dataclass(frozen=True)
+class GoTool:
+    """A program built from its Go module; ``tools/go/<folder>`` pins it and all its dependencies by hash."""
+
+    name: str
+    folder: str
+
+
+REGCTL = GoTool("regctl", "regctl")
+REGISTRY = GoTool("registry", "registry")
+BUILDX = GoTool("buildx", "buildx")
+BUILDKITD = GoTool("buildkitd", "buildkit")
+GO_TOOLS = (REGCTL, REGISTRY, BUILDX, BUILDKITD)
+
+
+@dataclass(frozen=True)
+class Pin:
+    """What a go.mod says of its tool: the package to build and the version of its module."""
+
+    package: str
+    version: str
+
+
+def parse_pin(go_mod: str) -> Pin:
+    """Reads a go.mod with one ``tool`` line.
+
+    Raises:
+        ValueError: there is no such line, or its module is not required.
+    """
+    tool = re.search(r"^tool (\S+)$", go_mod, re.MULTILINE)
+    if not tool:
+        raise ValueError("no tool line")
+    package = tool[1]
+    modules = [
+        (module, version)
+        for module, version in re.findall(r"^(?:require)?\s+(\S+) (v\S+)", go_mod, re.MULTILINE)
+        if package == module or package.startswith(f"{module}/")
+    ]
+    if not modules:
+        raise ValueError(f"no module provides {package}")
+    return Pin(package, max(modules)[1])
+
+
+def version_in(text: str) -> Version:
+    """The first dotted number in a text: ``VCSTag: v0.11.7`` -> (0, 11, 7). Empty where there is none."""
+    match = re.search(r"\d+(?:\.\d+)+", text)
+    return tuple(int(number) for number in match[0].split(".")) if match else ()
+
+
+def dotted(version: Version) -> str:
+    """(0, 11, 7) -> ``0.11.7``."""
+    return ".".join(str(number) for number in version)
+
+
+def output_of(argv: Sequence[str], seconds: float = 20.0, env: Mapping[str, str] | None = None) -> str | None:
+    """What a short command prints, or nothing where it is missing, fails or hangs."""
+    try:
+        done = subprocess.run(
+            argv, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=seconds, env=env, check=False
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return None
+    return done.stdout if done.returncode == 0 else None
+
+
+class Installer:
+    """Finds or installs programs for one checkout."""
+
+    def __init__(self, state: State, ca_bundle: str) -> None:
+        self.state = state
+        self.ca_bundle = ca_bundle
+        self.have: list[str] = []
+
+    def report(self) -> None:
+        """Says in one line what was there already."""
+        if self.have:
+            say(f"tools: {', '.join(self.have)}")
+
+    # ---- what the machine has -------------------------------------------------------------------------------------
+    def found(self, name: str, ask: Sequence[str], oldest: Version) -> str | None:
+        """A program on the user's PATH (``.state/bin`` does not count), if its version will do."""
+        path = shutil.which(name, path=self.outer_path())
+        if path is None:
+            return None
+        version = version_in(output_of([path, *ask]) or "")
+        if version >= oldest:
+            self.have.append(f"{name} v{dotted(version)} (found on PATH)")
+            return path
+        has = f"v{dotted(version)}" if version else "of unknown version"
+        say(f"{name}: the one on PATH ({path}, {has}) is older than v{dotted(oldest)}: not used")
+        return None
+
+    def outer_path(self) -> str:
+        """PATH without our own folder."""
+        entries = os.environ.get("PATH", os.defpath).split(os.pathsep)
+        return os.pathsep.join(entry for entry in entries if entry and Path(entry) != self.state.bin)
+
+    # ---- Go -------------------------------------------------------------------------------------------------------
+    def go_tool(self, tool: GoTool) -> str:
+        """Path of a Go program in ``.state/bin``, built if it is not there or its pins have changed.
+
+        Safe to interrupt: the build goes to another name, and the stamp that vouches for the program comes last.
+        """
+        module = self.state.root / "tools" / "go" / tool.folder
+        pin = parse_pin((module / "go.mod").read_text())
+        wanted = f"{pin.version} {pins_digest(module)}\n"
+        program = self.state.bin / tool.name
+        stamp = self.state.bin / f".{tool.name}.pin"
+        if program.exists() and stamp.exists() and stamp.read_text() == wanted:
+            self.have.append(f"{tool.name} {pin.version}")
+            return str(program)
+        go = self.go()
+        free = shutil.disk_usage(self.state.folder).free
+        if free < BUILD_BYTES:
+            raise Failure(
+                f"{free / 1e9:.1f} GB of disk are free; building {tool.name} takes {BUILD_BYTES / 1e9:.0f} GB for the moment",
+                "free some disk space",
+            )
+        say(f"{tool.name} {pin.version}: building from its Go module")
+        started = time.monotonic()
+        stamp.unlink(missing_ok=True)
+        for left in self.state.bin.glob(f".{tool.name}.*.partial"):
+            left.unlink()
+        partial = self.state.bin / f".{tool.name}.{os.getpid()}.partial"  # a killed set-up's build may still be running
+        link = f"-s -w {version_flag(pin)}".strip()
+        run(
+            f"{tool.name} {pin.version}",
+            [go, "build", "-trimpath", "-ldflags", link, "-o", str(partial), pin.package],
+            self.state.log / f"build-{tool.name}.log",
+            env=self.go_environment(),
+            cwd=module,
+        )
+        os.replace(partial, program)
+        write_atomically(stamp, wanted)
+        say(f"{tool.name} {pin.version}: built from its Go module in {elapsed(started)}")
+        return str(program)
+
+    def go(self) -> str:
+        """Path of the Go command.
+
+        Raises:
+            Failure: there is none, or it is too old to fetch the release that the pins need.
+        """
+        path = shutil.which("go", path=f"{self.outer_path()}{os.pathsep}/usr/local/go/bin")
+        remedy = f"install Go {dotted(OLDEST_GO)} or newer (https://go.dev/dl) and call this again"
+        if path is None:
+            raise Failure("Go is not installed; it builds the tools that this machine lacks", remedy)
+        version = version_in(output_of([path, "version"]) or "")
+        if version < OLDEST_GO:
+            raise Failure(f"{path} is Go {dotted(version)}; too old to build the tools that this machine lacks", remedy)
+        return path
+
+    def go_environment(self) -> dict[str, str]:
+        """Environment of a Go build: caches in the state folder, none of the user's flags, no C compiler needed."""
+        env = dict(os.environ)
+        for name in ("GOOS", "GOARCH", "GO111MODULE", "GOEXPERIMENT"):
+            env.pop(name, None)
+        cache = self.state.folder / "go"
+        env.update(
+            GOMODCACHE=str(cache / "modules"),
+            GOCACHE=str(cache / "build"),
+            GOFLAGS="-mod=readonly -modcacherw -buildvcs=false",
+            GOWORK="off",
+            CGO_ENABLED="0",
+        )
+        if self.ca_bundle:
+            env["SSL_CERT_FILE"] = self.ca_bundle
+        return env
+
+    def drop_go_caches(self) -> None:
+        """Removes what the builds left (more than 2 GB). The module cache is writable: ``-modcacherw``."""
+        shutil.rmtree(self.state.folder / "go", ignore_errors=True)
+
+    # ---- Python ---------------------------------------------------------------------------------------------------
+    def uv(self, oldest: Version) -> str:
+        """Path of uv: the user's, or the pinned Python package's program in ``.state/bin``."""
+        path = self.found("uv", ["--version"], oldest)
+        if path:
+            return path
+        requirements = self.state.root / "tools" / "requirements.txt"
+        wanted = requirements.read_text()
+        version = re.search(r"^uv==(\S+)", wanted, re.MULTILINE)
+        name = f"uv {version[1] if version else ''}"
+        program = self.state.bin / "uv"
+        stamp = self.state.bin / ".uv.pin"
+        if program.exists() and stamp.exists() and stamp.read_text() == wanted:
+            self.have.append(name)
+            return str(program)
+        started = time.monotonic()
+        if output_of([sys.executable, "-c", "import ensurepip, venv"]) is None:
+            self.debian_packages({"python3-venv": "installs uv"})
+        say(f"{name}: installing its Python package")
+        stamp.unlink(missing_ok=True)
+        shutil.rmtree(self.state.folder / "tools", ignore_errors=True)
+        venv = self.state.folder / "tools" / f"uv-{os.getpid()}"
+        log = self.state.log / "install-uv.log"
+        env = dict(os.environ, PIP_DISABLE_PIP_VERSION_CHECK="1", PIP_NO_INPUT="1")
+        if self.ca_bundle:
+            env.setdefault("PIP_CERT", self.ca_bundle)
+        run(name, [sys.executable, "-m", "venv", str(venv)], log, env=env)
+        pip = [str(venv / "bin" / "python"), "-m", "pip", "install", "--require-hashes", "--no-deps"]
+        run(name, [*pip, "--no-cache-dir", "--requirement", str(requirements)], log, env=env)
+        os.replace(venv / "bin" / "uv", program)
+        shutil.rmtree(self.state.folder / "tools", ignore_errors=True)
+        write_atomically(stamp, wanted)
+        say(f"{name}: installed from its Python package in {elapsed(started)}")
+        return str(program)
+
+    def packages(self, uv: str) -> None:
+        """Installs the Python packages of pyproject.toml into ``.venv``."""
+        started = time.monotonic()
+        fresh = not (self.state.root / ".venv").exists()
+        if fresh:
+            say("Python packages: installing into .venv")
+        env = dict(os.environ, UV_COMPILE_BYTECODE="1")
+        env.pop("UV_QUIET", None)
+        env.setdefault("UV_CACHE_DIR", str(self.state.folder / "uv"))
+        if self.ca_bundle:
+            env["SSL_CERT_FILE"] = self.ca_bundle
+        run("Python packages", [uv, "sync"], self.state.log / "packages.log", env=env, cwd=self.state.root)
+        if fresh:
+            say(f"Python packages: installed into .venv in {elapsed(started)}")
+
+    # ---- Debian ---------------------------------------------------------------------------------------------------
+    def debian_packages(self, packages: Mapping[str, str]) -> None:
+        """Installs Debian packages, and says so before. ``packages``: their names, and what each is for.
+
+        Raises:
+            Failure: this is no Debian or Ubuntu, this user may not, or apt fails.
+        """
+        if not packages:
+            return
+        names = " ".join(packages)
+        reasons = ", ".join(f"{package} ({why})" for package, why in packages.items())
+        by_hand = f"apt-get update && apt-get install --no-install-recommends {names}"
+        apt = which_system("apt-get")
+        if apt is None:
+            raise Failure(f"missing: {reasons}; and this machine has no apt-get", f"install {names}")
+        if os.geteuid() != 0:
+            raise Failure(f"missing: {reasons}; only root may install it", f"sudo sh -c '{by_hand}'")
+        say(f"this changes the system: installs the Debian packages {reasons}")
+        started = time.monotonic()
+        env = dict(os.environ, DEBIAN_FRONTEND="noninteractive", LC_ALL="C.UTF-8")
+        options = ["-o", "DPkg::Lock::Timeout=300", "-o", "Dpkg::Use-Pty=0", "-o", "Acquire::Retries=3"]
+        log = self.state.log / "apt.log"
+        install = [apt, *options, "install", "--yes", "--no-install-recommends", *packages]
+        try:
+            run("apt-get update", [apt, *options, "update"], log, env=env)
+            run("apt-get install", install, log, env=env, finish_on_interrupt=True)
+        except Failure as failure:
+            raise Failure(failure.message, f"put it right by hand: {by_hand}") from None
+        say(f"Debian packages {names}: installed in {elapsed(started)}")
+
+
+def which_system(name: str) -> str | None:
+    """A program on PATH or in the system folders that a plain user's PATH leaves out."""
+    return shutil.which(name) or shutil.which(name, path="/usr/local/sbin:/usr/sbin:/sbin")
+
+
+def pins_digest(module: Path) -> str:
+    """Hash of all that a tool's build depends on."""
+    content = b"".join((module / name).read_bytes() for name in ("go.mod", "go.sum"))
+    return hashlib.sha256(content).hexdigest()[:16]
+
+
+def version_flag(pin: Pin) -> str:
+    """Linker flag that tells a program its version, which it would have from its own repository."""
+    places = {
+        "github.com/docker/buildx/cmd/buildx": "github.com/docker/buildx/version.Version",
+        "github.com/moby/buildkit/cmd/buildkitd": "github.com/moby/buildkit/version.Version",
+    }
+    return f"-X {places[pin.package]}={pin.version}" if pin.package in places else ""
