@@ -183,9 +183,11 @@ class Installer:
         for name in ("GOOS", "GOARCH", "GO111MODULE", "GOEXPERIMENT"):
             env.pop(name, None)
         cache = self.state.folder / "go"
+        (cache / "tmp").mkdir(parents=True, exist_ok=True)
         env.update(
             GOMODCACHE=str(cache / "modules"),
             GOCACHE=str(cache / "build"),
+            GOTMPDIR=str(cache / "tmp"),
             GOFLAGS="-mod=readonly -modcacherw -buildvcs=false",
             GOWORK="off",
             CGO_ENABLED="0",

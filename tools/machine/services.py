@@ -157,6 +157,10 @@ def buildkit_daemon(state: State, program: str) -> Daemon:
     bundle = network.ca_bundle(env)
     if bundle:
         env["SSL_CERT_FILE"] = bundle
+    # Its temporary mount points would stay in /tmp whenever it is killed.
+    temporary = state.folder / "tmp"
+    temporary.mkdir(parents=True, exist_ok=True)
+    env["TMPDIR"] = str(temporary)
     return Daemon(state, "buildkitd", (program, "--config", str(config)), config, env)
 
 
