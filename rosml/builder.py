@@ -142,7 +142,7 @@ def _stop(process: subprocess.Popen[str]) -> None:
     if process.poll() is None:
         process.send_signal(signal.SIGINT)
         try:
-            process.wait(_CANCEL_SECONDS)
+            process.communicate(timeout=_CANCEL_SECONDS)  # reads on: buildx must not wait for a full pipe
         except (subprocess.TimeoutExpired, KeyboardInterrupt):
             process.kill()
             process.wait()
@@ -151,7 +151,9 @@ def _stop(process: subprocess.Popen[str]) -> None:
 def _metadata(path: Path, target: str) -> dict[str, str]:
     """What buildx wrote about a target; empty where it wrote nothing."""
     try:
-        content = json.loads(path.read_text()).get(target, {})
-    except (OSError, ValueError):
+        content = json.loads(path.read_text())[target]
+    except (OSError, ValueError, TypeError, KeyError):
+        return {}
+    if not isinstance(content, dict):
         return {}
     return {key: value for key, value in content.items() if isinstance(value, str)}

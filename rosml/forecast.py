@@ -27,16 +27,25 @@ def needed_mb(catalogue: Catalogue, image: Image, built: Iterable[str]) -> int:
     """
     done = set(built)
     total = 0
-    if image.parent not in done and image.target not in done:
-        payloads = [catalogue.payload_by_name[name].disk for name in image.parts]
-        ros_unpacked = image.disk.unpacked - sum(size.unpacked for size in payloads)
-        ros_compressed = image.disk.compressed - sum(size.compressed for size in payloads)
-        total += ros_unpacked + 2 * ros_compressed
+    if image.target not in done:
+        total += _ros_mb(catalogue, catalogue.by_target[image.parent] if image.stack else image, done)
     for name in image.parts:
         if name not in done:
             size = catalogue.payload_by_name[name].disk
             total += 2 * size.unpacked + 2 * size.compressed
     return total
+
+
+def _ros_mb(catalogue: Catalogue, image: Image, done: set[str]) -> int:
+    """Megabytes for a ROS image and what it stands on, down to the first one that is built."""
+    if image.target in done:
+        return 0
+    below = catalogue.by_target.get(image.parent)
+    base = below.disk if below else catalogue.matrix.disk.os
+    own = image.disk.unpacked - base.unpacked + 2 * (image.disk.compressed - base.compressed)
+    if below:
+        return own + _ros_mb(catalogue, below, done)
+    return own + (0 if image.parent in done else base.unpacked + 2 * base.compressed)
 
 
 def require(path: Path, needed: int, target: str) -> None:

@@ -65,6 +65,12 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
     """Every resolution that the payloads of a catalogue need: one per stack, Python version and architecture."""
     matrix = catalogue.matrix
     seen: set[tuple[str, str, str]] = set()
+    # What no payload holds has no wheel there, and would make the whole stack unresolvable.
+    held = {
+        (payload.stack, architecture, payload.python, payload.part)
+        for payload in catalogue.payloads
+        for architecture in payload.architectures
+    }
     for payload in catalogue.payloads:
         if payload.python == ANY_PYTHON:
             continue  # comes out of the resolution for any Python version
@@ -74,7 +80,8 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
             if (key := (payload.stack, architecture, payload.python)) in seen:
                 continue
             seen.add(key)
-            wanted = {family: stack.requirement(family, architecture) for family in FAMILIES}
+            families = [family for family in FAMILIES if (*key, family) in held]
+            wanted = {family: stack.requirement(family, architecture) for family in families}
             yield Request(
                 stack=payload.stack,
                 architecture=architecture,
@@ -153,7 +160,7 @@ def parse(requirements: str) -> list[Pin]:
         elif text.startswith("--hash="):
             hashes.append(text.removeprefix("--hash="))
         elif text.startswith("#") and name:
-            parent = text.lstrip("# ").removeprefix("via").strip()
+            parent = re.sub(r"^#\s*(via(\s+|$))?", "", text)
             if parent and not parent.startswith("-"):
                 wanted.append(parent)
     finish()
@@ -193,8 +200,8 @@ def split(pins: list[Pin], roots: Mapping[str, str]) -> dict[str, list[Pin]]:
 
 
 def package_name(requirement: str) -> str:
-    """``tensorflow[and-cuda]==2.20.0`` -> ``tensorflow``."""
-    return re.split(r"[\[=<>!~;\s]", requirement, maxsplit=1)[0].lower()
+    """``tensorflow_cpu[x]==2.20.0`` -> ``tensorflow-cpu``, as uv spells it."""
+    return re.sub(r"[-_.]+", "-", re.split(r"[\[=<>!~;\s]", requirement, maxsplit=1)[0]).lower()
 
 
 def render(request: Request, part: str, pins: list[Pin]) -> str:

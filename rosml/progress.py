@@ -11,6 +11,7 @@ import binascii
 import json
 import re
 import sys
+import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterable
@@ -116,11 +117,26 @@ class BuildProgress:
         self._clock = clock
         self._begin = clock()
         self._spoke = clock()
+        self._lock = threading.Lock()
 
     def follow(self, lines: Iterable[str]) -> None:
         """Reads lines of rawjson until they end."""
-        for line in lines:
-            self.feed(line)
+        ended = threading.Event()
+
+        def beat() -> None:
+            while not ended.wait(HEARTBEAT_SECONDS / 4):
+                with self._lock:
+                    self._heartbeat()
+
+        thread = threading.Thread(target=beat, daemon=True)
+        thread.start()
+        try:
+            for line in lines:
+                with self._lock:
+                    self.feed(line)
+        finally:
+            ended.set()
+            thread.join()
 
     def feed(self, line: str) -> None:
         """Takes one line. What is not JSON (warnings, errors of the command itself) is kept for the error message."""

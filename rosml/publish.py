@@ -183,6 +183,8 @@ class Publisher:
         # A run that failed is in the builder's cache like any other: another attempt has to be told apart.
         attempts = folder / "failed-attempts"
         attempt = attempts.read_text().strip() if attempts.exists() else "0"
+        if not attempt.isdecimal():  # damaged: any number that no earlier attempt had
+            attempt = str(time.time_ns())
         name = image.test_target
         sets = (
             f"{name}.target=test-report",

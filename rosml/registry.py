@@ -45,7 +45,10 @@ def regctl(services: Services, *arguments: str) -> str:
 
 
 def _json(services: Services, *arguments: str) -> dict[str, Any]:
-    content = json.loads(regctl(services, *arguments))
+    try:
+        content = json.loads(regctl(services, *arguments))
+    except ValueError:
+        content = None
     if not isinstance(content, dict):
         raise RosmlError(f"the registry's answer to {' '.join(arguments)} is no JSON object")
     return content
@@ -71,7 +74,8 @@ def digest(services: Services, reference: str) -> str:
     try:
         return regctl(services, "manifest", "head", reference).strip()
     except RosmlError as error:
-        if "not found" in error.message.lower() or "404" in error.message:
+        reason = error.message.rpartition(f" {reference}: ")[2].lower()  # the reference itself may hold such words
+        if "not found" in reason or "404" in reason:
             return ""
         raise
 

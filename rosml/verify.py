@@ -142,7 +142,7 @@ def read_report(folder: Path, files: tuple[str, ...]) -> Report:
 def _outcomes(folder: Path, file: str) -> list[Outcome]:
     try:
         results = json.loads((folder / f"{file}.json").read_text())["Results"]
-    except (OSError, ValueError, KeyError):
+    except (OSError, ValueError, KeyError, TypeError):
         log = folder / f"{file}.log"
         return [
             Outcome(file, "the test runner", False, 0.0, log.read_text()[-2000:] if log.exists() else "did not start")

@@ -1,0 +1,83 @@
+"""Stand-ins for the programs and the registry that the publisher talks to: small shell scripts, a real HTTP server."""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+from rosml.services import Services
+
+BUILDX = """\
+here='{folder}'
+echo "buildx $*" >>"$here/calls"
+case $1 in inspect) cat "$here/status"; exit 0 ;; esac
+metadata= report= previous= target=
+for word; do
+    case $previous in --metadata-file) metadata=$word ;; esac
+    case $word in *.output=type=local,dest=*) report=${{word#*dest=}} ;; esac
+    previous=$word target=$word
+done
+"""
+"""A buildx that records its calls; what `bake` does is up to the test: it finds $metadata, $report and $target."""
+
+
+def executable(path: Path, text: str) -> str:
+    """A shell script that can be run."""
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
+    return str(path)
+
+
+def buildx(folder: Path, bake: str) -> tuple[str, ...]:
+    """The command of a buildx whose builder runs, and which bakes as a shell text says."""
+    (folder / "status").write_text("Status: running\n")
+    return (executable(folder / "buildx", BUILDX.format(folder=folder) + bake),)
+
+
+def calls(folder: Path) -> list[str]:
+    """What was called, in order: program and arguments."""
+    file = folder / "calls"
+    return file.read_text().splitlines() if file.exists() else []
+
+
+@contextmanager
+def answering_registry() -> Iterator[str]:
+    """The address of a server that answers as a registry does, and nothing else."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self.send_response(200 if self.path == "/v2/" else 404)
+            self.end_headers()
+
+        def log_message(self, format: str, *args: object) -> None:
+            pass
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
+        yield f"127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+def services(root: Path, registry: str = "127.0.0.1:1", **changes: Any) -> Services:
+    """Services of a checkout, as the set-up writes them down; nothing listens on port 1."""
+    facts = {
+        "registry": registry,
+        "buildx": ["/nowhere/buildx"],
+        "builder": "rosml",
+        "builder_kind": "buildkitd",
+        "buildx_config": None,
+        "regctl": "/nowhere/regctl",
+        "uv": "/nowhere/uv",
+        "ca_bundle": "",
+        "docker_hub": True,
+        "mirror": False,
+        **changes,
+    }
+    (root / ".state").mkdir(exist_ok=True)
+    (root / ".state" / "services.json").write_text(json.dumps(facts))
+    return Services.load(root)

@@ -1,0 +1,285 @@
+"""One call of `buildx bake`: what it is told, what becomes of its answer, and what its failures say."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from stubs import answering_registry, buildx, calls, services
+
+from rosml import builder
+from rosml.builder import Bake
+from rosml.errors import RosmlError
+from rosml.progress import BuildProgress
+from rosml.services import Services
+
+NAME = "[a ros 1/2] RUN --mount=type=secret,id=ca-bundle /run/components/ros/install.sh ros-core"
+DAY = "2026-11-21T11:03:"
+
+
+def vertex(name: str = NAME, **facts: Any) -> str:
+    """A line of rawjson about a step."""
+    return json.dumps({"vertexes": [{"digest": name, "name": name, "started": f"{DAY}10.123456789Z", **facts}]})
+
+
+def prints(data: str, name: str = NAME) -> str:
+    """A line of rawjson with what a step prints; `data` is base64."""
+    return json.dumps({"logs": [{"vertex": name, "stream": 2, "data": data}]})
+
+
+def says(*lines: str, code: int = 0) -> str:
+    """A shell text that prints lines where buildx prints its progress."""
+    return "cat >&2 <<'END'\n" + "\n".join(lines) + f"\nEND\nexit {code}"
+
+
+@pytest.fixture(scope="module")
+def registry() -> Iterator[str]:
+    with answering_registry() as address:
+        yield address
+
+
+@pytest.fixture
+def bake(tmp_path: Path) -> Bake:
+    return Bake("a", "build-a", tmp_path / "docker-bake.hcl")
+
+
+def having(tmp_path: Path, registry: str, text: str, **changes: Any) -> Services:
+    """Services with a buildx that does as the text says."""
+    return services(tmp_path, registry, buildx=buildx(tmp_path, text), **changes)
+
+
+# ---- What buildx is told ---------------------------------------------------------------------------------------------
+
+
+def test_command(tmp_path: Path) -> None:
+    call = Bake("a", "build-a", Path("x.hcl"), sets=("a.tags=", "a.output=type=image"))
+    arguments = builder.command(services(tmp_path, buildx=["docker", "buildx"]), call, Path("m.json"))
+    assert arguments == [
+        *("docker", "buildx", "bake", "--file", "x.hcl", "--progress", "rawjson", "--metadata-file", "m.json"),
+        *("--set", "a.tags=", "--set", "a.output=type=image", "a"),
+    ]
+
+
+def test_ca_bundle_may_be_read(tmp_path: Path, bake: Bake) -> None:
+    bundled = services(tmp_path, ca_bundle="/ca.pem")
+    arguments = builder.command(bundled, bake, Path("m.json"))
+    assert arguments[arguments.index("--allow") + 1] == "fs.read=/ca.pem"
+    assert builder.environment(bundled, bake)["CA_BUNDLE"] == "/ca.pem"
+    assert "--allow" not in builder.command(services(tmp_path), bake, Path("m.json"))
+
+
+def test_environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("HTTP_PROXY", "HTTPS_PROXY", "https_proxy"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("http_proxy", "http://small")
+    call = Bake("a", "build-a", Path("x.hcl"), variables={"REGISTRY": "127.0.0.1:1/rosml"})
+    env = builder.environment(services(tmp_path), call)
+    assert (env["HTTP_PROXY"], env["HTTPS_PROXY"]) == ("http://small", "")
+    assert (env["REGISTRY"], env["BUILDX_BUILDER"]) == ("127.0.0.1:1/rosml", "rosml")
+    assert (env["BUILDX_NO_DEFAULT_ATTESTATIONS"], env["CA_BUNDLE"]) == ("1", "")
+    monkeypatch.setenv("HTTP_PROXY", "http://large")
+    assert builder.environment(services(tmp_path), call)["HTTP_PROXY"] == "http://large"
+
+
+# ---- What becomes of its answer --------------------------------------------------------------------------------------
+
+
+def test_build(tmp_path: Path, registry: str, bake: Bake, capsys: pytest.CaptureFixture[str]) -> None:
+    digest = '{"a": {"containerimage.digest": "sha256:1", "containerimage.descriptor": {}, "n": 1}, "b": {}}'
+    text = f"echo '{digest}' >$metadata\n" + says(vertex(), prints("aGVsbG8K"), vertex(completed=f"{DAY}12.623456789Z"))
+    progress, metadata = builder.run(having(tmp_path, registry, text), bake)
+    assert metadata == {"containerimage.digest": "sha256:1"}
+    assert progress.phases() == {"install ROS packages": pytest.approx(2.5)}
+    assert "2.5 s  [a ros 1/2] /run/components/ros/install.sh ros-core" in capsys.readouterr().err
+    log = (tmp_path / ".state/log/build-a.log").read_text()
+    assert log.startswith(f"$ {tmp_path}/buildx bake --file {tmp_path}/docker-bake.hcl --progress rawjson")
+    assert "\n    hello\n" in log
+    assert f"2.5 s {NAME}\n" in log
+
+
+def test_runs_in_the_checkout_with_no_input(tmp_path: Path, registry: str, bake: Bake) -> None:
+    text = 'printf \'{"a":{"cwd":"%s","input":"%s","builder":"%s"}}\' "$PWD" "$(cat)" "$BUILDX_BUILDER" >$metadata'
+    _, metadata = builder.run(having(tmp_path, registry, text), bake)
+    assert metadata == {"cwd": str(tmp_path), "input": "", "builder": "rosml"}
+
+
+def test_progress_of_the_caller(tmp_path: Path, registry: str, bake: Bake) -> None:
+    mine = BuildProgress()
+    progress, _ = builder.run(having(tmp_path, registry, says(vertex())), bake, mine)
+    assert progress is mine
+    assert list(mine.steps) == [NAME]
+
+
+@pytest.mark.parametrize("content", ["", "{", "{}", '{"b": {"containerimage.digest": "x"}}', "[]", '{"a": null}'])
+def test_metadata_without_the_target(tmp_path: Path, registry: str, bake: Bake, content: str) -> None:
+    text = f"printf '%s' '{content}' >$metadata"
+    assert builder.run(having(tmp_path, registry, text), bake)[1] == {}
+
+
+def test_metadata_of_an_earlier_call_is_not_believed(tmp_path: Path, registry: str, bake: Bake) -> None:
+    file = tmp_path / ".state/log/build-a.metadata.json"
+    file.parent.mkdir(parents=True)
+    file.write_text('{"a": {"containerimage.digest": "sha256:old"}}')
+    assert builder.run(having(tmp_path, registry, "exit 0"), bake)[1] == {}
+
+
+# ---- What goes wrong -------------------------------------------------------------------------------------------------
+
+
+def fails(tmp_path: Path, registry: str, bake: Bake, *lines: str) -> RosmlError:
+    """The error of a build that prints lines and fails."""
+    with pytest.raises(RosmlError) as caught:
+        builder.run(having(tmp_path, registry, says(*lines, code=1)), bake)
+    return caught.value
+
+
+def test_failure_shows_the_step_and_its_last_lines(tmp_path: Path, registry: str, bake: Bake) -> None:
+    error = fails(
+        tmp_path,
+        registry,
+        bake,
+        vertex("[a other 1/1] RUN x", completed=f"{DAY}12Z", error="Canceled: context canceled"),
+        vertex(),
+        prints("UmVhZGluZwpFOiBubyBwYWNrYWdlIHJvcy1jb3JlCg=="),
+        vertex(completed=f"{DAY}12Z", error="process did not complete successfully: exit code: 100"),
+        "ERROR: target a: failed to solve",
+    )
+    assert error.message == (
+        "building a failed in step [a ros 1/2] /run/components/ros/install.sh ros-core\n"
+        "    Reading\n    E: no package ros-core\n"
+        f"  the whole log: {tmp_path}/.state/log/build-a.log"
+    )
+    assert (error.remedy, error.exit_code) == ("", 1)
+    assert "E: no package ros-core" in (tmp_path / ".state/log/build-a.log").read_text()
+
+
+def test_failure_of_a_step_that_printed_nothing(tmp_path: Path, registry: str, bake: Bake) -> None:
+    error = fails(tmp_path, registry, bake, vertex(completed=f"{DAY}12Z", error="exit code: 137"))
+    assert "\n    exit code: 137\n" in error.message
+
+
+def test_failure_without_a_step(tmp_path: Path, registry: str, bake: Bake) -> None:
+    assert (
+        "building a failed\n    ERROR: no such target\n"
+        in fails(tmp_path, registry, bake, "ERROR: no such target").message
+    )
+    silent = fails(tmp_path, registry, bake)
+    assert "building a failed\n    buildx ended with exit code 1\n" in silent.message
+
+
+@pytest.mark.parametrize(
+    ("reason", "remedy"),
+    [
+        ("write /x: no space left on device", "free some disk space"),
+        ("No space left on device (28)", "free some disk space"),
+        ("dial tcp 127.0.0.1:1: connect: connection refused", "run 'make up'"),
+        ("failed to dial gRPC", "run 'make up'"),
+        ("Could not resolve host: example.org", "package indexes"),
+        ("Temporary failure resolving 'example.org'", "Debian's mirrors"),
+        ("E: Failed to fetch x.deb", "run it again"),
+        ("error sending request for url", "run it again"),
+        ("Hash mismatch for `x`", "make locks"),
+        ("exit code: 1", ""),
+    ],
+)
+@pytest.mark.parametrize("where", ["error", "tail", "other"])
+def test_remedies(tmp_path: Path, bake: Bake, reason: str, remedy: str, where: str) -> None:
+    progress = BuildProgress()
+    progress.feed(vertex(completed=f"{DAY}12Z", error=reason if where == "error" else "exit code: 1"))
+    if where == "tail":
+        progress.steps[NAME].tail.append(reason)
+    if where == "other":
+        progress.feed(f"ERROR: {reason}")
+    error = builder.failure(bake, progress, tmp_path / "x.log", 1)
+    assert remedy in error.remedy
+    assert bool(error.remedy) == bool(remedy)
+
+
+def test_a_service_that_is_down_is_the_reason(tmp_path: Path, registry: str, bake: Bake) -> None:
+    with pytest.raises(RosmlError, match=r"registry at 127\.0\.0\.1:1 does not answer") as caught:
+        builder.run(having(tmp_path, "127.0.0.1:1", says("ERROR: whatever", code=1)), bake)
+    assert caught.value.remedy == "run 'make up'"
+    broken = having(tmp_path, registry, says("ERROR: whatever", code=1))
+    (tmp_path / "status").write_text("Status: stopped\n")
+    with pytest.raises(RosmlError, match="builder 'rosml' is stopped") as caught:
+        builder.run(broken, bake)
+    assert caught.value.remedy == "run 'make up'"
+
+
+def test_buildx_is_gone(tmp_path: Path, bake: Bake) -> None:
+    with pytest.raises(RosmlError, match="cannot run /nowhere/buildx: No such file") as caught:
+        builder.run(services(tmp_path), bake)
+    assert caught.value.remedy == "run 'make up'"
+
+
+# ---- Ctrl-C ----------------------------------------------------------------------------------------------------------
+
+WAITS = "touch {0}/ready; while :; do sleep 0.02; done"
+
+
+def interrupt_when(ready: Path) -> threading.Thread:
+    """Sends this process what Ctrl-C sends, as soon as a file is there."""
+
+    def send() -> None:
+        end = time.monotonic() + 5
+        while not ready.exists() and time.monotonic() < end:
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=send, daemon=True)
+    thread.start()
+    return thread
+
+
+@pytest.fixture
+def interruptible() -> Iterator[None]:
+    """Ctrl-C as in a terminal, even where the tests run with it ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("interruptible")
+def test_interrupt_reaches_buildx(tmp_path: Path, registry: str, bake: Bake) -> None:
+    text = f"trap 'echo told >>{tmp_path}/calls; exit 1' INT; {WAITS.format(tmp_path)}"
+    thread = interrupt_when(tmp_path / "ready")
+    with pytest.raises(KeyboardInterrupt):
+        builder.run(having(tmp_path, registry, text), bake)
+    thread.join()
+    assert calls(tmp_path)[-1] == "told"
+
+
+@pytest.mark.usefixtures("interruptible")
+def test_buildx_can_say_its_last_words(
+    tmp_path: Path, registry: str, bake: Bake, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It reports every cancelled step before it ends: more than a pipe holds, and nobody may let it wait."""
+    monkeypatch.setattr(builder, "_CANCEL_SECONDS", 0.5)
+    last = f"head -c 300000 /dev/zero >&2; echo told >>{tmp_path}/calls; exit 1"
+    text = f"trap '{last}' INT; {WAITS.format(tmp_path)}"
+    thread = interrupt_when(tmp_path / "ready")
+    with pytest.raises(KeyboardInterrupt):
+        builder.run(having(tmp_path, registry, text), bake)
+    thread.join()
+    assert calls(tmp_path)[-1] == "told"
+
+
+@pytest.mark.usefixtures("interruptible")
+def test_buildx_that_does_not_listen_is_ended(
+    tmp_path: Path, registry: str, bake: Bake, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(builder, "_CANCEL_SECONDS", 0.1)
+    text = f"trap '' INT; echo $$ >{tmp_path}/pid; {WAITS.format(tmp_path)}"
+    thread = interrupt_when(tmp_path / "ready")
+    with pytest.raises(KeyboardInterrupt):
+        builder.run(having(tmp_path, registry, text), bake)
+    thread.join()
+    assert subprocess.run(["kill", "-0", (tmp_path / "pid").read_text().strip()], capture_output=True).returncode != 0

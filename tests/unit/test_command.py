@@ -1,0 +1,100 @@
+"""How every command ends: exit codes, messages and remedies, never a traceback."""
+
+from __future__ import annotations
+
+import errno
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import click
+import pytest
+from conftest import ROOT
+
+from rosml import command
+from rosml.errors import RosmlError
+from rosml.problems import InputError, Problem
+
+
+@pytest.fixture(autouse=True)
+def signals() -> Iterator[None]:
+    """Puts back what commands do with signals."""
+    before = signal.getsignal(signal.SIGTERM), signal.getsignal(signal.SIGINT)
+    yield
+    signal.signal(signal.SIGTERM, before[0])
+    signal.signal(signal.SIGINT, before[1])
+
+
+def ending(body: Callable[[], None]) -> click.Command:
+    """A command that does nothing but end in some way."""
+    return click.Command("x", callback=body, params=[click.Option(["--number"], type=int, expose_value=False)])
+
+
+def raising(error: BaseException) -> click.Command:
+    def body() -> None:
+        raise error
+
+    return ending(body)
+
+
+def test_success(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(ending(lambda: click.echo("done")), arguments=[]) == 0
+    assert capsys.readouterr() == ("done\n", "")
+
+
+@pytest.mark.parametrize(
+    ("error", "code", "says"),
+    [
+        (RosmlError("no room"), 1, "error: no room\n"),
+        (RosmlError("no room", "make some"), 1, "error: no room\nremedy: make some\n"),
+        (RosmlError("no image 'x'", exit_code=2), 2, "error: no image 'x'\n"),
+        (InputError("m.yaml", [Problem(4, 2, "a.b", "no 'c'")]), 2, "m.yaml:4:2: a.b: no 'c'\n"),
+        (click.ClickException("odd"), 1, "Error: odd\n"),
+        (KeyboardInterrupt(), 130, "what was finished is kept\n"),
+        (click.Abort(), 130, "what was finished is kept\n"),
+        (PermissionError(errno.EACCES, "Permission denied", "/x"), 1, "error: [Errno 13] Permission denied: '/x'\n"),
+        (OSError(errno.ENOSPC, "No space left on device"), 1, "error: [Errno 28] No space left on device\n"),
+    ],
+)
+def test_failures(error: BaseException, code: int, says: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(raising(error), "what was finished is kept", []) == code
+    done = capsys.readouterr()
+    assert done.out == ""
+    assert done.err.lstrip("\n") == says
+
+
+@pytest.mark.parametrize("arguments", [["--nmber"], ["--number", "x"], ["extra"]])
+def test_wrong_usage(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(ending(lambda: None), arguments=arguments) == 2
+    assert "Usage: " in capsys.readouterr().err
+
+
+def test_a_bug_is_not_hidden() -> None:
+    with pytest.raises(ZeroDivisionError):
+        command.run(raising(ZeroDivisionError()), arguments=[])
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> None:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a command that does not listen must not end the tests
+    assert command.run(ending(lambda: os.kill(os.getpid(), number)), "kept", []) == 130
+    assert capsys.readouterr().err.strip() == "kept"
+
+
+def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
+    script = tmp_path / "x.py"
+    script.write_text(
+        f"import sys; sys.path.insert(0, {str(ROOT)!r})\n"
+        "import click; from rosml import command\n"
+        "@click.command()\n"
+        "def main() -> None:\n"
+        "    for _ in range(100_000): click.echo('line')\n"
+        "sys.exit(command.run(main))\n"
+    )
+    pipe = f"'{sys.executable}' '{script}' | head -1"
+    done = subprocess.run(["sh", "-c", pipe], capture_output=True, text=True, check=False, timeout=30)
+    assert (done.stdout, done.stderr) == ("line\n", "")

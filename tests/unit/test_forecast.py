@@ -1,0 +1,102 @@
+"""Disk space: the forecast against numbers worked out by hand from the small matrix, and the check before a build."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosml import forecast
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+
+# A ROS image counts unpacked + 2 * compressed, a payload 2 * unpacked + 2 * compressed.
+OS, COMPONENT = 100 + 2 * 10, 20 + 2 * 2
+CUDA, COMMON, TORCH = 2 * 1000 + 2 * 100, 2 * 300 + 2 * 30, 2 * 2000 + 2 * 200
+
+
+@pytest.mark.parametrize(
+    ("target", "built", "needed"),
+    [
+        ("alpha-core", [], OS + COMPONENT),
+        ("alpha-desktop", [], OS + 3 * COMPONENT),
+        ("alpha-core", ["alpha-core"], 0),
+        ("alpha-core-torch-cu1", [], OS + COMPONENT + CUDA + COMMON + TORCH),
+        ("alpha-core-torch-cu1", ["alpha-core"], CUDA + COMMON + TORCH),
+        ("alpha-core-torch-cu1", ["cuda-cu1", "common-cu1-py312"], OS + COMPONENT + TORCH),
+        ("alpha-core-torch-cu1", ["alpha-core", "cuda-cu1", "common-cu1-py312", "torch-cu1-py312"], 0),
+        ("omega-core-torch-cu1", ["cuda-cu1", "common-cu1-py312", "torch-cu1-py312"], OS + COMPONENT + COMMON + TORCH),
+    ],
+)
+def test_needed(small: Catalogue, target: str, built: list[str], needed: int) -> None:
+    found = forecast.needed_mb(small, small.image(target), built)
+    assert found == needed
+
+
+@pytest.mark.parametrize(
+    ("target", "built", "needed"),
+    [
+        ("alpha-base", ["alpha-core"], COMPONENT),
+        ("alpha-desktop", ["alpha-core"], 2 * COMPONENT),
+        ("alpha-core", ["_os-ubuntu-24-04"], COMPONENT),
+        ("alpha-base-torch-cu1", ["alpha-core", "cuda-cu1", "common-cu1-py312", "torch-cu1-py312"], COMPONENT),
+    ],
+)
+def test_what_lies_below_is_not_the_image(small: Catalogue, target: str, built: list[str], needed: int) -> None:
+    """The component below is there; the component itself still has to be installed."""
+    found = forecast.needed_mb(small, small.image(target), built)
+    assert found == needed
+
+
+def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
+    """Makes every file system have this much room."""
+
+    def usage(path: Any) -> Any:
+        return shutil._ntuple_diskusage(10**12, 0, megabytes * 1_000_000)
+
+    monkeypatch.setattr(shutil, "disk_usage", usage)
+
+
+def test_enough(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    free(monkeypatch, 5_000 + forecast.RESERVE_MB)
+    forecast.require(tmp_path, 5_000, "a")
+
+
+def test_too_little(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    free(monkeypatch, 4_999 + forecast.RESERVE_MB)
+    with pytest.raises(RosmlError, match="not enough disk space"):
+        forecast.require(tmp_path, 5_000, "a-core")
+    free(monkeypatch, 300)
+    with pytest.raises(RosmlError, match=r"build a-core: 7\.1 GB are needed .* 0\.3 GB are free at ") as caught:
+        forecast.require(tmp_path, 5_100, "a-core")
+    assert "make clean" in caught.value.remedy
+    assert "make list" in caught.value.remedy
+
+
+def test_nothing_to_build_needs_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    free(monkeypatch, 1)
+    forecast.require(tmp_path, 0, "a")
+
+
+def test_gigabytes() -> None:
+    assert [forecast.gigabytes(size) for size in (0, 999, 12345)] == ["0.0 GB", "1.0 GB", "12.3 GB"]
+
+
+def test_built_is_remembered(tmp_path: Path) -> None:
+    built = forecast.Built(tmp_path)
+    assert built.names() == set()
+    built.add(["b", "a"])
+    built.add(["c", "a"])
+    assert forecast.Built(tmp_path).names() == {"a", "b", "c"}
+    assert [file.name for file in tmp_path.iterdir()] == ["built.json"]
+
+
+@pytest.mark.parametrize("text", ["", "{", "{}", "3", "null"])
+def test_damaged_memory_is_no_memory(tmp_path: Path, text: str) -> None:
+    (tmp_path / "built.json").write_text(text)
+    built = forecast.Built(tmp_path)
+    assert built.names() == set()
+    built.add(["a"])
+    assert built.names() == {"a"}

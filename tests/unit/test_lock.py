@@ -1,0 +1,383 @@
+"""Locks: what is resolved, how a resolution is read and split, and the command; with a uv that says what tests want."""
+
+from __future__ import annotations
+
+import re
+import signal
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+from conftest import ROOT, SMALL, changed, parse
+from stubs import calls, executable
+
+from rosml import command, lock
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.lock import Pin, Request
+from scripts import lock as script
+
+ROOTS = {"torch": "torch==2.10.0", "tensorflow": "tensorflow[and-cuda]==2.20.0"}
+
+
+def pin(name: str, *wanted_by: str, version: str = "1") -> Pin:
+    return Pin(name, version, (f"sha256:{name}",), frozenset(wanted_by))
+
+
+def request(**changes: object) -> Request:
+    facts: dict[str, object] = {
+        "stack": "cu1",
+        "architecture": "amd64",
+        "python": "3.12",
+        "wheels": "x86_64-manylinux_2_28",
+        "roots": ROOTS,
+        "numpy": "<2",
+    }
+    return Request(**{**facts, **changes})  # type: ignore[arg-type]
+
+
+def parts(pins: list[Pin], roots: Mapping[str, str] = ROOTS) -> dict[str, list[str]]:
+    return {part: [pin.name for pin in content] for part, content in lock.split(pins, roots).items()}
+
+
+# ---- Reading ---------------------------------------------------------------------------------------------------------
+
+RESOLVED = """\
+numpy==1.26.4 \\
+    --hash=sha256:bb \\
+    --hash=sha256:aa
+    # via
+    #   -r in.txt
+    #   tensorflow
+    #   torch
+nvidia-cublas-cu12==12.8.4.1 \\
+    --hash=sha256:cc
+    # via torch
+tensorflow==2.20.0 ; python_version >= '3.12' \\
+    --hash=sha256:dd
+    # via -r in.txt
+torch==2.10.0+cu128 \\
+    --hash=sha256:ee
+    # via -r in.txt
+
+# The following packages were excluded from the output:
+# setuptools
+"""
+
+
+def test_parse() -> None:
+    assert lock.parse(RESOLVED)[:3] == [
+        Pin("numpy", "1.26.4", ("sha256:aa", "sha256:bb"), frozenset({"tensorflow", "torch"})),
+        Pin("nvidia-cublas-cu12", "12.8.4.1", ("sha256:cc",), frozenset({"torch"})),
+        Pin("tensorflow", "2.20.0", ("sha256:dd",), frozenset()),
+    ]
+    assert [(pin.name, pin.version) for pin in lock.parse(RESOLVED)][3:] == [("torch", "2.10.0+cu128")]
+    assert lock.parse("") == lock.parse("# nothing\n\n") == []
+
+
+def test_names_that_begin_like_uvs_own_words() -> None:
+    text = "a==1\n    # via viam-sdk\nb==1\n    # via\n    #   viam-sdk\n"
+    assert [pin.wanted_by for pin in lock.parse(text)] == [{"viam-sdk"}, {"viam-sdk"}]
+
+
+def test_versions() -> None:
+    assert lock.versions(RESOLVED)["numpy"] == "1.26.4"
+
+
+def test_a_lock_reads_as_what_it_was_rendered_from() -> None:
+    pins = [Pin("a", "1", ("sha256:x", "sha256:y"), frozenset()), Pin("b", "2", (), frozenset())]
+    assert lock.parse(lock.render(request(), "common", pins)) == pins
+
+
+@pytest.mark.parametrize(
+    ("requirement", "name"),
+    [
+        ("tensorflow[and-cuda]==2.20.0", "tensorflow"),
+        ("torch==2.10.0", "torch"),
+        ("torch>=2", "torch"),
+        ("Torch ; python_version > '3'", "torch"),
+        ("tensorflow_cpu==2.20.0", "tensorflow-cpu"),
+        ("torch", "torch"),
+    ],
+)
+def test_package_name(requirement: str, name: str) -> None:
+    assert lock.package_name(requirement) == name
+
+
+# ---- Splitting -------------------------------------------------------------------------------------------------------
+
+
+def test_every_package_is_in_one_part() -> None:
+    pins = [
+        pin("torch"),
+        pin("tensorflow"),
+        pin("numpy", "torch", "tensorflow"),
+        pin("sympy", "torch"),
+        pin("mpmath", "sympy"),
+        pin("keras", "tensorflow"),
+        pin("typing-extensions", "torch", "keras"),
+        pin("nvidia-cublas-cu12", "torch"),
+        pin("nvidia-cuda-nvcc-cu12", "tensorflow"),
+    ]
+    assert parts(pins) == {
+        "cuda": ["nvidia-cublas-cu12", "nvidia-cuda-nvcc-cu12"],
+        "common": ["numpy", "typing-extensions"],
+        "torch": ["mpmath", "sympy", "torch"],
+        "tensorflow": ["keras", "tensorflow"],
+    }
+
+
+def test_diamond() -> None:
+    """Two ways to a package within one framework: still of that framework only."""
+    pins = [pin("torch"), pin("left", "torch"), pin("right", "torch"), pin("bottom", "left", "right")]
+    assert parts(pins) == {"torch": ["bottom", "left", "right", "torch"]}
+    pins += [pin("tensorflow"), pin("right-too", "tensorflow"), pin("deep", "bottom")]
+    pins[3] = pin("bottom", "left", "right", "right-too")
+    assert parts(pins)["common"] == ["bottom", "deep"]
+
+
+def test_cycle() -> None:
+    pins = [pin("torch", "b"), pin("a", "torch"), pin("b", "a")]
+    assert lock.closure("torch", pins) == {"torch", "a", "b"}
+    assert parts(pins) == {"torch": ["a", "b", "torch"]}
+
+
+def test_extras_and_spelling_of_roots() -> None:
+    pins = [pin("tensorflow-cpu"), pin("keras", "tensorflow-cpu")]
+    assert parts(pins, {"tensorflow": "tensorflow_cpu[x]==2"}) == {"tensorflow": ["keras", "tensorflow-cpu"]}
+
+
+def test_numpy_is_common_even_of_one_framework() -> None:
+    pins = [pin("torch"), pin("numpy", "torch"), pin("below-numpy", "numpy")]
+    assert parts(pins, {"torch": "torch==2"}) == {"common": ["below-numpy", "numpy"], "torch": ["torch"]}
+
+
+def test_nvidia_is_cuda_whoever_asks() -> None:
+    pins = [pin("torch"), pin("tensorflow"), pin("nvidia-nccl-cu12", "torch", "tensorflow"), pin("numpy")]
+    assert parts(pins)["cuda"] == ["nvidia-nccl-cu12"]
+
+
+def test_render() -> None:
+    rendered = lock.render_all(request(), [pin("torch"), pin("numpy"), pin("nvidia-x", "torch")])
+    assert list(rendered) == [
+        "locks/cu1/amd64/any/cuda.txt",
+        "locks/cu1/amd64/3.12/common.txt",
+        "locks/cu1/amd64/3.12/torch.txt",
+    ]
+    assert rendered["locks/cu1/amd64/any/cuda.txt"] == (
+        "# Part 'cuda' of stack cu1, Python any, amd64.\n"
+        "# Made by scripts/lock.py (make locks) from matrix.yaml; do not edit.\n"
+        "nvidia-x==1 \\\n    --hash=sha256:nvidia-x\n"
+    )
+
+
+# ---- What is resolved ------------------------------------------------------------------------------------------------
+
+
+def test_one_request_for_each_stack_python_and_architecture(real: Catalogue) -> None:
+    found = [(item.stack, item.architecture, item.python) for item in lock.requests(real)]
+    assert len(found) == len(set(found))
+    needed = {
+        (payload.stack, architecture, payload.python)
+        for payload in real.payloads
+        for architecture in payload.architectures
+        if payload.python != "any"
+    }
+    assert set(found) == needed
+
+
+def test_request(small: Catalogue) -> None:
+    matrix = changed('numpy: "<2"', 'numpy: "<2"\n    provides: {setuptools: 78.1.1}')
+    found = next(item for item in lock.requests(parse(matrix)) if (item.stack, item.python) == ("cu1", "3.12"))
+    assert (found.architecture, found.wheels, found.numpy) == ("amd64", "x86_64-manylinux_2_28", "<2")
+    assert found.roots == {"torch": "torch==2.10.0", "tensorflow": "tensorflow==2.20.0"}
+    assert found.provided == {"setuptools": "78.1.1"}
+
+
+def test_only_what_has_a_wheel_is_asked_for(small: Catalogue) -> None:
+    """The stack has a release of TensorFlow, and that release no wheel for Python 3.14."""
+    roots = {(item.stack, item.architecture, item.python): item.roots for item in lock.requests(small)}
+    assert roots["cu1", "amd64", "3.14"] == {"torch": "torch==2.10.0"}
+    assert roots["cpu", "arm64", "3.14"] == {"torch": "torch==2.10.0"}
+
+
+def test_committed_locks_are_what_the_matrix_asks_for(real: Catalogue) -> None:
+    """Without resolving anew: the files, their heads and the versions of what the matrix names."""
+    for payload in real.payloads:
+        for architecture, path in zip(payload.architectures, payload.locks, strict=True):
+            text = (ROOT / path).read_text()
+            head = f"# Part '{payload.part}' of stack {payload.stack}, Python {payload.python}, {architecture}.\n"
+            assert text.startswith(head)
+            assert len(lock.parse(text)) == text.count("==") <= text.count("--hash=sha256:")
+            assert not re.search(r"https?://|--(extra-)?index-url", text)
+    wanted = {path for payload in real.payloads for path in payload.locks}
+    assert wanted == {str(file.relative_to(ROOT)) for file in (ROOT / "locks").rglob("*.txt")}
+
+
+# ---- uv --------------------------------------------------------------------------------------------------------------
+
+UV = """\
+here='{folder}'
+echo "uv $*" >>"$here/calls"
+for file in in constraints provided out; do [ ! -e $file.txt ] || cp $file.txt "$here/seen-$file.txt"; done
+while [ $# -gt 0 ]; do case $1 in --python-version) python=$2 ;; esac; shift; done
+"""
+RESOLVES = UV + 'cp "$here/resolved.txt" out.txt'
+
+
+def fake_uv(folder: Path, text: str = RESOLVES, resolved: str = RESOLVED) -> str:
+    """A uv that records what it is told and resolves everything to the same."""
+    (folder / "resolved.txt").write_text(resolved)
+    return executable(folder / "uv", text.format(folder=folder))
+
+
+def test_resolve(tmp_path: Path) -> None:
+    wanted = request(constraints=("keras<4",), provided={"setuptools": "78.1.1", "packaging": "25.0"})
+    assert lock.resolve(wanted, fake_uv(tmp_path)) == lock.parse(RESOLVED)
+    (call,) = calls(tmp_path)
+    for words in (
+        "uv pip compile --quiet --generate-hashes --only-binary :all: ",
+        " --no-emit-index-url ",
+        " --python-version 3.12 --python-platform x86_64-manylinux_2_28 ",
+        " --constraint constraints.txt --override provided.txt in.txt --output-file out.txt",
+        " --no-emit-package packaging --no-emit-package setuptools",
+    ):
+        assert words in call
+    seen = {name: (tmp_path / f"seen-{name}.txt").read_text() for name in ("in", "constraints", "provided")}
+    assert seen == {
+        "in": "torch==2.10.0\ntensorflow[and-cuda]==2.20.0\nnumpy<2\n",
+        "constraints": "keras<4\n",
+        "provided": "packaging==25.0\nsetuptools==78.1.1\n",
+    }
+    assert not (tmp_path / "seen-out.txt").exists()
+
+
+@pytest.mark.parametrize("upgrade", [False, True])
+def test_earlier_versions_stay_unless_upgraded(tmp_path: Path, upgrade: bool) -> None:
+    lock.resolve(request(), fake_uv(tmp_path), upgrade, "numpy==1.0")
+    assert (tmp_path / "seen-out.txt").exists() == (not upgrade)
+
+
+def test_uv_is_missing(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match="'/nowhere/uv' is not installed") as caught:
+        lock.resolve(request(), "/nowhere/uv")
+    assert "make up" in caught.value.remedy
+
+
+def test_uv_fails(tmp_path: Path) -> None:
+    uv = fake_uv(tmp_path, UV + "echo 'no solution: numpy<2 and numpy>=2' >&2; exit 1")
+    with pytest.raises(RosmlError) as caught:
+        lock.resolve(request(), uv)
+    assert caught.value.message == (
+        "stack cu1, Python 3.12, amd64 does not resolve:\nno solution: numpy<2 and numpy>=2"
+    )
+    assert "matrix.yaml" in caught.value.remedy
+
+
+def test_earlier_locks_are_read(tmp_path: Path, small: Catalogue) -> None:
+    for path, name in (("any/cuda", "nvidia-x"), ("3.12/common", "numpy"), ("3.12/torch", "torch"), ("3.9/x", "old")):
+        file = tmp_path / f"locks/cu1/amd64/{path}.txt"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(f"{name}==1\n")
+    uv = fake_uv(tmp_path, UV + 'cat out.txt >>"$here/earlier"; cp "$here/resolved.txt" out.txt')
+    lock.lock(small, tmp_path, uv)
+    assert (tmp_path / "earlier").read_text().split()[:3] == ["nvidia-x==1", "numpy==1", "torch==1"]
+    assert "old" not in (tmp_path / "earlier").read_text()
+
+
+def test_one_cuda_for_all_pythons(tmp_path: Path, small: Catalogue) -> None:
+    locks = lock.lock(small, tmp_path, fake_uv(tmp_path))
+    assert "locks/cu1/amd64/any/cuda.txt" in locks
+    assert {"locks/cu1/amd64/3.12/torch.txt", "locks/cu1/amd64/3.14/torch.txt"} <= locks.keys()
+    assert not list(tmp_path.glob("locks/**/*.txt")), "it writes nothing"
+    differing = UV + 'sed "s/12.8.4.1/$python/" "$here/resolved.txt" >out.txt'
+    with pytest.raises(RosmlError, match=r"any/cuda\.txt would differ between Python versions of stack cu1") as caught:
+        lock.lock(small, tmp_path, fake_uv(tmp_path, differing))
+    assert "constraints in matrix.yaml" in caught.value.remedy
+
+
+# ---- The command -----------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a matrix of one stack for one Python, and a uv on the PATH."""
+    monkeypatch.setattr(script, "ROOT", tmp_path)
+    monkeypatch.setattr(signal, "signal", lambda *_: None)  # a test run keeps its own
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    fake_uv(tmp_path)
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    return tmp_path
+
+
+def run(checkout: Path, *arguments: str) -> int:
+    return command.run(script.main, arguments=["--matrix", str(checkout / "matrix.yaml"), *arguments])
+
+
+def test_writes_and_then_has_nothing_to_write(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(checkout) == 0
+    done = capsys.readouterr().out
+    assert "locks/cu1/amd64/3.12/torch.txt: written\n" in done
+    assert re.search(r"^  torch +- -> 2\.10\.0\+cu128$", done, re.M)
+    text = (checkout / "locks/cu1/amd64/3.12/torch.txt").read_text()
+    assert lock.versions(text) == {"torch": "2.10.0+cu128"}
+    assert run(checkout, "--check") == 0
+    assert re.fullmatch(r"\d+ locks, 0 stale\n", capsys.readouterr().out)
+
+
+def test_check_says_what_would_change(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run(checkout)
+    fake_uv(checkout, resolved=RESOLVED.replace("2.10.0+cu128", "2.11.0"))
+    before = {file: file.read_text() for file in checkout.glob("locks/**/*.txt")}
+    capsys.readouterr()
+    assert run(checkout, "--check") == 1
+    done = capsys.readouterr()
+    assert "locks/cu1/amd64/3.12/torch.txt: would change\n" in done.out
+    assert re.search(r"^  torch +2\.10\.0\+cu128 -> 2\.11\.0$", done.out, re.M)
+    assert re.search(r"error: \d+ locks are stale\nremedy: run 'make locks' and commit the result\n", done.err)
+    assert {file: file.read_text() for file in checkout.glob("locks/**/*.txt")} == before
+
+
+def test_check_of_locks_that_are_not_there(checkout: Path) -> None:
+    assert run(checkout, "--check") == 1
+    assert not (checkout / "locks").exists()
+
+
+def test_a_hash_that_changed_is_stale(checkout: Path) -> None:
+    run(checkout)
+    fake_uv(checkout, resolved=RESOLVED.replace("sha256:ee", "sha256:ff"))
+    assert run(checkout, "--check") == 1
+
+
+def test_locks_that_nothing_needs(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run(checkout)
+    (checkout / "locks/old.txt").write_text("")
+    assert run(checkout) == 0
+    assert "locks/old.txt: belongs to nothing in matrix.yaml; delete it\n" in capsys.readouterr().out
+    assert (checkout / "locks/old.txt").exists()
+
+
+def test_upgrade_forgets_earlier_versions(checkout: Path) -> None:
+    run(checkout)
+    assert run(checkout) == 0
+    assert (checkout / "seen-out.txt").exists()
+    (checkout / "seen-out.txt").unlink()
+    assert run(checkout, "--upgrade") == 0
+    assert not (checkout / "seen-out.txt").exists()
+
+
+def test_command_without_uv(
+    checkout: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(checkout / "locks"))
+    assert run(checkout) == 1
+    assert "error: 'uv' is not installed\nremedy: run 'make up'" in capsys.readouterr().err
+
+
+def test_command_when_uv_fails(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    fake_uv(checkout, UV + "echo 'no answer from the index' >&2; exit 2")
+    assert run(checkout) == 1
+    done = capsys.readouterr().err
+    assert "does not resolve:\nno answer from the index\n" in done
+    assert "remedy: relax the stack's versions" in done
+    assert not (checkout / "locks").exists()

@@ -1,0 +1,294 @@
+"""What people see of a build, what the summary counts, and that nothing BuildKit says can stop it."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import time
+from collections.abc import Iterator
+from io import StringIO
+from typing import Any
+
+import pytest
+
+from rosml import progress
+from rosml.progress import BuildProgress, Step
+
+DAY = "2026-11-21T11:03:"
+ROS = (
+    "[bookworm-core ros 1/2] RUN --mount=type=bind,source=components/base,target=/run/components/base     "
+    "--mount=type=secret,id=ca-bundle     /run/components/ros/install.sh ros-core"
+)
+ESSENTIALS = "[_os-bookworm base 1/4] RUN --mount=type=bind,source=components/base,target=/x /x/install.sh"
+TORCH = (
+    "[_files-torch payload-files 2/2] RUN --mount=type=bind,source=components/torch,target=/run/components/part "
+    "/run/components/payload/assemble.sh"
+)
+JOIN = "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /"
+TEST = (
+    "[bookworm-core-torch-cu128-test test-run 1/2] RUN --mount=type=bind,from=structure-test,source=/out,target=/x "
+    "/run/tests/run.sh /structure-report"
+)
+
+
+class Clock:
+    """Monotonic seconds that pass when the test says so."""
+
+    def __init__(self) -> None:
+        self.now = 1000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+class Build:
+    """A build that a test tells, step by step."""
+
+    def __init__(self) -> None:
+        self.out, self.log, self.clock = StringIO(), StringIO(), Clock()
+        self.progress = BuildProgress(self.out, self.log, self.clock)
+
+    def vertex(self, name: str, **facts: Any) -> None:
+        self.progress.feed(json.dumps({"vertexes": [{"digest": f"sha256:{name}", "name": name, **facts}]}) + "\n")
+
+    def prints(self, name: str, data: bytes) -> None:
+        log = {"vertex": f"sha256:{name}", "stream": 1, "data": base64.b64encode(data).decode()}
+        self.progress.feed(json.dumps({"logs": [log]}))
+
+    def step(self, name: str) -> Step:
+        return self.progress.steps[f"sha256:{name}"]
+
+    @property
+    def shown(self) -> str:
+        return self.out.getvalue()
+
+
+@pytest.fixture
+def build() -> Build:
+    return Build()
+
+
+# ---- Steps -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "label", "phase"),
+    [
+        (ROS, "[bookworm-core ros 1/2] /run/components/ros/install.sh ros-core", "install ROS packages"),
+        (ESSENTIALS, "[_os-bookworm base 1/4] /x/install.sh", "install essentials"),
+        (TORCH, "assemble payload part 'torch' from its lock", "assemble payloads"),
+        (JOIN, "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /", "join payloads"),
+        (
+            TEST,
+            "[bookworm-core-torch-cu128-test test-run 1/2] /run/tests/run.sh /structure-report",
+            "structure tests",
+        ),
+        ("[bookworm-core] exporting to image", "[bookworm-core] exporting to image", "compress and push"),
+        ("pushing layers", "pushing layers", "compress and push"),
+        ("[_os-bookworm base 3/4] WORKDIR /ws", "[_os-bookworm base 3/4] WORKDIR /ws", "other"),
+    ],
+)
+def test_words_for_a_step(name: str, label: str, phase: str) -> None:
+    assert (Step(name).label, Step(name).phase) == (label, phase)
+    assert not Step(name).internal
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "[internal] load local bake definitions",
+        "[_os-bookworm internal] load build context",
+        "[_os-bookworm context os] docker.io/library/debian:bookworm",
+        "[bookworm-core-torch-cu128 torch 1/1] LINK COPY --link --from=part-torch /out/ /",
+    ],
+)
+def test_bookkeeping_is_internal(name: str) -> None:
+    assert Step(name).internal
+
+
+def test_an_image_called_test_is_not_yet_a_test() -> None:
+    """All steps of a call that builds a `-test` target carry its name."""
+    assert Step(ROS.replace("bookworm-core", "bookworm-core-test")).phase == "install ROS packages"
+
+
+@pytest.mark.parametrize("fraction", [".1", ".12", ".123456", ".123456789", ".10000000", ""])
+def test_times_of_go_have_up_to_nine_digits(build: Build, fraction: str) -> None:
+    build.vertex(ROS, started=f"{DAY}10{fraction}Z", completed=f"{DAY}12.5{'0' * 8}Z")
+    expected = 2.5 - float(fraction or 0)
+    assert build.step(ROS).seconds == pytest.approx(expected, abs=2e-6)
+
+
+def test_zero_time_is_no_time(build: Build) -> None:
+    build.vertex(ROS, started="0001-01-01T00:00:00Z", completed="0001-01-01T00:00:00Z")
+    assert (build.step(ROS).started, build.step(ROS).completed) == (0.0, 0.0)
+    build.vertex(ROS, started=f"{DAY}10Z", completed="0001-01-01T00:00:00Z")
+    assert (build.step(ROS).seconds, build.shown) == (0.0, "")
+    build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}13Z")
+    assert build.step(ROS).seconds == 3.0
+
+
+def test_a_clock_that_went_back_takes_no_time_away(build: Build) -> None:
+    build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}05Z")
+    assert build.step(ROS).seconds == 0.0
+
+
+# ---- What people see -------------------------------------------------------------------------------------------------
+
+
+def test_a_line_when_a_step_ends(build: Build) -> None:
+    build.vertex(ROS)
+    build.vertex(ROS, started=f"{DAY}10.25Z")
+    assert build.shown == ""
+    build.clock.now += 75
+    for _ in range(2):  # BuildKit repeats itself, once for each target that shares the step
+        build.vertex(ROS, started=f"{DAY}10.25Z", completed=f"{DAY}42Z")
+    assert build.shown == "    1:15    31.8 s  [bookworm-core ros 1/2] /run/components/ros/install.sh ros-core\n"
+
+
+def test_no_line_for_what_took_no_time(build: Build) -> None:
+    build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}10.4Z")
+    build.vertex("[x internal] load build context", started=f"{DAY}10Z", completed=f"{DAY}30Z")
+    build.vertex(TORCH, started=f"{DAY}10Z", completed=f"{DAY}30Z", cached=True)
+    assert build.shown == ""
+
+
+def test_cached_steps(build: Build) -> None:
+    """As BuildKit says it: first that it is cached, later that it ended."""
+    build.vertex(TORCH, started=f"{DAY}10Z", cached=True)
+    build.vertex(TORCH, started=f"{DAY}10Z", completed=f"{DAY}30Z")
+    build.vertex("[x internal] load build context", started=f"{DAY}10Z", completed=f"{DAY}10Z", cached=True)
+    assert build.progress.reused() == [build.step(TORCH)]
+    assert build.progress.phases() == {}
+    assert build.log.getvalue().startswith(f"CACHED {TORCH}\n")
+
+
+def test_phases_are_sums_longest_first(build: Build) -> None:
+    build.vertex(ESSENTIALS, started=f"{DAY}10Z", completed=f"{DAY}11Z")
+    build.vertex(TORCH, started=f"{DAY}10Z", completed=f"{DAY}12Z")
+    build.vertex(TORCH.replace("components/torch", "components/cuda"), started=f"{DAY}10Z", completed=f"{DAY}15Z")
+    build.vertex(JOIN, started=f"{DAY}10Z", completed=f"{DAY}10.01Z")
+    build.vertex("[x internal] load build context", started=f"{DAY}10Z", completed=f"{DAY}30Z")
+    build.vertex(ROS, started=f"{DAY}10Z")
+    assert list(build.progress.phases().items()) == [("assemble payloads", 7.0), ("install essentials", 1.0)]
+
+
+def test_long_lines_are_cut(build: Build) -> None:
+    build.vertex("[a ros 1/1] RUN " + "x" * 500, started=f"{DAY}10Z", completed=f"{DAY}12Z")
+    assert len(build.shown) == 151
+    assert build.shown.endswith("x…\n")
+    assert "x" * 500 in build.log.getvalue()
+
+
+# ---- Heartbeat -------------------------------------------------------------------------------------------------------
+
+
+def test_heartbeat_names_what_runs_longest(build: Build) -> None:
+    build.vertex(ROS, started=f"{DAY}10Z")
+    build.vertex(TORCH, started=f"{DAY}05Z")
+    build.vertex(ESSENTIALS, started=f"{DAY}01Z", completed=f"{DAY}01Z")
+    build.vertex("[x context os] pull", started=f"{DAY}01Z")
+    build.vertex(JOIN)
+    build.clock.now += progress.HEARTBEAT_SECONDS - 1
+    build.prints(TORCH, b"Unpacking numpy\n\n")
+    assert build.shown == ""
+    build.clock.now += 1
+    build.prints(TORCH, b"  Unpacking torch  \n")
+    assert build.shown == "    0:20     …      assemble payload part 'torch' from its lock: Unpacking torch\n"
+    build.clock.now += progress.HEARTBEAT_SECONDS - 1
+    build.vertex(TORCH, started=f"{DAY}05Z")
+    assert build.shown.count("\n") == 1, "it waits as long for the next one"
+
+
+def test_a_line_puts_the_heartbeat_off(build: Build) -> None:
+    build.vertex(ROS, started=f"{DAY}10Z")
+    build.clock.now += progress.HEARTBEAT_SECONDS - 1
+    build.vertex(TORCH, started=f"{DAY}10Z", completed=f"{DAY}30Z")
+    build.clock.now += 2
+    build.vertex(ROS, started=f"{DAY}10Z")
+    assert build.shown.count("\n") == 1
+    assert "…" not in build.shown
+
+
+def test_no_heartbeat_when_nothing_runs(build: Build) -> None:
+    build.clock.now += 1000
+    build.vertex(JOIN)
+    assert build.shown == ""
+
+
+def test_heartbeat_of_a_build_that_is_silent(monkeypatch: pytest.MonkeyPatch) -> None:
+    """BuildKit says nothing while a step says nothing: the heartbeat must not wait for it."""
+    monkeypatch.setattr(progress, "HEARTBEAT_SECONDS", 0.02)
+
+    def lines() -> Iterator[str]:
+        yield json.dumps({"vertexes": [{"digest": "a", "name": ROS, "started": f"{DAY}10Z"}]})
+        time.sleep(0.1)
+
+    out = StringIO()
+    BuildProgress(out).follow(lines())
+    assert "…      [bookworm-core ros 1/2]" in out.getvalue()
+
+
+# ---- What goes wrong -------------------------------------------------------------------------------------------------
+
+
+def test_the_failed_step(build: Build) -> None:
+    """One step goes wrong; the others are cancelled because of it, and may be reported first."""
+    cancelled = "failed to solve: Canceled: context canceled"
+    build.vertex(TORCH, started=f"{DAY}10Z", completed=f"{DAY}20Z", error=cancelled)
+    assert build.progress.failed() is None
+    build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}20Z", error="exit code: 100")
+    assert build.progress.failed() is build.step(ROS)
+    assert build.shown == "", "the error is told at the end"
+    assert f"10.0 s {ROS} exit code: 100" in build.log.getvalue()
+
+
+def test_tail_and_log(build: Build) -> None:
+    build.vertex(ROS, started=f"{DAY}10Z")
+    build.prints(ROS, b"one\r\ntwo\n\nthree \xff\n")
+    assert list(build.step(ROS).tail) == ["one", "two", "three \ufffd"]
+    for number in range(50):
+        build.prints(ROS, f"line {number}\n".encode())
+    assert list(build.step(ROS).tail) == [f"line {number}" for number in range(30, 50)]
+    assert re.findall(r"^    (one|two|line \d+)$", build.log.getvalue(), re.M) == [
+        "one",
+        "two",
+        *(f"line {number}" for number in range(50)),
+    ]
+    build.prints("of a step that nobody knows", b"kept in the log\n")
+    assert "    kept in the log\n" in build.log.getvalue()
+
+
+def test_what_is_not_json_is_kept(build: Build) -> None:
+    build.progress.follow(["ERROR: cannot connect\n", "\n", "  \n", '{"vertexes":[\n', "\x00\xff\n"])
+    assert list(build.progress.other) == ["ERROR: cannot connect", '{"vertexes":[', "\x00\xff"]
+    assert "ERROR: cannot connect\n" in build.log.getvalue()
+    assert build.shown == ""
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "null",
+        "3",
+        '"text"',
+        "[]",
+        "{}",
+        '{"vertexes": null, "logs": null, "statuses": null}',
+        '{"vertexes": [{}], "logs": [{}]}',
+        '{"logs": [{"vertex": "a", "data": "%%%"}, {"vertex": "a", "data": "A"}, {"vertex": "a", "data": null}]}',
+        '{"statuses": [{"id": "x", "vertex": "a", "timestamp": "0001-01-01T00:00:00Z", "current": 1}]}',
+        '{"warnings": [{"vertex": "a", "short": "eA=="}]}',
+    ],
+)
+def test_odd_lines_do_no_harm(build: Build, line: str) -> None:
+    build.progress.feed(line)
+    build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}20Z")
+    assert build.progress.phases() == {"install ROS packages": 10.0}
+    assert list(build.progress.other) == []
+
+
+def test_without_a_log() -> None:
+    out = StringIO()
+    BuildProgress(out).follow(["noise", json.dumps({"vertexes": [{"digest": "a", "name": ROS}]})])
+    assert out.getvalue() == ""

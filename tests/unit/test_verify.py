@@ -1,0 +1,169 @@
+"""What the structure tests are told about an image, and what their reports become."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosml import verify
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.verify import Outcome, Report
+
+
+def test_labels(small: Catalogue) -> None:
+    assert verify.expected_labels(small.image("alpha-core-torch-cu1")) == {
+        "io.rosml.distribution": "alpha",
+        "io.rosml.component": "core",
+        "io.rosml.framework": "torch",
+        "io.rosml.os": "ubuntu-24.04",
+        "io.rosml.python": "3.12",
+        "io.rosml.ros": "2",
+        "io.rosml.stack": "cu1",
+        "io.rosml.torch": "2.10.0",
+        "io.rosml.cuda": "12.8.90",
+        "io.rosml.cudnn": "9.10.2.21",
+    }
+    assert "io.rosml.stack" not in verify.expected_labels(small.image("alpha-core"))
+
+
+def test_environment(small: Catalogue) -> None:
+    env = verify.expected_environment(small.image("alpha-core-ml-cu1"))
+    versions = {name: env.get(f"{name}_VERSION") for name in ("ROS", "TORCH", "TENSORFLOW", "CUDA", "CUDNN")}
+    assert versions == {
+        "ROS": "2",
+        "TORCH": "2.10.0",
+        "TENSORFLOW": "2.20.0",
+        "CUDA": "12.8.90",
+        "CUDNN": "9.10.2.21",
+    }
+    assert (env["ROS_DISTRO"], env["WORKSPACE"], env["DOCKER_UID"]) == ("alpha", "/docker-ros/ws", "")
+    assert not {"TORCH_VERSION", "CUDA_VERSION"} & verify.expected_environment(small.image("alpha-core")).keys()
+
+
+def test_ros_distro_of_its_own(real: Catalogue) -> None:
+    image = real.image("bookworm-core")
+    assert verify.expected_environment(image)["ROS_DISTRO"] == image.ros_distro != "bookworm"
+
+
+def test_what_the_test_stage_gets(tmp_path: Path, small: Catalogue) -> None:
+    image = small.image("alpha-core-torch-cu1")
+    config = {
+        "architecture": "amd64",
+        "config": {
+            "Env": ["A=b"],
+            "Entrypoint": ["/tini"],
+            "Cmd": ["bash"],
+            "WorkingDir": "/w",
+            "Labels": {"io.rosml.os": "x", "org.opencontainers.image.revision": "changes with every commit"},
+        },
+    }
+    folder = tmp_path / "a" / "metadata"
+    for _ in range(2):
+        verify.write_metadata(folder, image, config)
+    assert json.loads((folder / "config.json").read_text()) == {
+        "config": {
+            "Env": ["A=b"],
+            "Entrypoint": ["/tini"],
+            "Cmd": ["bash"],
+            "WorkingDir": "/w",
+            "Labels": {"io.rosml.os": "x"},
+        }
+    }
+    test = json.loads((folder / "metadata.yaml").read_text())
+    assert test["schemaVersion"] == "2.0.0"
+    assert {"key": "io.rosml.torch", "value": "2.10.0"} in test["metadataTest"]["labels"]
+    assert {"key": "TORCH_VERSION", "value": "2.10.0"} in test["metadataTest"]["envVars"]
+    assert test["metadataTest"]["entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
+
+
+@pytest.mark.parametrize("config", [{}, {"config": {}}, {"config": {"Env": None, "Labels": None, "Cmd": None}}])
+def test_config_that_says_nothing(config: dict[str, Any]) -> None:
+    empty = {"Env": [], "Entrypoint": [], "Cmd": [], "WorkingDir": "", "Labels": {}}
+    assert verify.flat_config(config) == {"config": empty}
+
+
+def test_labels_in_one_order() -> None:
+    """The same labels are the same bytes: otherwise the builder would run the same tests again."""
+    one, other = ({"config": {"Labels": dict(items)}} for items in (LABELS, reversed(LABELS)))
+    assert json.dumps(verify.flat_config(one)) == json.dumps(verify.flat_config(other))
+
+
+LABELS = [("io.rosml.os", "x"), ("io.rosml.ros", "2")]
+
+
+# ---- Reports ---------------------------------------------------------------------------------------------------------
+
+
+def reported(folder: Path, **files: str) -> Report:
+    """The report of a folder with these JSON files."""
+    folder.mkdir(exist_ok=True)
+    for name, text in files.items():
+        (folder / f"{name}.json").write_text(text)
+    return verify.read_report(folder, tuple(files) or ("contract",))
+
+
+def results(*results: dict[str, Any]) -> str:
+    return json.dumps({"Pass": 0, "Fail": 0, "Total": len(results), "Results": results})
+
+
+def test_report(tmp_path: Path) -> None:
+    (tmp_path / "unpacked").write_text("2048\t/\n")
+    report = reported(
+        tmp_path,
+        contract=results({"Name": "Command Test: tini", "Pass": True, "Duration": 1_500_000_000, "Stdout": "ok"}),
+        torch=results(
+            {"Name": "Command Test: import", "Pass": False, "Errors": ["no torch", "no CUDA"], "Stderr": "Traceback"},
+            {"Name": "File Existence Test: x", "Pass": True, "Errors": None, "Duration": 1},
+        ),
+    )
+    assert (report.passed, report.unpacked) == (2, 2048 * 1024)
+    assert report.outcomes[0] == Outcome("contract", "tini", True, 1.5, "ok")
+    assert report.failed == (Outcome("torch", "import", False, 0.0, "no torch\nno CUDA\nTraceback"),)
+
+
+def test_no_report_at_all(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match="left no report") as caught:
+        verify.read_report(tmp_path / "gone", ("contract",))
+    assert caught.value.remedy == "run it again"
+
+
+@pytest.mark.parametrize("text", [results(), '{"Results": null}'])
+def test_a_file_without_a_test_is_a_failure(tmp_path: Path, text: str) -> None:
+    report = reported(tmp_path, contract=results({"Name": "a", "Pass": True}), torch=text)
+    assert report.passed == 1
+    assert report.failed == (Outcome("torch", "the test file", False, 0.0, "it holds no test"),)
+
+
+@pytest.mark.parametrize("text", ["", "{", "{}", "[]", "null", "Segmentation fault"])
+def test_a_report_that_is_none_is_a_failure(tmp_path: Path, text: str) -> None:
+    (tmp_path / "torch.log").write_text("x" * 5000 + "killed")
+    (failure,) = reported(tmp_path, torch=text).failed
+    assert (failure.file, failure.name, len(failure.detail)) == ("torch", "the test runner", 2000)
+    assert failure.detail.endswith("killed")
+
+
+def test_a_file_without_a_report_is_a_failure(tmp_path: Path) -> None:
+    (failure,) = reported(tmp_path).failed
+    assert failure == Outcome("contract", "the test runner", False, 0.0, "did not start")
+
+
+def test_a_report_that_nobody_asked_for_does_not_count(tmp_path: Path) -> None:
+    (tmp_path / "other.json").write_text(results({"Name": "a", "Pass": True}))
+    assert reported(tmp_path, contract=results({"Name": "a", "Pass": True})).passed == 1
+
+
+@pytest.mark.parametrize("text", ["", "much", None])
+def test_size_that_was_not_measured(tmp_path: Path, text: str | None) -> None:
+    if text is not None:
+        (tmp_path / "unpacked").write_text(text)
+    assert reported(tmp_path, contract=results({"Name": "a", "Pass": True})).unpacked == 0
+
+
+def test_long_output_is_cut_to_its_end(tmp_path: Path) -> None:
+    (failure,) = reported(tmp_path, a=results({"Name": "a", "Pass": False, "Stdout": "x" * 9000 + "end"})).failed
+    assert len(failure.detail) == 3000
+    assert failure.detail.endswith("xend")
