@@ -1,5 +1,6 @@
 # The few commands a newcomer needs. `make` alone lists them.
-TARGET ?= bookworm-core-torch-cu128
+# The image to build or explain; `make image` without it builds matrix.yaml's default.target.
+TARGET ?=
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -15,13 +16,15 @@ export TARGET
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 
-.PHONY: help image test lint unit list generate locks up down clean status
+.PHONY: help image test lint unit list explain generate locks up down clean status
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' Makefile
 
-image: up ## build, test, push and tag one image: make image TARGET=bookworm-base-torch-cu128
-	@$(RUN) scripts/publish.py image "$$TARGET"
+image: .python ## build, test, push and tag one image: make image TARGET=bookworm-base-torch-cu128
+	@$(RUN) scripts/publish.py image --check -- "$$TARGET"
+	@$(BOOTSTRAP) up
+	@$(RUN) scripts/publish.py image -- "$$TARGET"
 
 test: up ## the whole suite: linters, unit tests, real builds
 	@$(RUN) pytest
@@ -34,6 +37,9 @@ unit: .python ## the linters and the unit tests: no builder, seconds
 
 list: .python ## every image that can be built
 	@$(RUN) scripts/generate_bake.py --list
+
+explain: .python ## why an image exists, or why not: make explain TARGET=bookworm-core-torch-cpu
+	@$(RUN) scripts/generate_bake.py --explain "$$TARGET"
 
 generate: .python ## docker-bake.hcl and matrix.schema.json anew, after a change of matrix.yaml
 	@$(RUN) scripts/generate_bake.py

@@ -1,5 +1,5 @@
 # Generated from matrix.yaml by scripts/generate_bake.py: change matrix.yaml, then run
-#   uv run scripts/generate_bake.py
+#   make generate
 #
 #   docker buildx bake bookworm-core          builds an image (and what it stands on)
 #   docker buildx bake bookworm-core-test     runs its structure tests inside the build
@@ -182,7 +182,7 @@ target "bookworm-core" {
   contexts = { parent = "target:_os-bookworm" }
   args = {
     ROS_PACKAGES = "ros-core ros-core-dev ros-core-python-dev"
-    ROS_TOOLS    = "catkin colcon python3-colcon-ros python3-colcon-cmake python3-rosdep2 vcstool"
+    ROS_TOOLS    = "rosbash catkin colcon python3-colcon-ros python3-colcon-cmake python3-rosdep2 vcstool"
   }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-core"
@@ -286,7 +286,7 @@ target "trixie-core" {
   contexts = { parent = "target:_os-trixie" }
   args = {
     ROS_PACKAGES = "ros-core ros-core-dev ros-core-python-dev"
-    ROS_TOOLS    = "catkin colcon python3-colcon-ros python3-colcon-cmake python3-rosdep2 vcstool"
+    ROS_TOOLS    = "rosbash catkin colcon python3-colcon-ros python3-colcon-cmake python3-rosdep2 vcstool"
   }
   labels = {
     "org.opencontainers.image.title"       = "trixie-core"

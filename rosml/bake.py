@@ -39,7 +39,7 @@ def render(catalogue: Catalogue) -> str:
 
 _HEADER = """\
 # Generated from matrix.yaml by scripts/generate_bake.py: change matrix.yaml, then run
-#   uv run scripts/generate_bake.py
+#   make generate
 #
 #   docker buildx bake bookworm-core          builds an image (and what it stands on)
 #   docker buildx bake bookworm-core-test     runs its structure tests inside the build

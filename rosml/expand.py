@@ -142,7 +142,7 @@ class Catalogue:
         from rosml.explain import why_not  # imports this module
 
         reason = why_not(self, target) or unknown("image", target, self.by_target)
-        raise RosmlError(reason, remedy="see all with: uv run scripts/generate_bake.py --list", exit_code=2)
+        raise RosmlError(reason, remedy="see all with: make list", exit_code=2)
 
     def select(self, name: str) -> tuple[Image, ...]:
         """The images of a target or a group; raises as `image` does."""

@@ -38,7 +38,7 @@ def explain(catalogue: Catalogue, name: str) -> str:
     if reason := why_not(catalogue, name):
         return reason
     candidates = [*catalogue.by_target, *catalogue.groups]
-    raise RosmlError(unknown("image", name, candidates), remedy="see all with --list", exit_code=2)
+    raise RosmlError(unknown("image", name, candidates), remedy="see all with: make list", exit_code=2)
 
 
 def why_not(catalogue: Catalogue, name: str) -> str | None:

@@ -47,7 +47,7 @@ def print_table(catalogue: Catalogue) -> None:
     table = Table(box=None, header_style="bold", pad_edge=False)
     for column in ("target", "versions", "platforms", "main tag"):
         table.add_column(column, no_wrap=True)
-    table.add_column("GB", justify="right", no_wrap=True)
+    table.add_column("GB unpacked (forecast)", justify="right", no_wrap=True)
     for image in catalogue.images:
         versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
         platforms = ", ".join(image.platforms)

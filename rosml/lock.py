@@ -39,6 +39,7 @@ class Request:
         numpy: version specifier that keeps the ABI of the operating system's own numpy, e.g. ``<2``.
         constraints: further requirements of the stack.
         provided: packages the operating system has and the payload must not carry, with their versions.
+        cuda: the stack's versions of ``cuda``, ``cudnn`` and ``nccl``; empty for a stack without CUDA.
     """
 
     stack: str
@@ -49,6 +50,7 @@ class Request:
     numpy: str
     constraints: tuple[str, ...] = ()
     provided: Mapping[str, str] = field(default_factory=dict)
+    cuda: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -91,6 +93,11 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
                 numpy=system.numpy,
                 constraints=stack.constraints,
                 provided=system.provides,
+                cuda={
+                    fact: version
+                    for fact in ("cuda", "cudnn", "nccl")
+                    if (version := getattr(stack, fact)) and stack.accelerator == "cuda"
+                },
             )
 
 
@@ -245,13 +252,44 @@ def lock(catalogue: Catalogue, root: Path, uv: str = "uv", upgrade: bool = False
             for python in (ANY_PYTHON, request.python)
             for path in sorted((root / "locks" / request.stack / request.architecture / python).glob("*.txt"))
         )
-        for path, text in render_all(request, resolve(request, uv, upgrade, earlier)).items():
+        pins = resolve(request, uv, upgrade, earlier)
+        _one_cuda(request, pins)
+        for path, text in render_all(request, pins).items():
             if locks.setdefault(path, text) != text:
                 raise RosmlError(
                     f"{path} would differ between Python versions of stack {request.stack}",
                     "pin the NVIDIA package that differs in the stack's constraints in matrix.yaml",
                 )
     return locks
+
+
+def _one_cuda(request: Request, pins: list[Pin]) -> None:
+    """Checks that NVIDIA's packages are those of the stack: one CUDA, the promised one.
+
+    Raises:
+        RosmlError: another CUDA generation, or a version other than the stack's facts say.
+    """
+    nvidia = {pin.name: pin.version for pin in pins if pin.name.startswith("nvidia-")}
+    major = request.cuda.get("cuda", "").split(".")[0]
+    wrong = [f"{name} {version}" for name, version in nvidia.items() if not _of_generation(name, major)]
+    for fact, package in (("cuda", "cuda-runtime"), ("cudnn", "cudnn"), ("nccl", "nccl")):
+        for name in (f"nvidia-{package}", f"nvidia-{package}-cu{major}"):
+            if name in nvidia and nvidia[name] != request.cuda.get(fact, nvidia[name]):
+                wrong.append(f"{name} {nvidia[name]} (the stack says {request.cuda[fact]})")
+    if wrong:
+        raise RosmlError(
+            f"stack {request.stack}, Python {request.python}, {request.architecture} would carry other NVIDIA packages"
+            f" than it promises: {', '.join(wrong)}",
+            "correct the stack's cuda, cudnn and nccl in matrix.yaml; another CUDA generation needs a stack of its own",
+        )
+
+
+def _of_generation(name: str, major: str) -> bool:
+    """Whether an NVIDIA package belongs to a CUDA generation: up to CUDA 12 every name ends in -cuNN, later only some."""
+    suffix = re.search(r"-cu([0-9]+)$", name)
+    if suffix:
+        return suffix[1] == major
+    return major.isdecimal() and int(major) > 12
 
 
 def versions(text: str) -> dict[str, str]:

@@ -8,6 +8,7 @@ call carries on from there.
 from __future__ import annotations
 
 import json
+import shlex
 import shutil
 import subprocess
 import time
@@ -45,6 +46,7 @@ class Result:
         work: seconds of the builder's work by kind of step.
         reused: what was there already.
         base: where the base images came from.
+        builder: the command that builds a Dockerfile on top of it with the same builder.
     """
 
     target: str
@@ -62,6 +64,7 @@ class Result:
     work: dict[str, float] = field(default_factory=dict)
     reused: list[str] = field(default_factory=list)
     base: str = ""
+    builder: str = ""
 
     def to_json(self) -> dict[str, Any]:
         """For `--json` and for `.state/results`."""
@@ -217,11 +220,18 @@ class Publisher:
                 result.moved.append(name)
         result.tags = [f"{repository}:{name}" for name in tags]
         result.reference = result.tags[0]
+        result.builder = builder_command(self.services)
 
     def _remember(self, result: Result) -> None:
         folder = self.services.state / "results"
         folder.mkdir(parents=True, exist_ok=True)
         (folder / f"{result.target}.json").write_text(json.dumps(result.to_json(), indent=2) + "\n")
+
+
+def builder_command(services: Services) -> str:
+    """What a person types to build a Dockerfile of their own with the builder that was set up."""
+    config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""
+    return f"{config}{shlex.join(services.buildx)} build --builder {services.builder} ."
 
 
 class _Clock:

@@ -29,9 +29,10 @@ def text(result: Result) -> str:
     rows = [
         ("FROM", result.reference),
         ("digest", result.digest),
-        ("tags", ", ".join(tag.rsplit(":", 1)[1] for tag in result.tags)),
+        ("tags", ", ".join(tag.rsplit("/", 1)[1] for tag in result.tags)),
         ("tags moved", moved),
         ("base image", result.base),
+        ("build on it", result.builder),
         ("size", f"{size(result.compressed)} compressed, {size(result.unpacked)} unpacked"),
         ("new in registry", size(max(0, result.uploaded))),
         ("structure tests", f"{result.passed} passed, {result.failed} failed"),

@@ -13,7 +13,7 @@ import click
 from rosml import ROOT, command, files
 from rosml.errors import RosmlError
 
-COMMAND = "uv run scripts/generate_bake.py"
+COMMAND = "make generate"
 
 
 @click.command(help=__doc__)

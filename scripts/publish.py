@@ -23,12 +23,15 @@ def cli() -> None:
 
 
 @cli.command()
-@click.argument("target")
+@click.argument("target", default="")
 @click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
 @click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
+@click.option("--check", is_flag=True, help="only say whether there is such an image; needs no services")
 @click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
-def image(target: str, matrix: Path, namespace: str, as_json: bool) -> None:
+def image(target: str, matrix: Path, namespace: str, check: bool, as_json: bool) -> None:
     """Builds TARGET, runs its structure tests, and moves its tags in the local registry.
+
+    Without TARGET: the one that matrix.yaml names as its default.
 
     \b
     Examples:
@@ -44,7 +47,10 @@ def image(target: str, matrix: Path, namespace: str, as_json: bool) -> None:
         click.echo(click.style(f"==> {line}", bold=True), err=True)
 
     catalogue = expand.load(matrix)
+    target = target or catalogue.matrix.default.target
     catalogue.image(target)  # a typo is told before anything else happens
+    if check:
+        return
     services = Services.load(ROOT)
     own = matrix.resolve() == ROOT / "matrix.yaml"
     bake_file = ROOT / "docker-bake.hcl" if own else services.state / "docker-bake.hcl"

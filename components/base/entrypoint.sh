@@ -12,6 +12,10 @@ unset setup
 
 [[ $# -gt 0 ]] || set -- bash
 
+if [[ -n ${DOCKER_UID}${DOCKER_GID} && (-z ${DOCKER_UID} || -z ${DOCKER_GID}) ]]; then
+  echo "entrypoint: DOCKER_UID and DOCKER_GID only work together; running as $(id -un)" >&2
+fi
+
 # Without both variables, as another user than root, or for root itself there is nobody to become.
 if [[ -z ${DOCKER_UID} || -z ${DOCKER_GID} || ${EUID} -ne 0 || ${DOCKER_UID} == 0 ]]; then
   exec "$@"

@@ -142,7 +142,7 @@ def test_check_fails_when_stale(small_file: Path) -> None:
     assert '-  args     = { ROS_PACKAGES = "ros-alpha-desktop-full" }' in done.stdout
     assert '+  args     = { ROS_PACKAGES = "ros-alpha-desktop" }' in done.stdout
     assert "out.hcl: stale" in done.stderr
-    assert "uv run scripts/generate_bake.py" in done.stderr
+    assert "make generate" in done.stderr
     assert "desktop-full" in output.read_text(), "--check must not write"
 
 

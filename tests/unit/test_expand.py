@@ -209,7 +209,7 @@ def test_unknown_names(small: Catalogue) -> None:
         with pytest.raises(RosmlError, match="no image named 'alfa-core'; did you mean 'alpha-core'") as caught:
             ask()
         assert caught.value.exit_code == 2
-        assert "--list" in caught.value.remedy
+        assert "make list" in caught.value.remedy
 
 
 def test_asking_for_what_cannot_be_gives_the_reason(small: Catalogue) -> None:

@@ -220,9 +220,11 @@ UV = """\
 here='{folder}'
 echo "uv $*" >>"$here/calls"
 for file in in constraints provided out; do [ ! -e $file.txt ] || cp $file.txt "$here/seen-$file.txt"; done
-while [ $# -gt 0 ]; do case $1 in --python-version) python=$2 ;; esac; shift; done
+while [ $# -gt 0 ]; do case $1 in --python-version) python=$2 ;; --python-platform) platform=$2 ;; esac; shift; done
 """
-RESOLVES = UV + 'cp "$here/resolved.txt" out.txt'
+# NVIDIA's packages are for amd64 only, as in the matrix of these tests.
+FILTER = 'case $platform in aarch64*) sed "/^nvidia/,/# via/d" ;; *) cat ;; esac'
+RESOLVES = UV + FILTER + ' <"$here/resolved.txt" >out.txt'
 
 
 def fake_uv(folder: Path, text: str = RESOLVES, resolved: str = RESOLVED) -> str:
@@ -279,7 +281,7 @@ def test_earlier_locks_are_read(tmp_path: Path, small: Catalogue) -> None:
         file = tmp_path / f"locks/cu1/amd64/{path}.txt"
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(f"{name}==1\n")
-    uv = fake_uv(tmp_path, UV + 'cat out.txt >>"$here/earlier"; cp "$here/resolved.txt" out.txt')
+    uv = fake_uv(tmp_path, UV + 'cat out.txt >>"$here/earlier"; ' + FILTER + ' <"$here/resolved.txt" >out.txt')
     lock.lock(small, tmp_path, uv)
     assert (tmp_path / "earlier").read_text().split()[:3] == ["nvidia-x==1", "numpy==1", "torch==1"]
     assert "old" not in (tmp_path / "earlier").read_text()
@@ -290,10 +292,37 @@ def test_one_cuda_for_all_pythons(tmp_path: Path, small: Catalogue) -> None:
     assert "locks/cu1/amd64/any/cuda.txt" in locks
     assert {"locks/cu1/amd64/3.12/torch.txt", "locks/cu1/amd64/3.14/torch.txt"} <= locks.keys()
     assert not list(tmp_path.glob("locks/**/*.txt")), "it writes nothing"
-    differing = UV + 'sed "s/12.8.4.1/$python/" "$here/resolved.txt" >out.txt'
+    differing = UV + 'sed "s/12.8.4.1/$python/" "$here/resolved.txt" | {{ ' + FILTER + ";}} >out.txt"
     with pytest.raises(RosmlError, match=r"any/cuda\.txt would differ between Python versions of stack cu1") as caught:
         lock.lock(small, tmp_path, fake_uv(tmp_path, differing))
     assert "constraints in matrix.yaml" in caught.value.remedy
+
+
+@pytest.mark.parametrize(
+    ("cuda", "package", "version", "complaint"),
+    [
+        ({"cuda": "12.8.90"}, "nvidia-cublas-cu12", "12.8.4.1", ""),
+        ({"cuda": "12.8.90"}, "nvidia-cublas-cu13", "13.0", "nvidia-cublas-cu13 13.0"),
+        ({"cuda": "12.8.90"}, "nvidia-cublas", "13.1", "nvidia-cublas 13.1"),
+        ({"cuda": "13.0.96"}, "nvidia-cublas", "13.1", ""),
+        (
+            {"cuda": "13.0.96"},
+            "nvidia-cuda-runtime",
+            "13.2.1",
+            r"nvidia-cuda-runtime 13.2.1 \(the stack says 13.0.96\)",
+        ),
+        ({"cuda": "12.8.90", "nccl": "2.27.5"}, "nvidia-nccl-cu12", "2.28", r"\(the stack says 2.27.5\)"),
+        ({}, "nvidia-cublas-cu12", "12.8.4.1", "nvidia-cublas-cu12"),
+    ],
+)
+def test_another_cuda_than_promised(cuda: dict[str, str], package: str, version: str, complaint: str) -> None:
+    pins = [pin("torch"), pin(package, "torch", version=version)]
+    if not complaint:
+        lock._one_cuda(request(cuda=cuda), pins)
+        return
+    with pytest.raises(RosmlError, match=complaint) as caught:
+        lock._one_cuda(request(cuda=cuda), pins)
+    assert "stack of its own" in caught.value.remedy
 
 
 # ---- The command -----------------------------------------------------------------------------------------------------

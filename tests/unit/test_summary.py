@@ -35,6 +35,7 @@ def result() -> Result:
         unpacked=7_000_000_000,
         uploaded=1_600,
         passed=25,
+        builder="buildx build --builder b .",
         seconds={"base image": 0.5, "build and push": 80.0},
         work={"assemble payloads": 62.0},
         reused=["ROS packages", "essentials"],
@@ -50,9 +51,10 @@ a-core-torch-cu1 is built, tested and published
 -----------------------------------------------
 FROM             127.0.0.1:5000/rosml/ros-torch:a-core-cu1
 digest           sha256:index
-tags             a-core-cu1, latest
+tags             ros-torch:a-core-cu1, ros-torch:latest
 tags moved       latest
 base image       debian:x@sha256:base (the official image)
+build on it      buildx build --builder b .
 size             3.61 GB compressed, 7.00 GB unpacked
 new in registry  1.6 kB
 structure tests  25 passed, 0 failed

@@ -197,8 +197,16 @@ class Installer:
         return env
 
     def drop_go_caches(self) -> None:
-        """Removes what the builds left (more than 2 GB). The module cache is writable: ``-modcacherw``."""
-        shutil.rmtree(self.state.folder / "go", ignore_errors=True)
+        """Removes what the builds left, more than 2 GB: beside the work, as it can take a minute.
+
+        The module cache is writable: ``-modcacherw``.
+        """
+        old = self.state.folder / f"go-{os.getpid()}"
+        try:
+            (self.state.folder / "go").rename(old)
+            subprocess.Popen(["rm", "-rf", str(old)], stdin=subprocess.DEVNULL, start_new_session=True)
+        except OSError:
+            shutil.rmtree(self.state.folder / "go", ignore_errors=True)
 
     # ---- Python ---------------------------------------------------------------------------------------------------
     def uv(self, oldest: Version) -> str:
