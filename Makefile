@@ -12,6 +12,8 @@ export UV_COMPILE_BYTECODE := 1
 export UV_CACHE_DIR ?= $(CURDIR)/.state/uv
 export HYPOTHESIS_STORAGE_DIRECTORY ?= $(CURDIR)/.state/cache/hypothesis
 export TARGET
+# A ROS workspace sets them; they would change what our Python imports.
+unexport PYTHONPATH PYTHONHOME
 
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet

@@ -22,12 +22,19 @@ _REMEDIES = (
         "no space left on device",
         "free some disk space (make down; make clean removes all that was made), then run it again",
     ),
-    ("connection refused", "run 'make up', which starts what is down, then run it again"),
-    ("failed to dial", "run 'make up', which starts what is down, then run it again"),
     ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
     ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
     ("Failed to fetch", "a mirror or index did not answer; run it again, finished steps are kept"),
     ("error sending request", "a mirror or index did not answer; run it again, finished steps are kept"),
+    (
+        "connection refused",
+        "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'make up'",
+    ),
+    ("failed to dial", "run 'make up', which starts what is down, then run it again"),
+    (
+        "500 Internal Server Error",
+        "the local registry's storage is damaged: make down; rm -r .state/registry; run it again",
+    ),
     ("Hash mismatch", "a download is not what the lock says: run 'make locks' if that is intended"),
 )
 _CANCEL_SECONDS = 15.0
@@ -69,6 +76,11 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
     # Attestations would make the pushed digest that of an index that changes with every build; they are kept apart.
     env["BUILDX_NO_DEFAULT_ATTESTATIONS"] = "1"
     env["CA_BUNDLE"] = services.ca_bundle
+    # Variables of the bake file that a shell may have for other reasons would change what is built.
+    for name in [
+        name for name in env if name in ("SOURCE_DATE_EPOCH", "REVISION", "DIGESTS") or name.startswith("OS_")
+    ]:
+        del env[name]
     for name in ("HTTP_PROXY", "HTTPS_PROXY"):
         env.setdefault(name, os.environ.get(name.lower(), ""))
     env.update(bake.variables)

@@ -341,6 +341,9 @@ def up(state: State, tools: Tools, hub: bool, bundle: str, image: str) -> dict[s
     registry = up_registry(state, tools.registry)
     up_builder(state, tools, registry, mirror, image)
     facts = describe(state, tools, registry, hub, mirror, bundle)
+    # The registry speaks plain http, and its port may have changed since regctl was told.
+    regctl = {"hosts": {facts["registry"]: {"tls": "disabled", "hostname": facts["registry"]}}}
+    write_atomically(state.folder / "regctl" / "config.json", json.dumps(regctl, indent=2) + "\n")
     write_atomically(state.services, json.dumps(facts, indent=2) + "\n")
     return facts
 
