@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from rosml import names, rules
-from rosml.expand import Catalogue, Image, Payload
+from rosml.expand import MAKE_LOCKS, Catalogue, Image, Payload
 from rosml.hcl import Expression, block, call, template, text
 from rosml.model import PARTS, Distribution, Matrix
 
@@ -276,6 +276,7 @@ def _joined_images(catalogue: Catalogue) -> Iterator[str]:
             yield block("target", common, _join(matrix, image))
         ros = catalogue.by_target[image.parent]
         attributes = {
+            "description": "" if image.locked else f"cannot be built yet: no lock; {MAKE_LOCKS}",
             "inherits": [_distribution_target(image.distribution), common],
             "tags": _tags(image),
             "contexts": {"ros": _dependency(ros)},
@@ -312,18 +313,25 @@ def _tests(catalogue: Catalogue) -> Iterator[str]:
             "contexts": {"image": _dependency(image)},
             "args": {
                 "TESTS": " ".join(image.tests),
-                "EXPECT": " ".join(f"{k}={v}" for k, v in expected(image).items()),
+                "EXPECT": " ".join(f"{k}={v}" for k, v in expected(catalogue, image).items()),
             },
         }
         yield block("target", image.test_target, attributes)
 
 
-def expected(image: Image) -> dict[str, str]:
+def expected(catalogue: Catalogue, image: Image) -> dict[str, str]:
     """What tags and labels promise, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
+    packages: dict[str, str] = {}
+    ros: Image | None = image
+    while ros:
+        if ros.packages:
+            packages[f"packages_{ros.component.replace('-', '_')}"] = ros.packages.replace(" ", ",")
+        ros = catalogue.by_target.get(ros.parent)
     return {
         "os": image.os,
         "python": image.python,
         "ros": str(image.ros),
         "ros_distro": image.ros_distro,
+        **dict(reversed(packages.items())),
         **image.versions,
     }

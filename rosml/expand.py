@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
 from pathlib import Path
 
-from rosml import names, rules
+from rosml import ROOT, names, rules
 from rosml.errors import RosmlError
 from rosml.model import ANY_PYTHON, Distribution, Framework, Matrix, Part, Size, Stack
-from rosml.problems import SHOWN, InputError, unknown
+from rosml.problems import SHOWN, InputError, listed, unknown
 from rosml.problems import Path as Place
 from rosml.source import Document, read
 from rosml.structure import validate
@@ -68,6 +68,7 @@ class Image:
         parts: payloads that are joined to the parent, in this order.
         tests: names of the files in tests/structure, those of its ancestors first.
         locks: locks of its payloads.
+        unlocked: those that are missing; without all of them it cannot be built, and is in no group.
         disk: forecast of its size with everything below it.
     """
 
@@ -92,6 +93,12 @@ class Image:
     tests: tuple[str, ...]
     locks: tuple[str, ...]
     disk: Size
+    unlocked: tuple[str, ...] = ()
+
+    @property
+    def locked(self) -> bool:
+        """Whether it can be built: every lock is there."""
+        return not self.unlocked
 
     @property
     def test_target(self) -> str:
@@ -119,16 +126,18 @@ class Catalogue:
 
     @cached_property
     def groups(self) -> dict[str, tuple[str, ...]]:
-        """Targets of every bake group; groups without a target are left out."""
+        """Targets of every bake group; images without a lock, and groups without a target, are left out."""
         members: dict[str, list[str]] = {"default": list(self.matrix.default.group)}
         for axis in ("distributions", "components", "frameworks", "stacks"):
             members.update({name: [] for name in getattr(self.matrix, axis)})
-        for image in self.images:
+        locked = [image for image in self.images if image.locked]
+        for image in locked:
             for group in image.groups:
                 if group != "default":
                     members.setdefault(group, []).append(image.target)
-        members["payloads"] = [payload.target for payload in self.payloads]
-        members["tests"] = [image.test_target for image in self.images]
+        used = {name for image in locked for name in image.parts}
+        members["payloads"] = [payload.target for payload in self.payloads if payload.name in used]
+        members["tests"] = [image.test_target for image in locked]
         return {name: tuple(targets) for name, targets in members.items() if targets}
 
     def image(self, target: str) -> Image:
@@ -151,14 +160,49 @@ class Catalogue:
         return (self.image(name),)
 
 
-def load(file: Path) -> Catalogue:
-    """Reads, validates and expands a matrix.
+MAKE_LOCKS = "run 'make locks' where the package indexes answer, PyTorch's own among them"
+"""How a missing lock comes into being."""
+
+
+def load(file: Path, root: Path = ROOT) -> Catalogue:
+    """Reads, validates and expands a matrix, and looks which locks are there.
+
+    Args:
+        file: the matrix.
+        root: the project's root, where the locks are.
 
     Raises:
         RosmlError: the file cannot be read (exit code 2).
         InputError: it has problems: all that can be seen at once, each with its place (exit code 2).
     """
-    return catalogue(read(file))
+    document = read(file)
+    result = with_locks(catalogue(document), names.locks(root))
+    default = result.matrix.default
+    wanted: list[tuple[Place, str]] = [(("default", "target"), default.target)]
+    wanted += [(("default", "group", index), target) for index, target in enumerate(default.group)]
+    found = [(path, result.by_target[target]) for path, target in wanted if not result.by_target[target].locked]
+    if found:
+        raise InputError(
+            document.name, [document.problem(path, f"{missing_locks(image)}; {MAKE_LOCKS}") for path, image in found]
+        )
+    return result
+
+
+def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
+    """A catalogue that knows which of its images lack a lock."""
+    missing = {lock for payload in catalogue.payloads for lock in payload.locks}.difference(present)
+    images = tuple(
+        replace(image, unlocked=tuple(lock for lock in image.locks if lock in missing))
+        if missing.intersection(image.locks)
+        else image
+        for image in catalogue.images
+    )
+    return Catalogue(catalogue.matrix, images, catalogue.payloads)
+
+
+def missing_locks(image: Image) -> str:
+    """What to say of an image without a lock."""
+    return f"{image.target} cannot be built yet: there is no {listed(image.unlocked)}"
 
 
 def catalogue(document: Document) -> Catalogue:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rosml import names, rules
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image
+from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
 from rosml.model import Matrix
 from rosml.problems import listed, unknown
 
@@ -96,7 +96,7 @@ def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
         stack = matrix.stacks[image.stack]
         for family in rules.families(matrix.frameworks[image.framework]):
             release = matrix.releases.of(family)[stack.release(family) or ""]
-            wheels = listed(release.wheels[image.stack])
+            wheels = listed(release.architectures(image.stack))
             yield f"{family} {stack.release(family)} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
         yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
         yield f"it is {image.parent} joined with {listed(image.parts)}"
@@ -108,3 +108,5 @@ def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
         if architecture not in image.architectures and reason:
             yield f"not for {architecture}: {reason}"
     yield f"tags: {listed(image.tags)}"
+    if not image.locked:
+        yield f"{missing_locks(image)}; {MAKE_LOCKS}"

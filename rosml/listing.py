@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from rosml.expand import Catalogue, Image
+from rosml.expand import MAKE_LOCKS, Catalogue, Image
 
 
 def facts(image: Image) -> dict[str, Any]:
@@ -29,6 +29,7 @@ def facts(image: Image) -> dict[str, Any]:
         "packages": image.packages.split(),
         "parts": list(image.parts),
         "locks": list(image.locks),
+        "locked": image.locked,
         "tests": list(image.tests),
         "disk": {"unpacked": image.disk.unpacked, "compressed": image.disk.compressed},
     }
@@ -45,15 +46,18 @@ def print_table(catalogue: Catalogue) -> None:
     from rich.table import Table
 
     table = Table(box=None, header_style="bold", pad_edge=False)
-    for column in ("target", "versions", "platforms", "main tag"):
+    for column in ("target", "versions", "platforms", "main tag", ""):
         table.add_column(column, no_wrap=True)
     table.add_column("GB unpacked (forecast)", justify="right", no_wrap=True)
     for image in catalogue.images:
         versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
         platforms = ", ".join(image.platforms)
-        table.add_row(image.target, versions, platforms, image.tags[0], f"{image.disk.unpacked / 1000:.1f}")
+        state = "" if image.locked else "no lock"
+        table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
     console = Console(highlight=False, soft_wrap=True)
     if not console.is_terminal:
         console = Console(highlight=False, width=200)
     console.print(table)
     console.print(f"{len(catalogue.images)} images, {len(catalogue.payloads)} payloads", style="dim")
+    if unlocked := [image.target for image in catalogue.images if not image.locked]:
+        console.print(f"{len(unlocked)} have no lock and cannot be built yet; {MAKE_LOCKS}", style="yellow")

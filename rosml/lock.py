@@ -15,15 +15,31 @@ import re
 import subprocess
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from rosml import names
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
-from rosml.model import ANY_PYTHON, FAMILIES
+from rosml.model import ANY_PYTHON, FAMILIES, Family, Matrix
 
 _PIN = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==(?P<version>[^\s;\\]+)")
+
+
+@dataclass(frozen=True)
+class Elsewhere:
+    """A framework whose wheel only PyTorch's own index has.
+
+    Attributes:
+        requirement: the wheel with its local version, e.g. ``torch==2.10.0+cpu``.
+        digest: its published sha256; empty where that index has to be asked.
+        requires: the wheel's requirements, which are on the Python package index.
+    """
+
+    requirement: str
+    digest: str
+    requires: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -40,6 +56,7 @@ class Request:
         constraints: further requirements of the stack.
         provided: packages the operating system has and the payload must not carry, with their versions.
         cuda: the stack's versions of ``cuda``, ``cudnn`` and ``nccl``; empty for a stack without CUDA.
+        elsewhere: frameworks whose wheels only PyTorch's own index has.
     """
 
     stack: str
@@ -51,6 +68,15 @@ class Request:
     constraints: tuple[str, ...] = ()
     provided: Mapping[str, str] = field(default_factory=dict)
     cuda: Mapping[str, str] = field(default_factory=dict)
+    elsewhere: Mapping[str, Elsewhere] = field(default_factory=dict)
+
+    @property
+    def asks_pytorch(self) -> bool:
+        """Whether PyTorch's own index has to be asked: the digest of a wheel is not known."""
+        return any(not wheel.digest for wheel in self.elsewhere.values())
+
+    def __str__(self) -> str:
+        return f"stack {self.stack}, Python {self.python}, {self.architecture}"
 
 
 @dataclass(frozen=True)
@@ -64,7 +90,8 @@ class Pin:
 
 
 def requests(catalogue: Catalogue) -> Iterator[Request]:
-    """Every resolution that the payloads of a catalogue need: one per stack, Python version and architecture."""
+    """Every resolution that the payloads of a catalogue need: one per stack, Python version and architecture; one per
+    framework where those of a stack contradict each other."""
     matrix = catalogue.matrix
     seen: set[tuple[str, str, str]] = set()
     # What no payload holds has no wheel there, and would make the whole stack unresolvable.
@@ -83,22 +110,36 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
                 continue
             seen.add(key)
             families = [family for family in FAMILIES if (*key, family) in held]
-            wanted = {family: stack.requirement(family, architecture) for family in families}
-            yield Request(
-                stack=payload.stack,
-                architecture=architecture,
-                python=payload.python,
-                wheels=matrix.architectures[architecture].wheels,
-                roots={family: requirement for family, requirement in wanted.items() if requirement},
-                numpy=system.numpy,
-                constraints=stack.constraints,
-                provided=system.provides,
-                cuda={
-                    fact: version
-                    for fact in ("cuda", "cudnn", "nccl")
-                    if (version := getattr(stack, fact)) and stack.accelerator == "cuda"
-                },
-            )
+            for together in [[family] for family in families] if stack.apart else [families]:
+                wanted = {family: stack.requirement(family, architecture) for family in together}
+                wheels = {family: _elsewhere(matrix, *key, family) for family in together}
+                yield Request(
+                    stack=payload.stack,
+                    architecture=architecture,
+                    python=payload.python,
+                    wheels=matrix.architectures[architecture].wheels,
+                    roots={family: requirement for family, requirement in wanted.items() if requirement},
+                    numpy=system.numpy,
+                    constraints=stack.constraints,
+                    provided=system.provides,
+                    cuda={
+                        fact: version
+                        for fact in ("cuda", "cudnn", "nccl")
+                        if (version := getattr(stack, fact)) and stack.accelerator == "cuda"
+                    },
+                    elsewhere={family: wheel for family, wheel in wheels.items() if wheel},
+                )
+
+
+def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, family: Family) -> Elsewhere | None:
+    """A framework's wheel on PyTorch's own index, if it is there that a payload's wheel comes from."""
+    facts = matrix.stacks[stack]
+    release = matrix.releases.of(family)[facts.release(family) or ""]
+    digests = release.elsewhere.get(stack, {}).get(architecture)
+    requirement = facts.requirement(family, architecture)
+    if digests is None or requirement is None:
+        return None
+    return Elsewhere(f"{requirement}+{facts.accelerator}", digests.get(python, ""), release.requires)
 
 
 def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: str = "") -> list[Pin]:
@@ -111,11 +152,19 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
         previous: requirements of an earlier lock.
 
     Raises:
+        Unreachable: only PyTorch's own index knows a wheel, and it does not answer.
         RosmlError: uv is missing, an index does not answer, or the requirements contradict each other.
     """
+    if request.asks_pytorch:
+        wanted = [request.elsewhere[family].requirement if family in request.elsewhere else requirement
+                  for family, requirement in request.roots.items()]  # fmt: skip
+    else:  # what is needed of that index is known: its wheel is named by its digest, the rest is on the usual one
+        wanted = []
+        for family, requirement in request.roots.items():
+            wanted += request.elsewhere[family].requires if family in request.elsewhere else [requirement]
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
-        (base / "in.txt").write_text("\n".join([*request.roots.values(), f"numpy{request.numpy}"]) + "\n")
+        (base / "in.txt").write_text("\n".join([*wanted, f"numpy{request.numpy}"]) + "\n")
         (base / "constraints.txt").write_text("\n".join(request.constraints) + "\n")
         (base / "provided.txt").write_text("\n".join(f"{n}=={v}" for n, v in sorted(request.provided.items())) + "\n")
         output = base / "out.txt"
@@ -133,19 +182,46 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
             "--output-file",
             "out.txt",
         ]
+        if request.asks_pytorch:
+            command += ["--torch-backend", "cpu"]
         for name in sorted(request.provided):
             command += ["--no-emit-package", name]
         try:
             done = subprocess.run(command, cwd=base, capture_output=True, text=True, check=False)
         except FileNotFoundError:
             raise RosmlError(f"'{uv}' is not installed", remedy="run 'make up', which installs it") from None
+        if done.returncode != 0 and request.asks_pytorch and _no_answer(done.stderr):
+            raise Unreachable(done.stderr)
         if done.returncode != 0:
             raise RosmlError(
-                f"stack {request.stack}, Python {request.python}, {request.architecture} does not resolve:\n"
-                + done.stderr.strip(),
+                f"{request} does not resolve:\n{done.stderr.strip()}",
                 remedy="relax the stack's versions or constraints in matrix.yaml, or check that the index answers",
             )
-        return parse(output.read_text())
+        pins = parse(output.read_text())
+    return pins if request.asks_pytorch else _with_known_wheels(request, pins)
+
+
+class Unreachable(RosmlError):
+    """PyTorch's own index does not answer."""
+
+    def __init__(self, reason: str) -> None:
+        cause = reason.strip().rpartition("cause: ")[2]
+        super().__init__(f"PyTorch's own index does not answer ({cause})", "run 'make locks' where it does")
+
+
+def _no_answer(stderr: str) -> bool:
+    """Whether uv failed because an index did not answer, as opposed to one that did and had nothing."""
+    return any(sign in stderr for sign in ("Failed to fetch", "Request failed", "error sending request", "dns error"))
+
+
+def _with_known_wheels(request: Request, pins: list[Pin]) -> list[Pin]:
+    """Adds the wheels whose digests are known, above what they require."""
+    for wheel in request.elsewhere.values():
+        name, version = package_name(wheel.requirement), wheel.requirement.split("==")[1]
+        required = {package_name(requirement) for requirement in wheel.requires}
+        pins = [replace(pin, wanted_by=pin.wanted_by | {name}) if pin.name in required else pin for pin in pins]
+        pins.append(Pin(name, version, (wheel.digest,), frozenset()))
+    return pins
 
 
 def parse(requirements: str) -> list[Pin]:
@@ -213,9 +289,8 @@ def package_name(requirement: str) -> str:
 
 def render(request: Request, part: str, pins: list[Pin]) -> str:
     """The text of a part's lock. It names no index and no date: the same resolution gives the same bytes."""
-    python = ANY_PYTHON if part == "cuda" else request.python
     lines = [
-        f"# Part '{part}' of stack {request.stack}, Python {python}, {request.architecture}.",
+        f"# Part '{part}' of stack {request.stack}, Python {_python(request, part)}, {request.architecture}.",
         "# Made by scripts/lock.py (make locks) from matrix.yaml; do not edit.",
     ]
     for pin in pins:
@@ -223,18 +298,19 @@ def render(request: Request, part: str, pins: list[Pin]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def render_all(request: Request, pins: list[Pin]) -> dict[str, str]:
-    """Path (relative to the root) and text of every lock that a resolution gives."""
-    return {
-        names.lock_path(
-            request.stack, request.architecture, ANY_PYTHON if part == "cuda" else request.python, part
-        ): render(request, part, content)
-        for part, content in split(pins, request.roots).items()
-    }
+@dataclass(frozen=True)
+class Locks:
+    """What locking came to: the text of every lock by path, and what had to be left out, with the reason."""
+
+    texts: Mapping[str, str]
+    left_out: Mapping[str, str]
 
 
-def lock(catalogue: Catalogue, root: Path, uv: str = "uv", upgrade: bool = False) -> dict[str, str]:
-    """Resolves everything and gives the text of every lock by path; writes nothing.
+def lock(catalogue: Catalogue, root: Path, uv: str = "uv", upgrade: bool = False) -> Locks:
+    """Resolves everything; writes nothing.
+
+    What only PyTorch's own index knows is left out where that does not answer. Locks that were made where it did stay
+    as they are, with all that was resolved with them; otherwise the rest of the stack is locked without it.
 
     Args:
         catalogue: all that the matrix describes.
@@ -243,24 +319,81 @@ def lock(catalogue: Catalogue, root: Path, uv: str = "uv", upgrade: bool = False
         upgrade: move to the newest versions that fit; otherwise an earlier lock's versions stay where they fit.
 
     Raises:
-        RosmlError: something does not resolve, or two Python versions of a stack would need different CUDA libraries.
+        RosmlError: something does not resolve, or two Python versions of a stack would need different versions of a
+            part that is the same for both.
     """
-    locks: dict[str, str] = {}
-    for request in requests(catalogue):
-        earlier = "\n".join(
-            path.read_text()
-            for python in (ANY_PYTHON, request.python)
-            for path in sorted((root / "locks" / request.stack / request.architecture / python).glob("*.txt"))
-        )
-        pins = resolve(request, uv, upgrade, earlier)
-        _one_cuda(request, pins)
-        for path, text in render_all(request, pins).items():
-            if locks.setdefault(path, text) != text:
-                raise RosmlError(
-                    f"{path} would differ between Python versions of stack {request.stack}",
-                    "pin the NVIDIA package that differs in the stack's constraints in matrix.yaml",
-                )
-    return locks
+    wanted = list(requests(catalogue))
+    with ThreadPoolExecutor(WORKERS) as pool:  # mostly waits for the indexes
+        outcomes = list(pool.map(lambda request: _outcome(request, root, uv, upgrade), wanted))
+    parts: dict[str, dict[str, Pin]] = {}
+    headers: dict[str, tuple[Request, str]] = {}
+    texts: dict[str, str] = {}
+    for outcome in outcomes:
+        texts |= outcome.kept
+        for part, content in split(outcome.pins, outcome.request.roots).items():
+            path = _path(outcome.request, part)
+            headers[path] = (outcome.request, part)
+            _merge(path, parts.setdefault(path, {}), content)
+    for path, pins in parts.items():
+        texts[path] = render(*headers[path], sorted(pins.values(), key=lambda pin: pin.name))
+    return Locks(texts, {str(outcome.request): outcome.reason for outcome in outcomes if outcome.reason})
+
+
+WORKERS = 8
+"""Resolutions at a time."""
+
+
+@dataclass(frozen=True)
+class _Outcome:
+    """What a request came to: pins, locks that stay as they are, and why something was left out."""
+
+    request: Request
+    pins: list[Pin] = field(default_factory=list)
+    kept: Mapping[str, str] = field(default_factory=dict)
+    reason: str = ""
+
+
+def _outcome(request: Request, root: Path, uv: str, upgrade: bool) -> _Outcome:
+    earlier = {
+        str(file.relative_to(root)): file.read_text()
+        for python in (request.python, ANY_PYTHON)
+        for file in sorted((root / "locks" / request.stack / request.architecture / python).glob("*.txt"))
+    }
+    previous = "\n".join(earlier.values())
+    try:
+        pins = resolve(request, uv, upgrade, previous)
+    except Unreachable as error:
+        if all(_path(request, family) in earlier for family in request.roots):
+            return _Outcome(request, kept=earlier, reason=error.message)
+        here = {family: wanted for family, wanted in request.roots.items() if family not in request.elsewhere}
+        rest = replace(request, roots=here, elsewhere={})
+        return _Outcome(rest, resolve(rest, uv, upgrade, previous) if here else [], reason=error.message)
+    _one_cuda(request, pins)
+    return _Outcome(request, pins)
+
+
+def _path(request: Request, part: str) -> str:
+    return names.lock_path(request.stack, request.architecture, _python(request, part), part)
+
+
+def _python(request: Request, part: str) -> str:
+    """The Python version of a part's lock: CUDA's libraries are the same for all."""
+    return ANY_PYTHON if part == "cuda" else request.python
+
+
+def _merge(path: str, known: dict[str, Pin], found: list[Pin]) -> None:
+    """Joins what two resolutions hold of a part that they share: CUDA for all Pythons, numpy where frameworks are apart.
+
+    Raises:
+        RosmlError: they would need different versions of a package.
+    """
+    for pin in found:
+        other = known.setdefault(pin.name, pin)
+        if (other.version, other.hashes) != (pin.version, pin.hashes):
+            raise RosmlError(
+                f"{path}: {pin.name} would be {other.version} and {pin.version}, depending on who asks",
+                "pin it in the stack's constraints in matrix.yaml",
+            )
 
 
 def _one_cuda(request: Request, pins: list[Pin]) -> None:
@@ -278,8 +411,7 @@ def _one_cuda(request: Request, pins: list[Pin]) -> None:
                 wrong.append(f"{name} {nvidia[name]} (the stack says {request.cuda[fact]})")
     if wrong:
         raise RosmlError(
-            f"stack {request.stack}, Python {request.python}, {request.architecture} would carry other NVIDIA packages"
-            f" than it promises: {', '.join(wrong)}",
+            f"{request} would carry other NVIDIA packages than it promises: {', '.join(wrong)}",
             "correct the stack's cuda, cudnn and nccl in matrix.yaml; another CUDA generation needs a stack of its own",
         )
 

@@ -40,6 +40,7 @@ REQUIREMENT = (
     r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?((<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*"
     r"(,(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*)*)?$"
 )
+SENTENCE = r"^[A-Za-z0-9][A-Za-z0-9 ,.;:()_+=<>-]*$"
 PACKAGES = r"^[a-z0-9.+{}_-]+( [a-z0-9.+{}_-]+)*$"
 MEANING = {
     NAME: "a name of lower-case letters, digits and single hyphens, such as desktop-full",
@@ -53,6 +54,7 @@ MEANING = {
     PLATFORM: "a platform, such as linux/arm64",
     WORD: "one word",
     SPECIFIER: 'a version range, such as "<2" or ">=2.2,<2.3"',
+    SENTENCE: "a sentence without quotes",
     REQUIREMENT: 'a Python requirement, such as "protobuf>=5.28,<7"',
     PACKAGES: "Debian package names separated by single spaces; {component}, {metapackage} and {ros_distro} are filled in",
 }
@@ -62,7 +64,9 @@ Name = Annotated[str, Field(pattern=NAME, max_length=24)]
 OsName = Annotated[str, Field(pattern=FILE_NAME, max_length=24)]
 Version = Annotated[str, Field(pattern=VERSION, max_length=20)]
 Python = Annotated[str, Field(pattern=PYTHON)]
+Digest = Annotated[str, Field(pattern=DIGEST)]
 Word = Annotated[str, Field(pattern=WORD, max_length=64)]
+Sentence = Annotated[str, Field(pattern=SENTENCE, max_length=200)]
 Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
 Packages = Annotated[str, Field(pattern=PACKAGES, max_length=400)]
 Target = Annotated[str, Field(pattern=NAME, max_length=128)]
@@ -108,7 +112,7 @@ class OperatingSystem(Facts):
     """What a distribution stands on."""
 
     image: Annotated[str, Field(pattern=IMAGE)] = Field(description="base image with its registry and tag")
-    digest: Annotated[str, Field(pattern=DIGEST)] = Field(description="digest of the base image's index")
+    digest: Digest = Field(description="digest of the base image's index")
     python: Python = Field(description="version of the system's own Python, in quotes")
     numpy: Annotated[str, Field(pattern=SPECIFIER)] = Field(
         description="numpy versions with the ABI of the system's own numpy, which ROS's packages are compiled against"
@@ -145,6 +149,18 @@ class Release(Facts):
 
     python: Annotated[tuple[Python, ...], Field(min_length=1)] = Field(description="Python versions with wheels")
     wheels: dict[Name, Names] = Field(description="stack -> architectures with wheels for that stack's accelerator")
+    elsewhere: dict[Name, dict[Name, dict[Python, Digest]]] = Field(
+        default={},
+        description="stack -> architecture -> Python -> published digest of the wheel, where only PyTorch's own index"
+        " has wheels; a Python without a digest has no lock before `make locks` could ask that index",
+    )
+    requires: tuple[Requirement, ...] = Field(
+        default=(), description="requirements of the wheels that are elsewhere, as their metadata says"
+    )
+
+    def architectures(self, stack: str) -> tuple[str, ...]:
+        """Architectures with wheels for a stack, on whatever index."""
+        return tuple(dict.fromkeys([*self.wheels.get(stack, ()), *self.elsewhere.get(stack, ())]))
 
 
 class Releases(Facts):
@@ -171,6 +187,10 @@ class Stack(Facts):
         default={}, description="what to ask the index for: a name, or one per architecture"
     )
     constraints: tuple[Requirement, ...] = Field(default=(), description="further requirements on dependencies")
+    apart: Sentence | None = Field(
+        default=None,
+        description="why its releases contradict each other: each is resolved by itself, and no image carries both",
+    )
 
     def release(self, family: Family) -> str | None:
         """The stack's version of a family; None where it has none."""

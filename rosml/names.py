@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from rosml.model import ANY_PYTHON
 
 RESERVED_GROUPS = ("all", "default", "payloads", "tests")
@@ -54,3 +56,8 @@ def payload_target(payload: str) -> str:
 def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
     """A payload's lock, relative to the project's root; the Dockerfile spells the same path."""
     return f"locks/{stack}/{architecture}/{python}/{part}.txt"
+
+
+def locks(root: Path) -> frozenset[str]:
+    """The locks that are there, relative to the project's root."""
+    return frozenset(str(file.relative_to(root)) for file in (root / "locks").rglob("*.txt"))

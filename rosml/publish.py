@@ -19,7 +19,7 @@ from typing import Any
 
 from rosml import base_images, builder, forecast, names, registry, verify
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image
+from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
 from rosml.progress import Step
 from rosml.services import Services
 
@@ -87,6 +87,16 @@ class TestsFailed(RosmlError):
         )
 
 
+def require_buildable(image: Image) -> None:
+    """Checks, before anything is set up, that an image can be built.
+
+    Raises:
+        RosmlError: a lock is missing (exit code 2).
+    """
+    if not image.locked:
+        raise RosmlError(missing_locks(image), MAKE_LOCKS, exit_code=2)
+
+
 @dataclass
 class Publisher:
     """Publishes images of a catalogue into the local registry.
@@ -118,6 +128,7 @@ class Publisher:
             TestsFailed: the structure tests failed; tags are where they were.
         """
         image = self.catalogue.image(target)
+        require_buildable(image)
         self.services.require_registry()
         self.services.require_builder()
         built = forecast.Built(self.services.state)

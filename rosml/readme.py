@@ -45,5 +45,6 @@ def table(catalogue: Catalogue) -> str:
         content = _CONTENT.get(first.framework, first.framework) + (f" ({versions})" if versions else "")
         components = ", ".join(image.component for image in images)
         platforms = ", ".join(sorted({platform for image in images for platform in image.platforms}))
+        content += "" if first.locked else "; not built yet: no lock"
         lines.append(f"| `{first.repository}:{tag}` | {content} | {components} | {platforms} |")
     return "\n".join(lines) + "\n"

@@ -6,7 +6,7 @@ import string
 from collections.abc import Iterable, Iterator
 
 from rosml import names
-from rosml.model import PARTS, Matrix
+from rosml.model import PARTS, Matrix, Release
 from rosml.problems import Path, listed, near, unknown
 
 Finding = tuple[Path, str]
@@ -55,6 +55,7 @@ def _duplicates(matrix: Matrix) -> Iterator[Finding]:
             here: Path = ("releases", family, version)
             lists.append(((*here, "python"), release.python))
             lists += [((*here, "wheels", stack), wheels) for stack, wheels in release.wheels.items()]
+            lists.append(((*here, "requires"), release.requires))
     for name, distribution in matrix.distributions.items():
         lists.append((("distributions", name, "components"), distribution.components))
     for path, values in lists:
@@ -139,6 +140,27 @@ def _releases(matrix: Matrix) -> Iterator[Finding]:
                 if stack not in matrix.stacks:
                     yield path, unknown("stack", stack, matrix.stacks)
                 yield from _each(path, "architecture", architectures, matrix.architectures)
+            yield from _elsewhere(matrix, ("releases", family, version), release)
+
+
+def _elsewhere(matrix: Matrix, path: Path, release: Release) -> Iterator[Finding]:
+    """Wheels on PyTorch's own index: only there, only for the CPU, and their requirements are known."""
+    if bool(release.elsewhere) != bool(release.requires):
+        yield (*path, "requires"), "'requires' belongs to 'elsewhere': the requirements of just those wheels"
+    for stack, wheels in release.elsewhere.items():
+        here: Path = (*path, "elsewhere", stack)
+        if stack not in matrix.stacks:
+            yield here, unknown("stack", stack, matrix.stacks)
+        elif matrix.stacks[stack].accelerator != "cpu":
+            yield here, f"stack {stack} is not one of the CPU; wheels with CUDA are on the Python package index"
+        for architecture, digests in wheels.items():
+            if architecture not in matrix.architectures:
+                yield (*here, architecture), unknown("architecture", architecture, matrix.architectures)
+            if architecture in release.wheels.get(stack, ()):
+                yield (*here, architecture), f"'wheels' names {architecture} for stack {stack} already; keep one"
+            for python in digests:
+                if python not in release.python:
+                    yield (*here, architecture, python), unknown("Python of this release", python, release.python)
 
 
 def _stacks(matrix: Matrix) -> Iterator[Finding]:
@@ -155,7 +177,7 @@ def _stacks(matrix: Matrix) -> Iterator[Finding]:
                 if architecture not in matrix.architectures:
                     problem = unknown("architecture", architecture, matrix.architectures)
                     yield (*path, "packages", family, architecture), problem
-            wheels = releases[version].wheels.get(name, ()) if version in releases else ()
+            wheels = releases[version].architectures(name) if version in releases else ()
             named = package if isinstance(package, dict) else dict.fromkeys(wheels)
             for architecture in wheels:
                 if architecture not in named and architecture in matrix.architectures:
@@ -163,6 +185,8 @@ def _stacks(matrix: Matrix) -> Iterator[Finding]:
                         (*path, "packages", family),
                         f"{family} {version} has a wheel for {architecture}; name its package",
                     )
+        if stack.apart and not (stack.torch and stack.tensorflow):
+            yield (*path, "apart"), f"stack {name} has one release, which nothing contradicts; remove it"
         for key in ("cuda", "cudnn"):
             if stack.accelerator == "cuda" and getattr(stack, key) is None:
                 yield path, f"a stack with accelerator cuda needs '{key}'; add its version"

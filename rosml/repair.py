@@ -34,6 +34,7 @@ STAND_IN = {
     model.WORD: "stand-in",
     model.SPECIFIER: "<2",
     model.REQUIREMENT: "stand-in",
+    model.SENTENCE: "stand-in",
     model.PACKAGES: "stand-in",
 }
 

@@ -24,6 +24,7 @@ def stack_reason(matrix: Matrix, os: str, framework: str, stack: str | None) -> 
     return (
         _accelerator(framework, facts, stack, matrix.stacks[stack])
         or _releases(framework, facts, stack, matrix.stacks[stack])
+        or _apart(framework, facts, stack, matrix.stacks[stack])
         or _python(matrix, os, facts, matrix.stacks[stack])
         or _architectures(matrix, os, facts, stack)
     )
@@ -85,6 +86,12 @@ def _releases(name: str, framework: Framework, stack: str, facts: Stack) -> str 
     return f"stack {stack} has no release of {listed(lacking)}" if lacking else None
 
 
+def _apart(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
+    if facts.apart is None or len(framework.releases) < 2:
+        return None
+    return f"what framework {name} needs of stack {stack} does not go together ({facts.apart})"
+
+
 def _python(matrix: Matrix, os: str, framework: Framework, stack: Stack) -> str | None:
     python = matrix.operating_systems[os].python
     for family in families(framework):
@@ -114,4 +121,4 @@ def _architectures(matrix: Matrix, os: str, framework: Framework, stack: str) ->
 
 def _wheels(matrix: Matrix, family: Family, stack: str) -> Sequence[str]:
     version = matrix.stacks[stack].release(family)
-    return matrix.releases.of(family)[version].wheels.get(stack, ()) if version else ()
+    return matrix.releases.of(family)[version].architectures(stack) if version else ()

@@ -28,10 +28,11 @@ def main(upgrade: bool, check: bool, matrix: Path) -> None:
       uv run scripts/lock.py              after a change in matrix.yaml
       uv run scripts/lock.py --upgrade    take new releases of the dependencies
     """
-    from rosml import expand
+    from rosml import expand, source
     from rosml.lock import lock, versions
 
-    wanted = lock(expand.load(matrix), ROOT, upgrade=upgrade)
+    locks = lock(expand.catalogue(source.read(matrix)), ROOT, upgrade=upgrade)
+    wanted = locks.texts
     stale = []
     for path, text in sorted(wanted.items()):
         file = ROOT / path
@@ -50,6 +51,8 @@ def main(upgrade: bool, check: bool, matrix: Path) -> None:
     left = {str(file.relative_to(ROOT)) for file in (ROOT / "locks").rglob("*.txt")} - wanted.keys()
     for path in sorted(left):
         click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it")
+    for request, reason in locks.left_out.items():
+        click.echo(f"{request}: locks stay as they are: {reason}", err=True)
     click.echo(f"{len(wanted)} locks, {len(stale)} {'stale' if check else 'changed'}")
     if check and stale:
         raise RosmlError(f"{len(stale)} locks are stale", "run 'make locks' and commit the result")

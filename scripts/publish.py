@@ -39,7 +39,7 @@ def image(target: str, matrix: Path, namespace: str, check: bool, as_json: bool)
       uv run scripts/publish.py image bookworm-base --json
     """
     from rosml import bake, expand, files
-    from rosml.publish import Publisher
+    from rosml.publish import Publisher, require_buildable
     from rosml.services import Services
     from rosml.summary import text
 
@@ -48,7 +48,7 @@ def image(target: str, matrix: Path, namespace: str, check: bool, as_json: bool)
 
     catalogue = expand.load(matrix)
     target = target or catalogue.matrix.default.target
-    catalogue.image(target)  # a typo is told before anything else happens
+    require_buildable(catalogue.image(target))  # a typo is told before anything else happens
     if check:
         return
     services = Services.load(ROOT)

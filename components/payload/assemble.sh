@@ -26,11 +26,14 @@ else
 fi
 export OUT=/out SITE TRIPLET PYTHON
 
+# PyTorch's wheels for the CPU of amd64 are on its own index alone; uv knows where that is.
+if grep -q '^torch==.*+cpu' "${LOCK:?}"; then export UV_TORCH_BACKEND=cpu; fi
+
 # uv unpacks while it downloads and checks every hash. Its cache is on the same file system, so files are linked,
 # not copied: one copy on disk instead of two.
 mkdir -p "$OUT$SITE" "$OUT/usr/lib/$TRIPLET"
 uv pip install --no-deps --require-hashes --only-binary :all: --link-mode hardlink --cache-dir /out/.cache \
-  --target "$OUT$SITE" --python-platform "$platform" --python-version "$python_version" --requirement "${LOCK:?}"
+  --target "$OUT$SITE" --python-platform "$platform" --python-version "$python_version" --requirement "$LOCK"
 rm -rf /out/.cache "$OUT$SITE/.lock"
 
 "$here/relocate_scripts.py"
