@@ -127,17 +127,17 @@ class Catalogue:
     @cached_property
     def groups(self) -> dict[str, tuple[str, ...]]:
         """Targets of every bake group; images without a lock, and groups without a target, are left out."""
-        members: dict[str, list[str]] = {"default": list(self.matrix.default.group)}
+        locked = {image.target: image for image in self.images if image.locked}
+        members: dict[str, list[str]] = {"default": [name for name in self.matrix.default.group if name in locked]}
         for axis in ("distributions", "components", "frameworks", "stacks"):
             members.update({name: [] for name in getattr(self.matrix, axis)})
-        locked = [image for image in self.images if image.locked]
-        for image in locked:
+        for image in locked.values():
             for group in image.groups:
                 if group != "default":
                     members.setdefault(group, []).append(image.target)
-        used = {name for image in locked for name in image.parts}
+        used = {name for image in locked.values() for name in image.parts}
         members["payloads"] = [payload.target for payload in self.payloads if payload.name in used]
-        members["tests"] = [image.test_target for image in locked]
+        members["tests"] = [image.test_target for image in locked.values()]
         return {name: tuple(targets) for name, targets in members.items() if targets}
 
     def image(self, target: str) -> Image:
@@ -175,17 +175,7 @@ def load(file: Path, root: Path = ROOT) -> Catalogue:
         RosmlError: the file cannot be read (exit code 2).
         InputError: it has problems: all that can be seen at once, each with its place (exit code 2).
     """
-    document = read(file)
-    result = with_locks(catalogue(document), names.locks(root))
-    default = result.matrix.default
-    wanted: list[tuple[Place, str]] = [(("default", "target"), default.target)]
-    wanted += [(("default", "group", index), target) for index, target in enumerate(default.group)]
-    found = [(path, result.by_target[target]) for path, target in wanted if not result.by_target[target].locked]
-    if found:
-        raise InputError(
-            document.name, [document.problem(path, f"{missing_locks(image)}; {MAKE_LOCKS}") for path, image in found]
-        )
-    return result
+    return with_locks(catalogue(read(file)), names.locks(root))
 
 
 def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
