@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
 
 from rosml import names, rules
 from rosml.expand import MAKE_LOCKS, Catalogue, Image, Payload
@@ -16,25 +18,47 @@ PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
 
 Labels = Mapping[str, "str | Expression"]
 
+Target = tuple[str, Mapping[str, Any]]
+"""Name and attributes of a bake target."""
+
+
+@dataclass(frozen=True)
+class Dependency(Expression):
+    """A context that is another target; its image in the registry, where DIGESTS names it."""
+
+    target: str
+
 
 def render(catalogue: Catalogue) -> str:
     """The bake file. Depends on nothing but the catalogue."""
-    sections = [
-        ("", _head(catalogue)),
-        ("What targets have in common", _abstract(catalogue)),
-        ("Operating systems with the essentials", _operating_systems(catalogue)),
-        ("ROS images: a chain of components", _ros_images(catalogue)),
-        ("Payloads: assembled once, joined to many images", _payloads(catalogue)),
-        ("Images with a framework: a ROS image joined with payloads", _joined_images(catalogue)),
-        ("Structure tests, inside the build", _tests(catalogue)),
-        ("Groups", _groups(catalogue)),
-    ]
-    parts: list[str] = []
-    for title, blocks in sections:
-        if title:
-            parts.append(f"# ---- {title} ".ljust(118, "-") + "\n")
-        parts += blocks
+    parts = list(_head(catalogue))
+    for title, content in _sections(catalogue):
+        parts += [_title(title), *(block("target", name, attributes) for name, attributes in content)]
+    parts += [_title("Groups"), *_groups(catalogue)]
     return "\n".join(parts)
+
+
+def targets(catalogue: Catalogue) -> dict[str, Mapping[str, Any]]:
+    """The attributes of every target by its name: the bake file as data, for whoever asks what a target depends on."""
+    return {name: attributes for _, content in _sections(catalogue) for name, attributes in content}
+
+
+def variables(matrix: Matrix) -> dict[str, str]:
+    """The default of every variable by its name."""
+    return {name: default for name, default, _ in _variables(matrix)}
+
+
+def _sections(catalogue: Catalogue) -> Iterator[tuple[str, Iterator[Target]]]:
+    yield "What targets have in common", _abstract(catalogue)
+    yield "Operating systems with the essentials", _operating_systems(catalogue)
+    yield "ROS images: a chain of components", _ros_images(catalogue)
+    yield "Payloads: assembled once, joined to many images", _payloads(catalogue)
+    yield "Images with a framework: a ROS image joined with payloads", _joined_images(catalogue)
+    yield "Structure tests, inside the build", _tests(catalogue)
+
+
+def _title(title: str) -> str:
+    return f"# ---- {title} ".ljust(118, "-") + "\n"
 
 
 _HEADER = """\
@@ -95,21 +119,23 @@ function "given" {
 
 
 def _head(catalogue: Catalogue) -> Iterator[str]:
-    matrix = catalogue.matrix
     yield _HEADER
-    yield _variable("REGISTRY", matrix.registry, "where images live, without https://")
-    for os, system in matrix.operating_systems.items():
-        reference = f"docker-image://{system.image}@{system.digest}"
-        yield _variable(names.os_variable(os), reference, f"base image of {os}")
-    yield _variable("SOURCE_DATE_EPOCH", EPOCH, "time of every file, in seconds since 1970")
-    yield _variable("REVISION", "", "commit that is built, for a label")
-    yield _variable(
-        "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
-    )
-    yield _variable("CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer")
-    for proxy in PROXIES:
-        yield _variable(proxy, "", "for build steps; never part of an image")
+    for variable in _variables(catalogue.matrix):
+        yield _variable(*variable)
     yield _FUNCTIONS
+
+
+def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
+    """Name, default and description of every variable."""
+    yield "REGISTRY", matrix.registry, "where images live, without https://"
+    for os, system in matrix.operating_systems.items():
+        yield names.os_variable(os), f"docker-image://{system.image}@{system.digest}", f"base image of {os}"
+    yield "SOURCE_DATE_EPOCH", EPOCH, "time of every file, in seconds since 1970"
+    yield "REVISION", "", "commit that is built, for a label"
+    yield "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
+    yield "CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer"
+    for proxy in PROXIES:
+        yield proxy, "", "for build steps; never part of an image"
 
 
 def _variable(name: str, default: str, description: str) -> str:
@@ -121,47 +147,44 @@ def _groups(catalogue: Catalogue) -> Iterator[str]:
         yield block("group", name, {"targets": targets})
 
 
-def _abstract(catalogue: Catalogue) -> Iterator[str]:
+def _abstract(catalogue: Catalogue) -> Iterator[Target]:
     proxies = {proxy: call("given", Expression(proxy)) for proxy in PROXIES}
     secret = Expression('CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"]')
     epoch = {"SOURCE_DATE_EPOCH": Expression("SOURCE_DATE_EPOCH")}
-    yield block("target", "_common", {"context": ".", "secret": secret, "args": epoch | proxies})
-    yield block("target", "_base", {"inherits": ["_common"], "target": "base"})
-    yield block("target", "_payload", {"inherits": ["_common"]})
+    yield "_common", {"context": ".", "secret": secret, "args": epoch | proxies}
+    yield "_base", {"inherits": ["_common"], "target": "base"}
+    yield "_payload", {"inherits": ["_common"]}
     labels: Labels = {
         "org.opencontainers.image.licenses": "Apache-2.0",
         **({"org.opencontainers.image.source": catalogue.matrix.source} if catalogue.matrix.source else {}),
         "org.opencontainers.image.revision": call("given", Expression("REVISION")),
     }
-    yield block("target", "_image", {"inherits": ["_common"], "labels": labels})
+    yield "_image", {"inherits": ["_common"], "labels": labels}
     assembler = Expression(names.os_variable(next(iter(catalogue.matrix.operating_systems))))
     test = {"inherits": ["_common"], "target": "test", "contexts": {"os": assembler}, "output": ["type=cacheonly"]}
-    yield block("target", "_test", test)
+    yield "_test", test
 
 
-def _operating_systems(catalogue: Catalogue) -> Iterator[str]:
+def _operating_systems(catalogue: Catalogue) -> Iterator[Target]:
     matrix = catalogue.matrix
     for os in dict.fromkeys(image.os for image in catalogue.images):
         system = matrix.operating_systems[os]
-        yield block(
-            "target",
-            names.os_target(os),
-            {
-                "inherits": ["_base"],
-                "platforms": [matrix.architectures[name].platform for name in system.architectures],
-                "contexts": {"os": Expression(names.os_variable(os))},
-            },
-        )
+        attributes = {
+            "inherits": ["_base"],
+            "platforms": [matrix.architectures[name].platform for name in system.architectures],
+            "contexts": {"os": Expression(names.os_variable(os))},
+        }
+        yield names.os_target(os), attributes
 
 
-def _ros_images(catalogue: Catalogue) -> Iterator[str]:
+def _ros_images(catalogue: Catalogue) -> Iterator[Target]:
     matrix = catalogue.matrix
     for name, distribution in matrix.distributions.items():
-        yield block("target", _distribution_target(name), _distribution(matrix, name, distribution))
-        yield block("target", _ros_target(name), _ros(matrix, name, distribution))
+        yield _distribution_target(name), _distribution(matrix, name, distribution)
+        yield _ros_target(name), _ros(matrix, name, distribution)
         for image in catalogue.images:
             if image.distribution == name and image.stack is None:
-                yield block("target", image.target, _ros_image(catalogue, image))
+                yield image.target, _ros_image(catalogue, image)
 
 
 def _distribution_target(name: str) -> str:
@@ -213,8 +236,12 @@ def _ros_image(catalogue: Catalogue, image: Image) -> dict[str, object]:
     }
 
 
-def _dependency(image: Image) -> Expression:
-    return call("image", image.repository, image.target)
+def _dependency(image: Image) -> Dependency:
+    return Dependency(call("image", image.repository, image.target).code, image.target)
+
+
+def _part(payload: str) -> Dependency:
+    return Dependency(call("part", payload).code, names.files_target(payload))
 
 
 def _tags(image: Image) -> list[Expression]:
@@ -238,15 +265,15 @@ def _description(image: Image) -> str:
 _TITLES = {"torch": "PyTorch", "tensorflow": "TensorFlow", "cuda": "CUDA"}
 
 
-def _payloads(catalogue: Catalogue) -> Iterator[str]:
+def _payloads(catalogue: Catalogue) -> Iterator[Target]:
     for payload in catalogue.payloads:
-        yield block("target", names.files_target(payload.name), _files(catalogue.matrix, payload))
+        yield names.files_target(payload.name), _files(catalogue.matrix, payload)
         published = {
             "inherits": [names.files_target(payload.name)],
             "target": "payload",
             "tags": [template(f"${{REGISTRY}}/payload:{payload.name}")],
         }
-        yield block("target", payload.target, published)
+        yield payload.target, published
 
 
 def _files(matrix: Matrix, payload: Payload) -> dict[str, object]:
@@ -264,7 +291,7 @@ def _files(matrix: Matrix, payload: Payload) -> dict[str, object]:
     }
 
 
-def _joined_images(catalogue: Catalogue) -> Iterator[str]:
+def _joined_images(catalogue: Catalogue) -> Iterator[Target]:
     matrix = catalogue.matrix
     seen: set[str] = set()
     for image in catalogue.images:
@@ -273,7 +300,7 @@ def _joined_images(catalogue: Catalogue) -> Iterator[str]:
         common = f"_{image.framework}-{image.stack}-{names.os_slug(image.os)}"
         if common not in seen:
             seen.add(common)
-            yield block("target", common, _join(matrix, image))
+            yield common, _join(matrix, image)
         ros = catalogue.by_target[image.parent]
         attributes = {
             "description": "" if image.locked else f"cannot be built yet: no lock; {MAKE_LOCKS}",
@@ -282,7 +309,7 @@ def _joined_images(catalogue: Catalogue) -> Iterator[str]:
             "contexts": {"ros": _dependency(ros)},
             "labels": _labels(image),
         }
-        yield block("target", image.target, attributes)
+        yield image.target, attributes
 
 
 def _join(matrix: Matrix, image: Image) -> dict[str, object]:
@@ -295,7 +322,7 @@ def _join(matrix: Matrix, image: Image) -> dict[str, object]:
     return {
         "target": image.framework,
         "platforms": image.platforms,
-        "contexts": {f"part-{part}": call("part", name) for part, name in parts.items()},
+        "contexts": {f"part-{part}": _part(name) for part, name in parts.items()},
         "args": args,
         "labels": {
             "io.rosml.framework": image.framework,
@@ -305,7 +332,7 @@ def _join(matrix: Matrix, image: Image) -> dict[str, object]:
     }
 
 
-def _tests(catalogue: Catalogue) -> Iterator[str]:
+def _tests(catalogue: Catalogue) -> Iterator[Target]:
     for image in catalogue.images:
         attributes = {
             "inherits": ["_test"],
@@ -316,7 +343,7 @@ def _tests(catalogue: Catalogue) -> Iterator[str]:
                 "EXPECT": " ".join(f"{k}={v}" for k, v in expected(catalogue, image).items()),
             },
         }
-        yield block("target", image.test_target, attributes)
+        yield image.test_target, attributes
 
 
 def expected(catalogue: Catalogue, image: Image) -> dict[str, str]:

@@ -6,6 +6,7 @@ import json
 from typing import Any
 
 from rosml.expand import MAKE_LOCKS, Catalogue, Image
+from rosml.inputs import Inputs
 
 
 def facts(image: Image) -> dict[str, Any]:
@@ -35,9 +36,10 @@ def facts(image: Image) -> dict[str, Any]:
     }
 
 
-def as_json(catalogue: Catalogue) -> str:
-    """All images, in the order of the matrix."""
-    return json.dumps([facts(image) for image in catalogue.images], indent=2) + "\n"
+def as_json(inputs: Inputs) -> str:
+    """All images, in the order of the matrix, with the digests of their inputs by architecture."""
+    images = inputs.catalogue.images
+    return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
 
 
 def print_table(catalogue: Catalogue) -> None:

@@ -1,5 +1,13 @@
 #!/usr/bin/env python3
-"""Writes docker-bake.hcl (and matrix.schema.json and README.md's table) from matrix.yaml; lists and explains images."""
+"""Writes docker-bake.hcl (and matrix.schema.json and README.md's table) from matrix.yaml; lists and explains images.
+
+\b
+Examples:
+  generate_bake.py                        after a change of matrix.yaml (make generate)
+  generate_bake.py --diff HEAD            what the uncommitted changes would build anew, and why
+  generate_bake.py --diff v1.2 --json     the same since a tag, all of it, for machines
+  generate_bake.py --diff other.yaml      what differs from another matrix
+"""
 
 from __future__ import annotations
 
@@ -19,29 +27,48 @@ COMMAND = "make generate"
 @click.command(help=__doc__)
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
 @click.option("--list", "list_", is_flag=True, help="List every image with its facts.")
-@click.option("--json", "as_json", is_flag=True, help="With --list: as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="With --list and --diff: as JSON.")
+@click.option(
+    "--diff", metavar="REV", help="Say which images differ from a git revision or another matrix file, and why."
+)
 @click.option("--explain", metavar="TARGET", help="Say why an image exists, or why it does not.")
 @click.option(
     "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
 )
 @click.option("--output", type=click.Path(path_type=Path), help="Write this bake file instead, and nothing else.")
-def main(check: bool, list_: bool, as_json: bool, explain: str | None, matrix: Path, output: Path | None) -> None:
-    if check + list_ + (explain is not None) > 1:
-        raise click.UsageError("--check, --list and --explain do different things; use one of them")
-    if as_json and not list_:
-        raise click.UsageError("--json belongs to --list")
-    if output and (list_ or explain is not None):
+def main(
+    check: bool,
+    list_: bool,
+    as_json: bool,
+    diff: str | None,
+    explain: str | None,
+    matrix: Path,
+    output: Path | None,
+) -> None:
+    if check + list_ + (diff is not None) + (explain is not None) > 1:
+        raise click.UsageError("--check, --list, --diff and --explain do different things; use one of them")
+    if as_json and not list_ and diff is None:
+        raise click.UsageError("--json belongs to --list and --diff")
+    if output and (list_ or diff is not None or explain is not None):
         raise click.UsageError("--output belongs to writing and --check")
     from rosml import expand
 
     catalogue = expand.load(matrix)
     if list_:
-        from rosml import listing
+        from rosml import inputs, listing
 
         if as_json:
-            click.echo(listing.as_json(catalogue), nl=False)
+            click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue)), nl=False)
         else:
             listing.print_table(catalogue)
+    elif diff is not None:
+        from rosml import difference, inputs
+
+        found = difference.since(diff, inputs.Inputs(ROOT, catalogue))
+        if as_json:
+            click.echo(difference.as_json(found), nl=False)
+        else:
+            difference.print_table(found)
     elif explain is not None:
         from rosml.explain import explain as sentence
 

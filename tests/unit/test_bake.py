@@ -165,6 +165,8 @@ def test_list_json(real: Catalogue) -> None:
     assert [image["target"] for image in listed] == [image.target for image in real.images]
     keys = {"target", "distribution", "component", "framework", "stack", "platforms", "versions", "tags", "groups"}
     assert all(keys <= image.keys() for image in listed)
+    assert all(re.fullmatch("[0-9a-f]{64}", image["inputs"]["amd64"]) for image in listed)
+    assert len({image["inputs"]["amd64"] for image in listed}) == len(listed)
 
 
 def test_list_is_one_line_for_each_image(real: Catalogue) -> None:
@@ -181,6 +183,9 @@ EXITS: dict[str, tuple[list[str], int, str]] = {
     "nothing": (["--explain", ""], 2, "no image named ''"),
     "two things at once": (["--check", "--list"], 2, "use one of them"),
     "json of nothing": (["--json"], 2, "belongs to --list"),
+    "difference and list": (["--diff", "HEAD", "--list"], 2, "use one of them"),
+    "output of a difference": (["--diff", "HEAD", "--output", "x"], 2, "belongs to writing"),
+    "same matrix": (["--diff", str(ROOT / "matrix.yaml")], 0, "0 added, 0 removed, 0 changed, 60 same"),
     "output of a list": (["--list", "--output", "x"], 2, "belongs to writing"),
     "unknown option": (["--chek"], 2, "--check"),
     "no such matrix": (["--matrix", "/nowhere/matrix.yaml"], 2, "no such file"),

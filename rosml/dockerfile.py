@@ -1,0 +1,79 @@
+"""The Dockerfile as data: its stages, what each stands on, and the files that it takes from the checkout."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+_FROM = re.compile(r"FROM\s+(?:--\S+\s+)*(?P<base>\S+)(?:\s+AS\s+(?P<name>\S+))?")
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A stage. Values may hold `${ARGUMENTS}`, as they are written.
+
+    Attributes:
+        digest: of its instructions, without comments and blank lines.
+        stages: stages, contexts and images that it stands on (the first one) or takes files from.
+        sources: files and folders of the checkout that it copies or mounts.
+        defaults: its arguments that have a default.
+    """
+
+    digest: str
+    stages: tuple[str, ...]
+    sources: tuple[str, ...]
+    defaults: dict[str, str]
+
+
+def parse(text: str) -> dict[str, Stage]:
+    """The stages by name. What stands before the first one is the stage "": its arguments apply to all of them."""
+    head, *sections = re.split(r"^(?=FROM\s)", text, flags=re.MULTILINE)
+    stages = {"": _stage(head, ())}
+    for number, section in enumerate(sections):
+        match = _FROM.match(section)
+        if match:
+            stages[match["name"] or str(number)] = _stage(section, (match["base"],))
+    return stages
+
+
+def _stage(text: str, base: tuple[str, ...]) -> Stage:
+    lines = [line.rstrip() for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    # In a here-document such lines are content.
+    decisive = text if "<<" in text else "\n".join(lines)
+    instructions = "\n".join(lines).replace("\\\n", " ").splitlines()
+    found = [item for instruction in instructions for item in _instruction(instruction)]
+    return Stage(
+        hashlib.sha256(decisive.encode()).hexdigest(),
+        base + tuple(value for kind, value in found if kind == "stage"),
+        tuple(value for kind, value in found if kind == "source"),
+        {name: default for kind, value in found if kind == "default" for name, default in [value.split("=", 1)]},
+    )
+
+
+def _instruction(text: str) -> Iterator[tuple[str, str]]:
+    """What an instruction uses: stages, sources, and defaults of arguments."""
+    word, _, rest = text.strip().partition(" ")
+    words = rest.split()
+    flags = [flag.removeprefix("--").partition("=")[::2] for flag in words if flag.startswith("--")]
+    if word.upper() == "ARG":
+        yield from (("default", item.replace('"', "")) for item in words if "=" in item)
+    elif word.upper() == "RUN":
+        for options in (
+            dict(item.partition("=")[::2] for item in value.split(",")) for key, value in flags if key == "mount"
+        ):
+            if "from" in options:
+                yield "stage", options["from"]
+            elif options.get("type", "bind") == "bind":
+                yield "source", options.get("source", options.get("src", "."))
+    elif word.upper() in ("COPY", "ADD"):
+        copied = dict(flags)
+        paths = [item for item in words if not item.startswith("--")]
+        if paths and paths[0].startswith("["):
+            paths = json.loads(" ".join(paths))
+        if "from" in copied:
+            yield "stage", copied["from"]
+        else:
+            yield from (("source", path) for path in paths[:-1])

@@ -1,0 +1,157 @@
+"""What decides the content of an image or payload, and a digest of it: the same inputs, the same digest, anywhere.
+
+Nothing is listed by hand. The targets and their wiring are those of the bake file (`bake`), stages and the files they
+use are those of the Dockerfile (`dockerfile`); so an input that is added there counts at once. What variables decide
+(registry, proxies, the commit of a label) is no input: it is not in the matrix, or does not reach the content.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from string import Template
+from typing import Any
+
+from rosml import bake, dockerfile
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image, Payload
+from rosml.hcl import Expression
+
+TARGET = "target "
+"""How names of inputs begin whose value is the digest of another target: `target bookworm-core`."""
+
+MISSING = "missing"
+"""The value of a file that is not there."""
+
+
+class Inputs:
+    """The inputs of all targets of a catalogue. `root` is the folder of the Dockerfile; each file is read once."""
+
+    def __init__(self, root: Path, catalogue: Catalogue) -> None:
+        self.root = root
+        self.catalogue = catalogue
+        self._targets = bake.targets(catalogue)
+        self._variables = bake.variables(catalogue.matrix)
+        file = root / "Dockerfile"
+        self._stages = dockerfile.parse(file.read_text(encoding="utf-8") if file.is_file() else "")
+        self._attributes: dict[str, Mapping[str, Any]] = {}
+        self._files: dict[str, dict[str, str]] = {}
+        self._known: dict[tuple[str, str], dict[str, str]] = {}
+        self._digests: dict[tuple[str, str], str] = {}
+
+    def of(self, target: str, architecture: str) -> dict[str, str]:
+        """The inputs of a bake target by readable names; `target x` stands for the inputs of the target x."""
+        key = (target, architecture)
+        if key not in self._known:
+            attributes = self._resolved(target)
+            arguments = {name: text for name, value in attributes["args"].items() if (text := self._text(value))}
+            inputs = {"platform": self.catalogue.matrix.architectures[architecture].platform}
+            inputs["Dockerfile: before the first stage"] = self._stages[""].digest
+            inputs |= self._stage(attributes["target"], attributes["contexts"], arguments, architecture)
+            inputs |= {f"argument {name}": value for name, value in arguments.items()}
+            inputs |= {
+                f"label {name}": text for name, value in attributes["labels"].items() if (text := self._text(value))
+            }
+            self._known[key] = inputs
+        return self._known[key]
+
+    def digest(self, target: str, architecture: str) -> str:
+        """The digest of a target's inputs."""
+        key = (target, architecture)
+        if key not in self._digests:
+            self._digests[key] = _digest(self.of(target, architecture))
+        return self._digests[key]
+
+    def digests(self, item: Image | Payload) -> dict[str, str]:
+        """The digests of an image or payload by architecture."""
+        return {architecture: self.digest(item.target, architecture) for architecture in item.architectures}
+
+    def together(self, item: Image | Payload) -> str:
+        """The digest of an image or payload for all of its architectures."""
+        return _digest(self.digests(item))
+
+    def _resolved(self, target: str) -> Mapping[str, Any]:
+        """A target's stage, contexts, arguments and labels with those that it inherits; its own ones win, as in bake."""
+        if target not in self._attributes:
+            own = self._targets[target]
+            layers = [*(self._resolved(name) for name in own.get("inherits", ())), own]
+            merged: dict[str, Any] = {"target": "", "contexts": {}, "args": {}, "labels": {}}
+            for layer in layers:
+                merged["target"] = layer.get("target") or merged["target"]
+                for name in ("contexts", "args", "labels"):
+                    merged[name] = merged[name] | layer.get(name, {})
+            self._attributes[target] = merged
+        return self._attributes[target]
+
+    def _text(self, value: str | Expression) -> str:
+        """A value that the catalogue decides: text, or a variable's default. Function calls are about variables."""
+        return self._variables.get(value.code, "") if isinstance(value, Expression) else value
+
+    def _stage(
+        self, name: str, contexts: Mapping[str, Any], arguments: Mapping[str, str], architecture: str
+    ) -> dict[str, str]:
+        """The inputs of a stage with what it stands on."""
+        stage = self._stages.get(name)
+        if stage is None:
+            return {} if name == "scratch" else _base_image(name)
+        values = {**self._stages[""].defaults, **stage.defaults, **arguments, "TARGETARCH": architecture}
+        inputs: dict[str, str] = {}
+        for used in (_filled(used, values) for used in stage.stages):
+            if used in contexts:
+                inputs |= self._context(contexts[used], architecture)
+            else:
+                inputs |= self._stage(used, contexts, arguments, architecture)
+        inputs[f"Dockerfile: stage {name}"] = stage.digest
+        for source in stage.sources:
+            inputs |= self._source(_filled(source, values))
+        return inputs
+
+    def _context(self, value: str | Expression, architecture: str) -> dict[str, str]:
+        """The inputs behind a named context: another target, or a base image."""
+        if isinstance(value, bake.Dependency):
+            return {TARGET + value.target: self.digest(value.target, architecture)}
+        text = self._text(value)
+        if text.startswith("target:"):
+            target = text.removeprefix("target:")
+            return {TARGET + target: self.digest(target, architecture)}
+        return _base_image(text.removeprefix("docker-image://"))
+
+    def _source(self, source: str) -> dict[str, str]:
+        """Digests of a file, of all files in a folder, or of all that a pattern matches."""
+        if source not in self._files:
+            pattern = source.strip("/").removeprefix("./")
+            if pattern in ("", "."):
+                raise RosmlError("the Dockerfile takes the whole checkout", remedy="name what it uses")
+            found = sorted(self.root.glob(pattern))
+            paths = [file for path in found for file in (sorted(path.rglob("*")) if path.is_dir() else [path])]
+            # Python's caches differ between checkouts; .dockerignore keeps them from the build.
+            files = [path for path in paths if path.is_file() and "__pycache__" not in path.parts]
+            digests = {path.relative_to(self.root).as_posix(): _file(path) for path in files}
+            self._files[source] = digests or {pattern: MISSING}
+        return self._files[source]
+
+
+def _base_image(reference: str) -> dict[str, str]:
+    name, _, digest = reference.partition("@")
+    return {f"base image {name}": digest or "not pinned"}
+
+
+def _filled(text: str, values: Mapping[str, str]) -> str:
+    """A text of the Dockerfile with its arguments filled in."""
+    if "$" not in text:
+        return text
+    try:
+        return Template(text).substitute(values)
+    except (KeyError, ValueError):
+        raise RosmlError(f"Dockerfile: {text}: no target says what to fill in", remedy="give it a value") from None
+
+
+def _file(path: Path) -> str:
+    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+    return f"{digest} executable" if path.stat().st_mode & 0o100 else digest
+
+
+def _digest(content: Mapping[str, str]) -> str:
+    return hashlib.sha256(json.dumps(content, sort_keys=True, separators=(",", ":")).encode()).hexdigest()

@@ -1,0 +1,235 @@
+"""What differs between two versions, and why: in a git repository of its own, by the command as a user calls it."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import ROOT, SMALL, changed, parse
+from test_inputs import copy
+
+from rosml import difference
+from rosml.errors import RosmlError
+from rosml.inputs import Inputs
+
+INSTALL = "components/ros/install.sh"
+
+
+def git(folder: Path, *arguments: str) -> None:
+    names = {f"GIT_{who}_{what}": "a@example.org" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+    subprocess.run(["git", "-C", folder, *arguments], check=True, capture_output=True, env={**os.environ, **names})
+
+
+def commit(folder: Path) -> None:
+    git(folder, "add", "--all")
+    git(folder, "commit", "--quiet", "--message", "A version")
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Path:
+    """The project with the small matrix, committed."""
+    folder = copy(tmp_path / "project")
+    for name in ("rosml", "scripts"):
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+    (folder / ".gitignore").write_text("__pycache__\n")
+    (folder / "matrix.yaml").write_text(SMALL)
+    git(folder, "init", "--quiet")
+    commit(folder)
+    return folder
+
+
+def diff(folder: Path, version: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "scripts/generate_bake.py", f"--diff={version}", *arguments]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=60)
+
+
+def found(folder: Path, *arguments: str) -> dict[str, Any]:
+    done = diff(folder, *arguments, "--json")
+    assert (done.returncode, done.stderr) == (0, "")
+    result: dict[str, Any] = json.loads(done.stdout)
+    assert list(result) == ["added", "removed", "changed", "same"]
+    return result
+
+
+def since(text: str, root: Path = ROOT) -> difference.Difference:
+    """From the small matrix to another one."""
+    return difference.between(Inputs(root, parse(SMALL)), Inputs(root, parse(text)))
+
+
+# ---- The command -----------------------------------------------------------------------------------------------------
+
+
+def test_nothing_differs(repository: Path) -> None:
+    """Neither in a clean checkout, nor after changes that reach no image."""
+    count = len(parse(SMALL).images)
+    assert found(repository, "HEAD") == {"added": [], "removed": [], "changed": {}, "same": count}
+    (repository / "matrix.yaml").write_text(f"# A comment.\n{SMALL}")
+    (repository / "README.md").write_text("")
+    cache = repository / "components/payload/__pycache__"
+    cache.mkdir()
+    (cache / "x.pyc").touch()
+    done = diff(repository, "HEAD")
+    assert (done.returncode, done.stdout) == (0, f"0 added, 0 removed, 0 changed, {count} same\n")
+
+
+def test_a_revision_counts_with_all_of_its_files(repository: Path) -> None:
+    script = repository / INSTALL
+    script.write_text(script.read_text() + "true\n")
+    commit(repository)
+    assert found(repository, "HEAD")["changed"] == {}
+    result = found(repository, "HEAD~1")
+    assert result["changed"].keys() == parse(SMALL).by_target.keys()
+    for (change,) in result["changed"].values():
+        assert change["input"] == INSTALL
+        assert len(change["old"]) == len(change["new"]) == len(f"{'0' * 64} executable")
+        assert change["old"] != change["new"]
+
+
+def test_added_removed_and_changed(repository: Path) -> None:
+    text = changed("components: [core, base]\n", "components: [core, base, robot]\n")
+    text = changed("components: [core, base, desktop]\n", "components: [core, desktop]\n", text)
+    (repository / "matrix.yaml").write_text(text)
+    result = found(repository, "HEAD")
+    before, after = parse(SMALL).by_target, parse(text).by_target
+    assert set(result["added"]) == after.keys() - before.keys() == {name for name in after if "omega-robot" in name}
+    assert set(result["removed"]) == before.keys() - after.keys() == {name for name in before if "alpha-base" in name}
+    assert set(result["changed"]) == {name for name in after if "alpha-desktop" in name}
+    assert {change["input"] for change in result["changed"]["alpha-desktop"]} == {
+        "target alpha-base",
+        "target alpha-core",
+    }
+
+
+def test_another_matrix(repository: Path, tmp_path: Path) -> None:
+    """Only the matrix is another one: changed scripts are the same on both sides."""
+    (tmp_path / "other.yaml").write_text(changed("1" * 64, "3" * 64))
+    (repository / INSTALL).write_text("")
+    result = found(repository, "../other.yaml")
+    reason = {
+        "input": "base image docker.io/library/ubuntu:24.04",
+        "old": f"sha256:{'3' * 64}",
+        "new": f"sha256:{'1' * 64}",
+    }
+    assert result["changed"]["alpha-core"] == [reason]
+    assert "omega-core" not in result["changed"]
+
+
+def test_an_older_matrix_that_is_refused(repository: Path) -> None:
+    (repository / "matrix.yaml").write_text(changed("version: 1\n", "version: 9\n"))
+    commit(repository)
+    (repository / "matrix.yaml").write_text(SMALL)
+    done = diff(repository, "HEAD")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "does not understand the matrix of revision HEAD:\nHEAD:matrix.yaml:1:1: version:" in done.stderr
+    assert "remedy: compare with a later revision" in done.stderr
+
+
+def test_an_older_version_without_a_matrix(repository: Path) -> None:
+    (repository / "matrix.yaml").unlink()
+    commit(repository)
+    (repository / "matrix.yaml").write_text(SMALL)
+    done = diff(repository, "HEAD")
+    assert (done.returncode, "revision HEAD has no matrix.yaml" in done.stderr) == (2, True)
+
+
+@pytest.mark.parametrize("revision", ["nowhere", "", "-x", "HEAD:matrix.yaml", "HEAD~9", "components"])
+def test_an_unknown_revision(revision: str, repository: Path) -> None:
+    done = diff(repository, revision)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert f"error: no revision and no file named {revision!r}\nremedy: see the revisions" in done.stderr
+
+
+def test_not_a_checkout(repository: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(repository.parent))
+    shutil.rmtree(repository / ".git")
+    done = diff(repository, "HEAD")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "not a git repository" in done.stderr
+    assert "remedy: call it in a git checkout" in done.stderr
+
+
+def test_no_git(repository: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "/nowhere")
+    with pytest.raises(RosmlError, match="git is not installed"):
+        difference.since("HEAD", Inputs(repository, parse(SMALL)))
+
+
+def test_a_link_out_of_the_checkout(repository: Path) -> None:
+    (repository / "link").symlink_to("/etc/passwd")
+    commit(repository)
+    with pytest.raises(RosmlError, match="cannot be unpacked"):
+        difference.since("HEAD", Inputs(repository, parse(SMALL)))
+
+
+# ---- The table -------------------------------------------------------------------------------------------------------
+
+
+def test_images_that_change_for_one_reason_share_a_row(capsys: pytest.CaptureFixture[str]) -> None:
+    result = since(changed("1" * 64, "3" * 64))
+    ((kind, why, images),) = difference.rows(result)
+    assert kind == "changed"
+    assert why == "base image docker.io/library/ubuntu:24.04: sha256:111111111111 → sha256:333333333333"
+    shown = list(result.changed)[: difference.SHOWN]
+    assert images == f"{', '.join(shown)} and {len(result.changed) - difference.SHOWN} more"
+    difference.print_table(result)
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 3
+    assert lines[-1] == f"0 added, 0 removed, {len(result.changed)} changed, {result.same} same"
+
+
+def test_reasons_that_overlap_have_rows_of_their_own() -> None:
+    """Not a row for every combination: those would be many where several things changed."""
+    packages = "packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]"
+    text = changed(packages, packages.replace("}\n", "} x\n"))
+    result = since(changed("digest: sha256:" + "1" * 64, "digest: sha256:" + "3" * 64, text))
+    reasons = [(why, images.split(",")[0]) for _, why, images in difference.rows(result)]
+    packages = "argument ROS_PACKAGES: nothing → x"
+    assert [image for why, image in reasons if why == packages] == ["alpha-core", "alpha-base", "alpha-desktop"]
+    assert [why for why, _ in reasons if why != packages] == [
+        "base image docker.io/library/ubuntu:24.04: sha256:111111111111 → sha256:333333333333"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("a b c", "a d c", "b → d"),
+        ("a b", "a b c", "nothing → c"),
+        ("a b", "b a", "a b → b a"),
+        (None, "a", "nothing → a"),
+    ],
+)
+def test_only_the_words_that_differ_are_shown(old: str | None, new: str, words: str) -> None:
+    result = difference.Difference((), (), {"image": (difference.Change("packages", old, new),)}, 0)
+    assert list(difference.rows(result)) == [("changed", f"packages: {words}", "image")]
+
+
+def test_labels_are_told_where_nothing_else_changed() -> None:
+    """They name each image's versions in words of its own, and would put each image on a row of its own."""
+    version = since(changed("cudnn: 9.10.2.21", "cudnn: 9.10.2.22"))
+    assert {item.input for why in version.changed.values() for item in why} == {
+        "argument CUDNN_VERSION",
+        "label io.rosml.cudnn",
+    }
+    assert [why for _, why, _ in difference.rows(version)] == ["argument CUDNN_VERSION: 9.10.2.21 → 9.10.2.22"]
+    address = since(changed("source: https://example.org/images\n", ""))
+    ((_, why, _),) = difference.rows(address)
+    assert why == "label org.opencontainers.image.source: https://example.org/images → nothing"
+
+
+def test_an_architecture_that_is_added() -> None:
+    result = since(changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64], cpu: [amd64, arm64]}"))
+    (change,) = result.changed["alpha-core-torch-cpu"]
+    assert change == difference.Change("architecture amd64", None, "built")
+    assert len(list(difference.rows(result))) == 1
+
+
+def test_few_names_are_all_shown() -> None:
+    result = difference.Difference(("a", "b", "c", "d", "e"), tuple("abcdef"), {}, 0)
+    assert list(difference.rows(result)) == [("added", "", "a, b, c, d, e"), ("removed", "", "a, b, c, d and 2 more")]

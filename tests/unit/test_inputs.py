@@ -1,0 +1,310 @@
+"""What decides an image: every change that matters changes the digests of just the images that it reaches."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from conftest import ROOT, SMALL, changed, parse
+
+from rosml import bake, dockerfile, expand, model, source
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image, Payload
+from rosml.inputs import MISSING, TARGET, Inputs
+
+PARTS = {"cuda", "common", "torch", "tensorflow"}
+LOCK = "locks/cu1/amd64/3.12/torch.txt"
+
+
+def copy(folder: Path) -> Path:
+    """All that images are built from, without the matrix; files have the time of the copy."""
+    for name in ("components", "locks", "tests/structure"):
+        shutil.copytree(ROOT / name, folder / name, copy_function=shutil.copy)
+    (folder / "tools").mkdir()
+    for name in ("Dockerfile", "README.md", "tools/requirements.txt", "tools/structure-test.txt"):
+        shutil.copy(ROOT / name, folder / name)
+    lock = folder / LOCK
+    lock.parent.mkdir(parents=True)
+    lock.write_text("torch==2.10.0\n")
+    return folder
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    return copy(tmp_path / "project")
+
+
+def items(catalogue: Catalogue) -> Iterator[Image | Payload]:
+    yield from catalogue.images
+    yield from catalogue.payloads
+
+
+def digests(root: Path, text: str = SMALL) -> dict[tuple[str, str], str]:
+    """The digests of all images and payloads by target and architecture; `all` stands for all architectures."""
+    inputs = Inputs(root, parse(text))
+    found = {
+        (item.target, name): value for item in items(inputs.catalogue) for name, value in inputs.digests(item).items()
+    }
+    return found | {(item.target, "all"): inputs.together(item) for item in items(inputs.catalogue)}
+
+
+def differing(before: dict[tuple[str, str], str], after: dict[tuple[str, str], str]) -> set[tuple[str, str]]:
+    assert before.keys() == after.keys()
+    return {key for key in before if before[key] != after[key]}
+
+
+def reached(catalogue: Catalogue, images: bool, parts: set[str]) -> set[tuple[str, str]]:
+    """Payloads of the parts and the images that have them, or all images."""
+    payloads = {payload.name for payload in catalogue.payloads if payload.part in parts}
+    targets: list[Image | Payload] = [image for image in catalogue.images if images or payloads & set(image.parts)]
+    targets += [catalogue.payload_by_name[name] for name in payloads]
+    return {(item.target, name) for item in targets for name in (*item.architectures, "all")}
+
+
+# ---- Files -----------------------------------------------------------------------------------------------------------
+
+FILES: dict[str, tuple[bool, set[str]]] = {
+    "components/base/entrypoint.sh": (True, set()),
+    "components/base/install.sh": (True, set()),
+    "components/build/clean.sh": (True, set()),
+    "components/build/network.sh": (True, PARTS),
+    "components/ros/install.sh": (True, set()),
+    "components/ros/added.sh": (True, set()),
+    "components/torch/files.sh": (False, {"torch"}),
+    "components/torch/cmake/TorchConfig.cmake.in": (False, {"torch"}),
+    "components/tensorflow/files.sh": (False, {"tensorflow"}),
+    "components/cuda/files.sh": (False, {"cuda"}),
+    "components/payload/bytecode.sh": (False, PARTS),
+    "components/payload/install-assembler.sh": (False, PARTS),
+    "tools/requirements.txt": (False, PARTS),
+    "tools/structure-test.txt": (False, set()),
+    "tests/structure/run.sh": (False, set()),
+    "README.md": (False, set()),
+    "rosml/bake.py": (False, set()),
+    "components/torch/__pycache__/x.pyc": (False, set()),
+}
+"""A file, whether it reaches all images, and the payload parts that it reaches."""
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_a_file_changes_what_uses_it(file: str, project: Path, small: Catalogue) -> None:
+    before = digests(project)
+    (project / file).parent.mkdir(parents=True, exist_ok=True)
+    with (project / file).open("a") as stream:
+        stream.write("# changed\n")
+    assert differing(before, digests(project)) == reached(small, *FILES[file])
+
+
+def test_the_executable_bit_counts(project: Path, small: Catalogue) -> None:
+    before = digests(project)
+    (project / "components/ros/install.sh").chmod(0o644)
+    assert differing(before, digests(project)) == reached(small, True, set())
+
+
+@pytest.mark.parametrize("change", [lambda lock: lock.write_text("torch==2.10.1\n"), Path.unlink])
+def test_a_lock_changes_one_stack_python_architecture_and_part(
+    change: Callable[[Path], object], project: Path, small: Catalogue
+) -> None:
+    before = digests(project)
+    change(project / LOCK)
+    users = [image.target for image in small.images if "torch-cu1-py312" in image.parts]
+    assert {"alpha-core-torch-cu1", "alpha-desktop-ml-cu1"} <= set(users)
+    wanted = {(target, name) for target in [*users, "payload-torch-cu1-py312"] for name in ("amd64", "all")}
+    assert differing(before, digests(project)) == wanted
+
+
+def test_a_missing_lock_is_an_input(project: Path, small: Catalogue) -> None:
+    inputs = Inputs(project, small)
+    assert inputs.of("payload-cuda-cu1", "amd64")["locks/cu1/amd64/any/cuda.txt"] == MISSING
+    assert inputs.of("payload-torch-cu1-py312", "amd64")[LOCK] != MISSING
+
+
+def test_the_same_everywhere(project: Path, tmp_path: Path) -> None:
+    """In another folder, with other times of files, and whatever the order in which they were made."""
+    other = copy(tmp_path / "b" / "elsewhere")
+    for file in other.rglob("*"):
+        os.utime(file, (1, 1))
+    assert digests(project) == digests(other)
+
+
+def test_every_file_that_reaches_the_builder_is_an_input(real: Catalogue) -> None:
+    """Also a warning of a file that nothing uses."""
+    inputs, todo = Inputs(ROOT, real), [item.target for item in items(real)]
+    used: set[str] = set()
+    while todo:
+        found = inputs.of(todo.pop(), "amd64")
+        used |= found.keys()
+        todo += [name.removeprefix(TARGET) for name in found if name.startswith(TARGET)]
+    files = {path for folder in ("components", "locks") for path in (ROOT / folder).rglob("*") if path.is_file()}
+    wanted = {path.relative_to(ROOT).as_posix() for path in files if "__pycache__" not in path.parts}
+    assert {name for name in used if (ROOT / name).is_file()} == wanted | {"tools/requirements.txt"}
+
+
+# ---- The matrix ------------------------------------------------------------------------------------------------------
+
+INDIFFERENT = {
+    "comment": ("version: 1\n", "# a comment\nversion: 1 # another\n"),
+    "registry": ("registry: localhost:5000", "registry: example.org/images"),
+    "disk": ("torch: {unpacked: 2000, compressed: 200}", "torch: {unpacked: 2001, compressed: 201}"),
+    "end of life": ("eol: 2029-05-31", "eol: 2030-05-31"),
+    "long-term support": ("lts: true", "lts: false"),
+    "groups": ("group: [alpha-core]", "group: [alpha-base, omega-core]"),
+    "default": ("target: alpha-core-torch-cu1", "target: alpha-core"),
+    "tags": ("default_stack: cu1", "default_stack: cpu"),
+    "repository": ("repository: ros-ml,", "repository: ros-all,"),
+    "numpy": ('numpy: "<2"', 'numpy: "<3"'),  # reaches images by way of the locks
+}
+
+
+@pytest.mark.parametrize("name", INDIFFERENT)
+def test_what_does_not_matter_does_not_count(name: str, project: Path) -> None:
+    assert digests(project) == digests(project, changed(*INDIFFERENT[name]))
+
+
+def test_the_order_of_the_matrix_does_not_count(project: Path) -> None:
+    def turned(value: Any) -> Any:
+        return {key: turned(value[key]) for key in reversed(value)} if isinstance(value, dict) else value
+
+    data = yaml.safe_load(SMALL)
+    # The first operating system assembles what is the same for every Python.
+    shuffled = turned(data) | {"operating_systems": data["operating_systems"]}
+    assert digests(project) == digests(project, yaml.safe_dump(shuffled, sort_keys=False))
+
+
+def on(system: str) -> Callable[[Catalogue], set[str]]:
+    """All that stands on an operating system, or has a payload that was assembled on it."""
+
+    def wanted(catalogue: Catalogue) -> set[str]:
+        payloads = {payload.name: payload.target for payload in catalogue.payloads if payload.os == system}
+        images = {item.target for item in catalogue.images if item.os == system or payloads.keys() & set(item.parts)}
+        return images | set(payloads.values())
+
+    return wanted
+
+
+def named(start: str) -> Callable[[Catalogue], set[str]]:
+    return lambda catalogue: {item.target for item in items(catalogue) if item.target.startswith(start)}
+
+
+DECISIVE: dict[str, tuple[str, str, Callable[[Catalogue], set[str]]]] = {
+    "digest of a system": (f"digest: sha256:{'2' * 64}", f"digest: sha256:{'3' * 64}", on("ubuntu-26.04")),
+    "digest of the first system": (f"digest: sha256:{'1' * 64}", f"digest: sha256:{'3' * 64}", on("ubuntu-24.04")),
+    "day of the snapshot": ("date: 2026-11-01", "date: 2026-11-02", named("omega-")),
+    "apt channel": ("channel: snapshot, date: 2026-11-01", "channel: live", named("omega-")),
+    "package list": (
+        "desktop: {builds_on: robot}",
+        "desktop: {builds_on: robot, metapackage: x}",
+        named("alpha-desktop"),
+    ),
+    "label": (
+        "source: https://example.org/images",
+        "source: https://example.org/x",
+        lambda c: {i.target for i in c.images},
+    ),
+    "version": (
+        "cudnn: 9.10.2.21",
+        "cudnn: 9.10.2.22",
+        lambda c: {i.target for i in c.images if "cuda-cu1" in i.parts},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", DECISIVE)
+def test_a_fact_changes_what_it_reaches(name: str, project: Path, small: Catalogue) -> None:
+    old, new, wanted = DECISIVE[name]
+    found = differing(digests(project), digests(project, changed(old, new)))
+    assert {target for target, _ in found} == wanted(small) != set()
+    assert found == {(target, name) for target, name in digests(project) if target in wanted(small)}
+
+
+def test_the_time_of_files_counts(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = digests(project)
+    monkeypatch.setattr(bake, "EPOCH", "1")
+    assert differing(before, digests(project)) == before.keys()
+
+
+# ---- The Dockerfile --------------------------------------------------------------------------------------------------
+
+STAGES: dict[str, tuple[str, str, bool, set[str]]] = {
+    "comment": ("# ---- ROS ---", "\n# ---- ROS, a comment\n\n# ---", False, set()),
+    "comment in a stage": ("ARG ROS_DISTRO ROS_VERSION", "# why\n\nARG ROS_DISTRO ROS_VERSION", False, set()),
+    "ros": ("ARG ROS_DISTRO ROS_VERSION", "ARG ROS_DISTRO ROS_VERSION X=1", True, set()),
+    "torch": ("ENV TORCH_VERSION=", "ENV X=1 TORCH_VERSION=", False, {"torch"}),
+    "assembler": ("ENV PATH=/opt/uv/bin", "ENV X=1 PATH=/opt/uv/bin", False, PARTS),
+    "test-run": ("ARG TESTS EXPECT", "ARG TESTS EXPECT X", False, set()),
+    "all": ("ARG ACCELERATOR=cpu\n", "ARG ACCELERATOR=cuda\n", True, PARTS),
+}
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_a_stage_changes_what_is_built_with_it(name: str, project: Path, small: Catalogue) -> None:
+    old, new, images, parts = STAGES[name]
+    before = digests(project)
+    file = project / "Dockerfile"
+    assert old in file.read_text()
+    file.write_text(file.read_text().replace(old, new, 1))
+    found = differing(before, digests(project))
+    wanted = reached(small, images, parts)
+    if name == "torch":  # joins what other stages assembled
+        wanted = {key for key in wanted if not key[0].startswith("payload-")}
+    assert found == wanted
+
+
+def test_a_file_counts_as_soon_as_the_dockerfile_uses_it(project: Path, small: Catalogue) -> None:
+    text = (project / "Dockerfile").read_text()
+    (project / "Dockerfile").write_text(
+        text.replace("FROM join-common AS torch\n", "FROM join-common AS torch\nCOPY x* /\n")
+    )
+    before = digests(project)
+    assert Inputs(project, small).of("alpha-core-torch-cu1", "amd64")["x*"] == MISSING
+    (project / "x1").write_text("")
+    found = {target for target, _ in differing(before, digests(project))}
+    assert found == {item.target for item in small.images if item.framework in ("torch", "ml")}
+
+
+@pytest.mark.parametrize("source", ["components/${NOWHERE}/x", "."])
+def test_what_cannot_be_followed_is_an_error(source: str, project: Path, small: Catalogue) -> None:
+    with (project / "Dockerfile").open("a") as stream:
+        stream.write(f"FROM os AS base\nCOPY {source} /x\n")
+    with pytest.raises(RosmlError, match="Dockerfile"):
+        Inputs(project, small).digest("alpha-core", "amd64")
+
+
+def test_stages_as_data() -> None:
+    stages = dockerfile.parse(
+        "# first\nARG A=cpu\nFROM --platform=$B one AS two\nARG C D=1\n"
+        'COPY --chmod=755 a b/ /\nCOPY ["c", "/"]\nADD --from=three --link d /\n'
+        "RUN --mount=type=bind,src=e,target=/e \\\n  # why\n  --mount=from=four,target=/f \\\n"
+        "  --mount=type=secret,id=g --mount=type=cache,target=/h \\\n  /e --mount=source=i\nFROM two-${A}\n"
+    )
+    assert list(stages) == ["", "two", "1"]
+    assert stages[""].defaults == {"A": "cpu"}
+    assert stages["two"].defaults == {"D": "1"}
+    assert stages["two"].stages == ("one", "three", "four")
+    assert stages["two"].sources == ("a", "b/", "c", "e", "i")
+    assert stages["1"].stages == ("two-${A}",)
+
+
+def test_comments_in_a_here_document_are_content() -> None:
+    one, two = (dockerfile.parse(f"FROM x AS y\nRUN <<EOF\n# {word}\nEOF\n")["y"] for word in ("a", "b"))
+    assert one.digest != two.digest
+
+
+# ---- Speed -----------------------------------------------------------------------------------------------------------
+
+
+def test_five_hundred_images_on_two_architectures_at_once() -> None:
+    small = expand.catalogue(source.parse(SMALL.encode())).matrix
+    rows = {f"d{number}": small.distributions["alpha"] for number in range(28)}
+    catalogue = expand.expand(model.Matrix.model_construct(**{**dict(small), "distributions": rows}))
+    start = time.perf_counter()
+    inputs = Inputs(ROOT, catalogue)
+    found = {inputs.together(image) for image in catalogue.images}
+    assert len(found) == len(catalogue.images) == 504
+    assert time.perf_counter() - start < 0.5
