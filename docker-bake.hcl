@@ -40,6 +40,11 @@ variable "OS_UBUNTU_26_04" {
   default = "docker-image://docker.io/library/ubuntu:26.04@sha256:cd21a4f68a617580279d4b091cb18e3af9fa8a87500665f0ae5f7f757d17d367"
 }
 
+# build for this platform only, such as linux/amd64; if empty, for all that a target has
+variable "PLATFORM" {
+  default = ""
+}
+
 # time of every file, in seconds since 1970
 variable "SOURCE_DATE_EPOCH" {
   default = "1767225600"
@@ -114,6 +119,11 @@ function "image_digest" {
   result = try(split("@", context)[1], null)
 }
 
+function "platforms" {
+  params = [all]
+  result = PLATFORM == "" ? all : [PLATFORM]
+}
+
 # A build argument that is left out when it is empty.
 function "given" {
   params = [value]
@@ -161,37 +171,37 @@ target "_test" {
 
 target "_os-ubuntu-20-04" {
   inherits  = ["_base"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_20_04 }
 }
 
 target "_os-ubuntu-22-04" {
   inherits  = ["_base"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
 }
 
 target "_os-ubuntu-24-04" {
   inherits  = ["_base"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
 }
 
 target "_os-ubuntu-26-04" {
   inherits  = ["_base"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
 }
 
 target "_os-bookworm" {
   inherits  = ["_base"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
 }
 
 target "_os-trixie" {
   inherits  = ["_base"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
 }
 
@@ -199,7 +209,7 @@ target "_os-trixie" {
 
 target "_distribution-noetic" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_UBUNTU_20_04)
     "org.opencontainers.image.base.digest" = image_digest(OS_UBUNTU_20_04)
@@ -304,7 +314,7 @@ target "noetic-desktop-full" {
 
 target "_distribution-foxy" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_UBUNTU_20_04)
     "org.opencontainers.image.base.digest" = image_digest(OS_UBUNTU_20_04)
@@ -370,7 +380,7 @@ target "foxy-desktop" {
 
 target "_distribution-humble" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_UBUNTU_22_04)
     "org.opencontainers.image.base.digest" = image_digest(OS_UBUNTU_22_04)
@@ -462,7 +472,7 @@ target "humble-desktop-full" {
 
 target "_distribution-iron" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_UBUNTU_22_04)
     "org.opencontainers.image.base.digest" = image_digest(OS_UBUNTU_22_04)
@@ -554,7 +564,7 @@ target "iron-desktop-full" {
 
 target "_distribution-jazzy" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_UBUNTU_24_04)
     "org.opencontainers.image.base.digest" = image_digest(OS_UBUNTU_24_04)
@@ -646,7 +656,7 @@ target "jazzy-desktop-full" {
 
 target "_distribution-kilted" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_UBUNTU_24_04)
     "org.opencontainers.image.base.digest" = image_digest(OS_UBUNTU_24_04)
@@ -738,7 +748,7 @@ target "kilted-desktop-full" {
 
 target "_distribution-lyrical" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_UBUNTU_26_04)
     "org.opencontainers.image.base.digest" = image_digest(OS_UBUNTU_26_04)
@@ -830,7 +840,7 @@ target "lyrical-desktop-full" {
 
 target "_distribution-rolling" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_UBUNTU_26_04)
     "org.opencontainers.image.base.digest" = image_digest(OS_UBUNTU_26_04)
@@ -922,7 +932,7 @@ target "rolling-desktop-full" {
 
 target "_distribution-bookworm" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_BOOKWORM)
     "org.opencontainers.image.base.digest" = image_digest(OS_BOOKWORM)
@@ -1026,7 +1036,7 @@ target "bookworm-desktop-full" {
 
 target "_distribution-trixie" {
   inherits  = ["_image"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   labels = {
     "org.opencontainers.image.base.name"   = image_name(OS_TRIXIE)
     "org.opencontainers.image.base.digest" = image_digest(OS_TRIXIE)
@@ -1133,7 +1143,7 @@ target "trixie-desktop-full" {
 target "_files-cuda-cu128" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "cuda"
@@ -1152,7 +1162,7 @@ target "payload-cuda-cu128" {
 target "_files-cuda-cu130" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "cuda"
@@ -1171,7 +1181,7 @@ target "payload-cuda-cu130" {
 target "_files-cuda-cu121" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "cuda"
@@ -1190,7 +1200,7 @@ target "payload-cuda-cu121" {
 target "_files-common-cu121-py38" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
     PART        = "common"
@@ -1209,7 +1219,7 @@ target "payload-common-cu121-py38" {
 target "_files-torch-cu121-py38" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
     PART        = "torch"
@@ -1228,7 +1238,7 @@ target "payload-torch-cu121-py38" {
 target "_files-common-cpu38-py38" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
     PART        = "common"
@@ -1247,7 +1257,7 @@ target "payload-common-cpu38-py38" {
 target "_files-torch-cpu38-py38" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
     PART        = "torch"
@@ -1266,7 +1276,7 @@ target "payload-torch-cpu38-py38" {
 target "_files-tensorflow-cpu38-py38" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
     PART        = "tensorflow"
@@ -1285,7 +1295,7 @@ target "payload-tensorflow-cpu38-py38" {
 target "_files-common-cu128-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART        = "common"
@@ -1304,7 +1314,7 @@ target "payload-common-cu128-py310" {
 target "_files-torch-cu128-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART        = "torch"
@@ -1323,7 +1333,7 @@ target "payload-torch-cu128-py310" {
 target "_files-tensorflow-cu128-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART        = "tensorflow"
@@ -1342,7 +1352,7 @@ target "payload-tensorflow-cu128-py310" {
 target "_files-common-cu130-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART        = "common"
@@ -1361,7 +1371,7 @@ target "payload-common-cu130-py310" {
 target "_files-torch-cu130-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART        = "torch"
@@ -1380,7 +1390,7 @@ target "payload-torch-cu130-py310" {
 target "_files-common-cpu-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART        = "common"
@@ -1399,7 +1409,7 @@ target "payload-common-cpu-py310" {
 target "_files-torch-cpu-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART        = "torch"
@@ -1418,7 +1428,7 @@ target "payload-torch-cpu-py310" {
 target "_files-tensorflow-cpu-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
     PART        = "tensorflow"
@@ -1437,7 +1447,7 @@ target "payload-tensorflow-cpu-py310" {
 target "_files-common-cu128-py312" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART        = "common"
@@ -1456,7 +1466,7 @@ target "payload-common-cu128-py312" {
 target "_files-torch-cu128-py312" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART        = "torch"
@@ -1475,7 +1485,7 @@ target "payload-torch-cu128-py312" {
 target "_files-tensorflow-cu128-py312" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART        = "tensorflow"
@@ -1494,7 +1504,7 @@ target "payload-tensorflow-cu128-py312" {
 target "_files-common-cu130-py312" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART        = "common"
@@ -1513,7 +1523,7 @@ target "payload-common-cu130-py312" {
 target "_files-torch-cu130-py312" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART        = "torch"
@@ -1532,7 +1542,7 @@ target "payload-torch-cu130-py312" {
 target "_files-common-cpu-py312" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART        = "common"
@@ -1551,7 +1561,7 @@ target "payload-common-cpu-py312" {
 target "_files-torch-cpu-py312" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART        = "torch"
@@ -1570,7 +1580,7 @@ target "payload-torch-cpu-py312" {
 target "_files-tensorflow-cpu-py312" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
     PART        = "tensorflow"
@@ -1589,7 +1599,7 @@ target "payload-tensorflow-cpu-py312" {
 target "_files-common-cu128-py314" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART        = "common"
@@ -1608,7 +1618,7 @@ target "payload-common-cu128-py314" {
 target "_files-torch-cu128-py314" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART        = "torch"
@@ -1627,7 +1637,7 @@ target "payload-torch-cu128-py314" {
 target "_files-common-cu130-py314" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART        = "common"
@@ -1646,7 +1656,7 @@ target "payload-common-cu130-py314" {
 target "_files-torch-cu130-py314" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART        = "torch"
@@ -1665,7 +1675,7 @@ target "payload-torch-cu130-py314" {
 target "_files-common-cpu-py314" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART        = "common"
@@ -1684,7 +1694,7 @@ target "payload-common-cpu-py314" {
 target "_files-torch-cpu-py314" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
     PART        = "torch"
@@ -1703,7 +1713,7 @@ target "payload-torch-cpu-py314" {
 target "_files-common-cu128-py311" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "common"
@@ -1722,7 +1732,7 @@ target "payload-common-cu128-py311" {
 target "_files-torch-cu128-py311" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "torch"
@@ -1741,7 +1751,7 @@ target "payload-torch-cu128-py311" {
 target "_files-tensorflow-cu128-py311" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "tensorflow"
@@ -1760,7 +1770,7 @@ target "payload-tensorflow-cu128-py311" {
 target "_files-common-cu130-py311" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "common"
@@ -1779,7 +1789,7 @@ target "payload-common-cu130-py311" {
 target "_files-torch-cu130-py311" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "torch"
@@ -1798,7 +1808,7 @@ target "payload-torch-cu130-py311" {
 target "_files-common-cpu-py311" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "common"
@@ -1817,7 +1827,7 @@ target "payload-common-cpu-py311" {
 target "_files-torch-cpu-py311" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "torch"
@@ -1836,7 +1846,7 @@ target "payload-torch-cpu-py311" {
 target "_files-tensorflow-cpu-py311" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
     PART        = "tensorflow"
@@ -1855,7 +1865,7 @@ target "payload-tensorflow-cpu-py311" {
 target "_files-common-cu128-py313" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_TRIXIE }
   args = {
     PART        = "common"
@@ -1874,7 +1884,7 @@ target "payload-common-cu128-py313" {
 target "_files-torch-cu128-py313" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_TRIXIE }
   args = {
     PART        = "torch"
@@ -1893,7 +1903,7 @@ target "payload-torch-cu128-py313" {
 target "_files-tensorflow-cu128-py313" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_TRIXIE }
   args = {
     PART        = "tensorflow"
@@ -1912,7 +1922,7 @@ target "payload-tensorflow-cu128-py313" {
 target "_files-common-cu130-py313" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
     PART        = "common"
@@ -1931,7 +1941,7 @@ target "payload-common-cu130-py313" {
 target "_files-torch-cu130-py313" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
     PART        = "torch"
@@ -1950,7 +1960,7 @@ target "payload-torch-cu130-py313" {
 target "_files-common-cpu-py313" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
     PART        = "common"
@@ -1969,7 +1979,7 @@ target "payload-common-cpu-py313" {
 target "_files-torch-cpu-py313" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
     PART        = "torch"
@@ -1988,7 +1998,7 @@ target "payload-torch-cpu-py313" {
 target "_files-tensorflow-cpu-py313" {
   inherits  = ["_payload"]
   target    = "payload-files"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
     PART        = "tensorflow"
@@ -2008,7 +2018,7 @@ target "payload-tensorflow-cpu-py313" {
 
 target "_cuda-cu128-ubuntu-20-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
   args = {
     ACCELERATOR   = "cuda"
@@ -2025,10 +2035,9 @@ target "_cuda-cu128-ubuntu-20-04" {
 }
 
 target "noetic-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-core-cu128", "${REGISTRY}/ros-cuda:noetic-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "noetic-core") }
+  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-core-cu128", "${REGISTRY}/ros-cuda:noetic-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "noetic-core") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 core (noetic), CUDA 12.8.90"
@@ -2038,10 +2047,9 @@ target "noetic-core-cuda-cu128" {
 }
 
 target "noetic-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-base-cu128", "${REGISTRY}/ros-cuda:noetic-base-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "noetic-base") }
+  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-base-cu128", "${REGISTRY}/ros-cuda:noetic-base-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "noetic-base") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-base-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 base (noetic), CUDA 12.8.90"
@@ -2051,10 +2059,9 @@ target "noetic-base-cuda-cu128" {
 }
 
 target "noetic-robot-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-robot-cu128", "${REGISTRY}/ros-cuda:noetic-robot-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "noetic-robot") }
+  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-robot-cu128", "${REGISTRY}/ros-cuda:noetic-robot-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "noetic-robot") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-robot-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 robot (noetic), CUDA 12.8.90"
@@ -2064,10 +2071,9 @@ target "noetic-robot-cuda-cu128" {
 }
 
 target "noetic-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-perception-cu128", "${REGISTRY}/ros-cuda:noetic-perception-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "noetic-perception") }
+  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-perception-cu128", "${REGISTRY}/ros-cuda:noetic-perception-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "noetic-perception") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-perception-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 perception (noetic), CUDA 12.8.90"
@@ -2077,10 +2083,9 @@ target "noetic-perception-cuda-cu128" {
 }
 
 target "noetic-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-desktop-cu128", "${REGISTRY}/ros-cuda:noetic-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "noetic-desktop") }
+  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-desktop-cu128", "${REGISTRY}/ros-cuda:noetic-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "noetic-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 desktop (noetic), CUDA 12.8.90"
@@ -2090,8 +2095,7 @@ target "noetic-desktop-cuda-cu128" {
 }
 
 target "noetic-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu128-cuda12.8.90",
@@ -2107,7 +2111,7 @@ target "noetic-desktop-full-cuda-cu128" {
 
 target "_cuda-cu130-ubuntu-20-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
   args = {
     ACCELERATOR   = "cuda"
@@ -2200,7 +2204,7 @@ target "noetic-desktop-full-cuda-cu130" {
 
 target "_cuda-cu121-ubuntu-20-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
   args = {
     ACCELERATOR   = "cuda"
@@ -2217,10 +2221,9 @@ target "_cuda-cu121-ubuntu-20-04" {
 }
 
 target "noetic-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-core-cu121", "${REGISTRY}/ros-cuda:noetic-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "noetic-core") }
+  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-core-cu121", "${REGISTRY}/ros-cuda:noetic-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "noetic-core") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 core (noetic), CUDA 12.1.105"
@@ -2230,8 +2233,7 @@ target "noetic-core-cuda-cu121" {
 }
 
 target "noetic-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:noetic-base-cu121",
     "${REGISTRY}/ros-cuda:noetic-base-cu121-cuda12.1.105",
@@ -2247,10 +2249,9 @@ target "noetic-base-cuda-cu121" {
 }
 
 target "noetic-robot-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-robot-cu121", "${REGISTRY}/ros-cuda:noetic-robot-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "noetic-robot") }
+  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-robot-cu121", "${REGISTRY}/ros-cuda:noetic-robot-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "noetic-robot") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-robot-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 robot (noetic), CUDA 12.1.105"
@@ -2260,10 +2261,9 @@ target "noetic-robot-cuda-cu121" {
 }
 
 target "noetic-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-perception-cu121", "${REGISTRY}/ros-cuda:noetic-perception-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "noetic-perception") }
+  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-perception-cu121", "${REGISTRY}/ros-cuda:noetic-perception-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "noetic-perception") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-perception-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 perception (noetic), CUDA 12.1.105"
@@ -2273,10 +2273,9 @@ target "noetic-perception-cuda-cu121" {
 }
 
 target "noetic-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:noetic-desktop-cu121", "${REGISTRY}/ros-cuda:noetic-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "noetic-desktop") }
+  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:noetic-desktop-cu121", "${REGISTRY}/ros-cuda:noetic-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "noetic-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "noetic-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 desktop (noetic), CUDA 12.1.105"
@@ -2286,8 +2285,7 @@ target "noetic-desktop-cuda-cu121" {
 }
 
 target "noetic-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu121-cuda12.1.105",
@@ -2303,7 +2301,7 @@ target "noetic-desktop-full-cuda-cu121" {
 
 target "_torch-cu121-ubuntu-20-04" {
   target    = "torch"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda   = part("cuda-cu121")
     part-common = part("common-cu121-py38")
@@ -2408,7 +2406,7 @@ target "noetic-desktop-full-torch-cu121" {
 
 target "_torch-cpu38-ubuntu-20-04" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common = part("common-cpu38-py38")
     part-torch  = part("torch-cpu38-py38")
@@ -2509,7 +2507,7 @@ target "noetic-desktop-full-torch-cpu38" {
 
 target "_tensorflow-cpu38-ubuntu-20-04" {
   target    = "tensorflow"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu38-py38")
     part-tensorflow = part("tensorflow-cpu38-py38")
@@ -2600,10 +2598,9 @@ target "noetic-desktop-full-tensorflow-cpu38" {
 }
 
 target "foxy-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:foxy-core-cu128", "${REGISTRY}/ros-cuda:foxy-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "foxy-core") }
+  inherits = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:foxy-core-cu128", "${REGISTRY}/ros-cuda:foxy-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "foxy-core") }
   labels = {
     "org.opencontainers.image.title"       = "foxy-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 core (foxy), CUDA 12.8.90"
@@ -2613,10 +2610,9 @@ target "foxy-core-cuda-cu128" {
 }
 
 target "foxy-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:foxy-base-cu128", "${REGISTRY}/ros-cuda:foxy-base-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "foxy-base") }
+  inherits = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:foxy-base-cu128", "${REGISTRY}/ros-cuda:foxy-base-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "foxy-base") }
   labels = {
     "org.opencontainers.image.title"       = "foxy-base-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 base (foxy), CUDA 12.8.90"
@@ -2626,10 +2622,9 @@ target "foxy-base-cuda-cu128" {
 }
 
 target "foxy-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:foxy-desktop-cu128", "${REGISTRY}/ros-cuda:foxy-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "foxy-desktop") }
+  inherits = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:foxy-desktop-cu128", "${REGISTRY}/ros-cuda:foxy-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "foxy-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "foxy-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop (foxy), CUDA 12.8.90"
@@ -2675,10 +2670,9 @@ target "foxy-desktop-cuda-cu130" {
 }
 
 target "foxy-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:foxy-core-cu121", "${REGISTRY}/ros-cuda:foxy-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "foxy-core") }
+  inherits = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:foxy-core-cu121", "${REGISTRY}/ros-cuda:foxy-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "foxy-core") }
   labels = {
     "org.opencontainers.image.title"       = "foxy-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 core (foxy), CUDA 12.1.105"
@@ -2688,8 +2682,7 @@ target "foxy-core-cuda-cu121" {
 }
 
 target "foxy-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:foxy-base-cu121",
     "${REGISTRY}/ros-cuda:foxy-base-cu121-cuda12.1.105",
@@ -2705,10 +2698,9 @@ target "foxy-base-cuda-cu121" {
 }
 
 target "foxy-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
-  tags        = ["${REGISTRY}/ros-cuda:foxy-desktop-cu121", "${REGISTRY}/ros-cuda:foxy-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "foxy-desktop") }
+  inherits = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
+  tags     = ["${REGISTRY}/ros-cuda:foxy-desktop-cu121", "${REGISTRY}/ros-cuda:foxy-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "foxy-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "foxy-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop (foxy), CUDA 12.1.105"
@@ -2834,7 +2826,7 @@ target "foxy-desktop-tensorflow-cpu38" {
 
 target "_cuda-cu128-ubuntu-22-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
   args = {
     ACCELERATOR   = "cuda"
@@ -2851,10 +2843,9 @@ target "_cuda-cu128-ubuntu-22-04" {
 }
 
 target "humble-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:humble-core-cu128", "${REGISTRY}/ros-cuda:humble-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "humble-core") }
+  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:humble-core-cu128", "${REGISTRY}/ros-cuda:humble-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "humble-core") }
   labels = {
     "org.opencontainers.image.title"       = "humble-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 core (humble), CUDA 12.8.90"
@@ -2864,8 +2855,7 @@ target "humble-core-cuda-cu128" {
 }
 
 target "humble-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:humble-base-cu128",
     "${REGISTRY}/ros-cuda:humble-base-cu128-cuda12.8.90",
@@ -2881,10 +2871,9 @@ target "humble-base-cuda-cu128" {
 }
 
 target "humble-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:humble-perception-cu128", "${REGISTRY}/ros-cuda:humble-perception-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "humble-perception") }
+  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:humble-perception-cu128", "${REGISTRY}/ros-cuda:humble-perception-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "humble-perception") }
   labels = {
     "org.opencontainers.image.title"       = "humble-perception-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 perception (humble), CUDA 12.8.90"
@@ -2894,10 +2883,9 @@ target "humble-perception-cuda-cu128" {
 }
 
 target "humble-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:humble-desktop-cu128", "${REGISTRY}/ros-cuda:humble-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "humble-desktop") }
+  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:humble-desktop-cu128", "${REGISTRY}/ros-cuda:humble-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "humble-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "humble-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop (humble), CUDA 12.8.90"
@@ -2907,8 +2895,7 @@ target "humble-desktop-cuda-cu128" {
 }
 
 target "humble-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu128-cuda12.8.90",
@@ -2924,7 +2911,7 @@ target "humble-desktop-full-cuda-cu128" {
 
 target "_cuda-cu130-ubuntu-22-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
   args = {
     ACCELERATOR   = "cuda"
@@ -3005,7 +2992,7 @@ target "humble-desktop-full-cuda-cu130" {
 
 target "_cuda-cu121-ubuntu-22-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
   args = {
     ACCELERATOR   = "cuda"
@@ -3022,10 +3009,9 @@ target "_cuda-cu121-ubuntu-22-04" {
 }
 
 target "humble-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:humble-core-cu121", "${REGISTRY}/ros-cuda:humble-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "humble-core") }
+  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:humble-core-cu121", "${REGISTRY}/ros-cuda:humble-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "humble-core") }
   labels = {
     "org.opencontainers.image.title"       = "humble-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 core (humble), CUDA 12.1.105"
@@ -3035,10 +3021,9 @@ target "humble-core-cuda-cu121" {
 }
 
 target "humble-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:humble-base-cu121", "${REGISTRY}/ros-cuda:humble-base-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "humble-base") }
+  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:humble-base-cu121", "${REGISTRY}/ros-cuda:humble-base-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "humble-base") }
   labels = {
     "org.opencontainers.image.title"       = "humble-base-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 base (humble), CUDA 12.1.105"
@@ -3048,10 +3033,9 @@ target "humble-base-cuda-cu121" {
 }
 
 target "humble-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:humble-perception-cu121", "${REGISTRY}/ros-cuda:humble-perception-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "humble-perception") }
+  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:humble-perception-cu121", "${REGISTRY}/ros-cuda:humble-perception-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "humble-perception") }
   labels = {
     "org.opencontainers.image.title"       = "humble-perception-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 perception (humble), CUDA 12.1.105"
@@ -3061,10 +3045,9 @@ target "humble-perception-cuda-cu121" {
 }
 
 target "humble-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:humble-desktop-cu121", "${REGISTRY}/ros-cuda:humble-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "humble-desktop") }
+  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:humble-desktop-cu121", "${REGISTRY}/ros-cuda:humble-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "humble-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "humble-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop (humble), CUDA 12.1.105"
@@ -3074,8 +3057,7 @@ target "humble-desktop-cuda-cu121" {
 }
 
 target "humble-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu121-cuda12.1.105",
@@ -3091,7 +3073,7 @@ target "humble-desktop-full-cuda-cu121" {
 
 target "_torch-cu128-ubuntu-22-04" {
   target    = "torch"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda   = part("cuda-cu128")
     part-common = part("common-cu128-py310")
@@ -3184,7 +3166,7 @@ target "humble-desktop-full-torch-cu128" {
 
 target "_torch-cu130-ubuntu-22-04" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-cuda   = part("cuda-cu130")
     part-common = part("common-cu130-py310")
@@ -3273,7 +3255,7 @@ target "humble-desktop-full-torch-cu130" {
 
 target "_torch-cpu-ubuntu-22-04" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common = part("common-cpu-py310")
     part-torch  = part("torch-cpu-py310")
@@ -3353,7 +3335,7 @@ target "humble-desktop-full-torch-cpu" {
 
 target "_tensorflow-cu128-ubuntu-22-04" {
   target    = "tensorflow"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda       = part("cuda-cu128")
     part-common     = part("common-cu128-py310")
@@ -3443,7 +3425,7 @@ target "humble-desktop-full-tensorflow-cu128" {
 
 target "_tensorflow-cpu-ubuntu-22-04" {
   target    = "tensorflow"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu-py310")
     part-tensorflow = part("tensorflow-cpu-py310")
@@ -3523,7 +3505,7 @@ target "humble-desktop-full-tensorflow-cpu" {
 
 target "_ml-cu128-ubuntu-22-04" {
   target    = "ml"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda       = part("cuda-cu128")
     part-common     = part("common-cu128-py310")
@@ -3623,7 +3605,7 @@ target "humble-desktop-full-ml-cu128" {
 
 target "_ml-cpu-ubuntu-22-04" {
   target    = "ml"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu-py310")
     part-torch      = part("torch-cpu-py310")
@@ -3709,10 +3691,9 @@ target "humble-desktop-full-ml-cpu" {
 }
 
 target "iron-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-core-cu128", "${REGISTRY}/ros-cuda:iron-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "iron-core") }
+  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-core-cu128", "${REGISTRY}/ros-cuda:iron-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "iron-core") }
   labels = {
     "org.opencontainers.image.title"       = "iron-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 core (iron), CUDA 12.8.90"
@@ -3722,8 +3703,7 @@ target "iron-core-cuda-cu128" {
 }
 
 target "iron-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:iron-base-cu128",
     "${REGISTRY}/ros-cuda:iron-base-cu128-cuda12.8.90",
@@ -3739,10 +3719,9 @@ target "iron-base-cuda-cu128" {
 }
 
 target "iron-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-perception-cu128", "${REGISTRY}/ros-cuda:iron-perception-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "iron-perception") }
+  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-perception-cu128", "${REGISTRY}/ros-cuda:iron-perception-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "iron-perception") }
   labels = {
     "org.opencontainers.image.title"       = "iron-perception-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 perception (iron), CUDA 12.8.90"
@@ -3752,10 +3731,9 @@ target "iron-perception-cuda-cu128" {
 }
 
 target "iron-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-desktop-cu128", "${REGISTRY}/ros-cuda:iron-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "iron-desktop") }
+  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-desktop-cu128", "${REGISTRY}/ros-cuda:iron-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "iron-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "iron-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop (iron), CUDA 12.8.90"
@@ -3765,10 +3743,9 @@ target "iron-desktop-cuda-cu128" {
 }
 
 target "iron-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-desktop-full-cu128", "${REGISTRY}/ros-cuda:iron-desktop-full-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "iron-desktop-full") }
+  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-desktop-full-cu128", "${REGISTRY}/ros-cuda:iron-desktop-full-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "iron-desktop-full-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop-full (iron), CUDA 12.8.90"
@@ -3838,10 +3815,9 @@ target "iron-desktop-full-cuda-cu130" {
 }
 
 target "iron-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-core-cu121", "${REGISTRY}/ros-cuda:iron-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "iron-core") }
+  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-core-cu121", "${REGISTRY}/ros-cuda:iron-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "iron-core") }
   labels = {
     "org.opencontainers.image.title"       = "iron-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 core (iron), CUDA 12.1.105"
@@ -3851,10 +3827,9 @@ target "iron-core-cuda-cu121" {
 }
 
 target "iron-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-base-cu121", "${REGISTRY}/ros-cuda:iron-base-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "iron-base") }
+  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-base-cu121", "${REGISTRY}/ros-cuda:iron-base-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "iron-base") }
   labels = {
     "org.opencontainers.image.title"       = "iron-base-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 base (iron), CUDA 12.1.105"
@@ -3864,10 +3839,9 @@ target "iron-base-cuda-cu121" {
 }
 
 target "iron-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-perception-cu121", "${REGISTRY}/ros-cuda:iron-perception-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "iron-perception") }
+  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-perception-cu121", "${REGISTRY}/ros-cuda:iron-perception-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "iron-perception") }
   labels = {
     "org.opencontainers.image.title"       = "iron-perception-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 perception (iron), CUDA 12.1.105"
@@ -3877,10 +3851,9 @@ target "iron-perception-cuda-cu121" {
 }
 
 target "iron-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-desktop-cu121", "${REGISTRY}/ros-cuda:iron-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "iron-desktop") }
+  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-desktop-cu121", "${REGISTRY}/ros-cuda:iron-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "iron-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "iron-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop (iron), CUDA 12.1.105"
@@ -3890,10 +3863,9 @@ target "iron-desktop-cuda-cu121" {
 }
 
 target "iron-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
-  tags        = ["${REGISTRY}/ros-cuda:iron-desktop-full-cu121", "${REGISTRY}/ros-cuda:iron-desktop-full-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "iron-desktop-full") }
+  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  tags     = ["${REGISTRY}/ros-cuda:iron-desktop-full-cu121", "${REGISTRY}/ros-cuda:iron-desktop-full-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "iron-desktop-full-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop-full (iron), CUDA 12.1.105"
@@ -4339,7 +4311,7 @@ target "iron-desktop-full-ml-cpu" {
 
 target "_cuda-cu128-ubuntu-24-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
   args = {
     ACCELERATOR   = "cuda"
@@ -4356,10 +4328,9 @@ target "_cuda-cu128-ubuntu-24-04" {
 }
 
 target "jazzy-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-core-cu128", "${REGISTRY}/ros-cuda:jazzy-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "jazzy-core") }
+  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-core-cu128", "${REGISTRY}/ros-cuda:jazzy-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "jazzy-core") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 core (jazzy), CUDA 12.8.90"
@@ -4369,8 +4340,7 @@ target "jazzy-core-cuda-cu128" {
 }
 
 target "jazzy-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:jazzy-base-cu128",
     "${REGISTRY}/ros-cuda:jazzy-base-cu128-cuda12.8.90",
@@ -4386,10 +4356,9 @@ target "jazzy-base-cuda-cu128" {
 }
 
 target "jazzy-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-perception-cu128", "${REGISTRY}/ros-cuda:jazzy-perception-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "jazzy-perception") }
+  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-perception-cu128", "${REGISTRY}/ros-cuda:jazzy-perception-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-perception-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 perception (jazzy), CUDA 12.8.90"
@@ -4399,10 +4368,9 @@ target "jazzy-perception-cuda-cu128" {
 }
 
 target "jazzy-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-desktop-cu128", "${REGISTRY}/ros-cuda:jazzy-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "jazzy-desktop") }
+  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-cu128", "${REGISTRY}/ros-cuda:jazzy-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop (jazzy), CUDA 12.8.90"
@@ -4412,10 +4380,9 @@ target "jazzy-desktop-cuda-cu128" {
 }
 
 target "jazzy-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-desktop-full-cu128", "${REGISTRY}/ros-cuda:jazzy-desktop-full-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "jazzy-desktop-full") }
+  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-full-cu128", "${REGISTRY}/ros-cuda:jazzy-desktop-full-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-desktop-full-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop-full (jazzy), CUDA 12.8.90"
@@ -4426,7 +4393,7 @@ target "jazzy-desktop-full-cuda-cu128" {
 
 target "_cuda-cu130-ubuntu-24-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
   args = {
     ACCELERATOR   = "cuda"
@@ -4504,7 +4471,7 @@ target "jazzy-desktop-full-cuda-cu130" {
 
 target "_cuda-cu121-ubuntu-24-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
   args = {
     ACCELERATOR   = "cuda"
@@ -4521,10 +4488,9 @@ target "_cuda-cu121-ubuntu-24-04" {
 }
 
 target "jazzy-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-core-cu121", "${REGISTRY}/ros-cuda:jazzy-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "jazzy-core") }
+  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-core-cu121", "${REGISTRY}/ros-cuda:jazzy-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "jazzy-core") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 core (jazzy), CUDA 12.1.105"
@@ -4534,10 +4500,9 @@ target "jazzy-core-cuda-cu121" {
 }
 
 target "jazzy-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-base-cu121", "${REGISTRY}/ros-cuda:jazzy-base-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "jazzy-base") }
+  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-base-cu121", "${REGISTRY}/ros-cuda:jazzy-base-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "jazzy-base") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-base-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 base (jazzy), CUDA 12.1.105"
@@ -4547,10 +4512,9 @@ target "jazzy-base-cuda-cu121" {
 }
 
 target "jazzy-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-perception-cu121", "${REGISTRY}/ros-cuda:jazzy-perception-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "jazzy-perception") }
+  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-perception-cu121", "${REGISTRY}/ros-cuda:jazzy-perception-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-perception-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 perception (jazzy), CUDA 12.1.105"
@@ -4560,10 +4524,9 @@ target "jazzy-perception-cuda-cu121" {
 }
 
 target "jazzy-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-desktop-cu121", "${REGISTRY}/ros-cuda:jazzy-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "jazzy-desktop") }
+  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-cu121", "${REGISTRY}/ros-cuda:jazzy-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop (jazzy), CUDA 12.1.105"
@@ -4573,10 +4536,9 @@ target "jazzy-desktop-cuda-cu121" {
 }
 
 target "jazzy-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:jazzy-desktop-full-cu121", "${REGISTRY}/ros-cuda:jazzy-desktop-full-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "jazzy-desktop-full") }
+  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-full-cu121", "${REGISTRY}/ros-cuda:jazzy-desktop-full-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-desktop-full-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop-full (jazzy), CUDA 12.1.105"
@@ -4587,7 +4549,7 @@ target "jazzy-desktop-full-cuda-cu121" {
 
 target "_torch-cu128-ubuntu-24-04" {
   target    = "torch"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda   = part("cuda-cu128")
     part-common = part("common-cu128-py312")
@@ -4680,7 +4642,7 @@ target "jazzy-desktop-full-torch-cu128" {
 
 target "_torch-cu130-ubuntu-24-04" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-cuda   = part("cuda-cu130")
     part-common = part("common-cu130-py312")
@@ -4769,7 +4731,7 @@ target "jazzy-desktop-full-torch-cu130" {
 
 target "_torch-cpu-ubuntu-24-04" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common = part("common-cpu-py312")
     part-torch  = part("torch-cpu-py312")
@@ -4849,7 +4811,7 @@ target "jazzy-desktop-full-torch-cpu" {
 
 target "_tensorflow-cu128-ubuntu-24-04" {
   target    = "tensorflow"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda       = part("cuda-cu128")
     part-common     = part("common-cu128-py312")
@@ -4939,7 +4901,7 @@ target "jazzy-desktop-full-tensorflow-cu128" {
 
 target "_tensorflow-cpu-ubuntu-24-04" {
   target    = "tensorflow"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu-py312")
     part-tensorflow = part("tensorflow-cpu-py312")
@@ -5019,7 +4981,7 @@ target "jazzy-desktop-full-tensorflow-cpu" {
 
 target "_ml-cu128-ubuntu-24-04" {
   target    = "ml"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda       = part("cuda-cu128")
     part-common     = part("common-cu128-py312")
@@ -5116,7 +5078,7 @@ target "jazzy-desktop-full-ml-cu128" {
 
 target "_ml-cpu-ubuntu-24-04" {
   target    = "ml"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu-py312")
     part-torch      = part("torch-cpu-py312")
@@ -5199,10 +5161,9 @@ target "jazzy-desktop-full-ml-cpu" {
 }
 
 target "kilted-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:kilted-core-cu128", "${REGISTRY}/ros-cuda:kilted-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "kilted-core") }
+  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:kilted-core-cu128", "${REGISTRY}/ros-cuda:kilted-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "kilted-core") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 core (kilted), CUDA 12.8.90"
@@ -5212,8 +5173,7 @@ target "kilted-core-cuda-cu128" {
 }
 
 target "kilted-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:kilted-base-cu128",
     "${REGISTRY}/ros-cuda:kilted-base-cu128-cuda12.8.90",
@@ -5229,10 +5189,9 @@ target "kilted-base-cuda-cu128" {
 }
 
 target "kilted-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:kilted-perception-cu128", "${REGISTRY}/ros-cuda:kilted-perception-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "kilted-perception") }
+  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:kilted-perception-cu128", "${REGISTRY}/ros-cuda:kilted-perception-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "kilted-perception") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-perception-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 perception (kilted), CUDA 12.8.90"
@@ -5242,10 +5201,9 @@ target "kilted-perception-cuda-cu128" {
 }
 
 target "kilted-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:kilted-desktop-cu128", "${REGISTRY}/ros-cuda:kilted-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "kilted-desktop") }
+  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:kilted-desktop-cu128", "${REGISTRY}/ros-cuda:kilted-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop (kilted), CUDA 12.8.90"
@@ -5255,8 +5213,7 @@ target "kilted-desktop-cuda-cu128" {
 }
 
 target "kilted-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu128-cuda12.8.90",
@@ -5334,10 +5291,9 @@ target "kilted-desktop-full-cuda-cu130" {
 }
 
 target "kilted-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:kilted-core-cu121", "${REGISTRY}/ros-cuda:kilted-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "kilted-core") }
+  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:kilted-core-cu121", "${REGISTRY}/ros-cuda:kilted-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "kilted-core") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 core (kilted), CUDA 12.1.105"
@@ -5347,10 +5303,9 @@ target "kilted-core-cuda-cu121" {
 }
 
 target "kilted-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:kilted-base-cu121", "${REGISTRY}/ros-cuda:kilted-base-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "kilted-base") }
+  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:kilted-base-cu121", "${REGISTRY}/ros-cuda:kilted-base-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "kilted-base") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-base-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 base (kilted), CUDA 12.1.105"
@@ -5360,10 +5315,9 @@ target "kilted-base-cuda-cu121" {
 }
 
 target "kilted-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:kilted-perception-cu121", "${REGISTRY}/ros-cuda:kilted-perception-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "kilted-perception") }
+  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:kilted-perception-cu121", "${REGISTRY}/ros-cuda:kilted-perception-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "kilted-perception") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-perception-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 perception (kilted), CUDA 12.1.105"
@@ -5373,10 +5327,9 @@ target "kilted-perception-cuda-cu121" {
 }
 
 target "kilted-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
-  tags        = ["${REGISTRY}/ros-cuda:kilted-desktop-cu121", "${REGISTRY}/ros-cuda:kilted-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "kilted-desktop") }
+  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  tags     = ["${REGISTRY}/ros-cuda:kilted-desktop-cu121", "${REGISTRY}/ros-cuda:kilted-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop (kilted), CUDA 12.1.105"
@@ -5386,8 +5339,7 @@ target "kilted-desktop-cuda-cu121" {
 }
 
 target "kilted-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu121-cuda12.1.105",
@@ -5850,7 +5802,7 @@ target "kilted-desktop-full-ml-cpu" {
 
 target "_cuda-cu128-ubuntu-26-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
   args = {
     ACCELERATOR   = "cuda"
@@ -5867,10 +5819,9 @@ target "_cuda-cu128-ubuntu-26-04" {
 }
 
 target "lyrical-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:lyrical-core-cu128", "${REGISTRY}/ros-cuda:lyrical-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "lyrical-core") }
+  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:lyrical-core-cu128", "${REGISTRY}/ros-cuda:lyrical-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "lyrical-core") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 core (lyrical), CUDA 12.8.90"
@@ -5880,8 +5831,7 @@ target "lyrical-core-cuda-cu128" {
 }
 
 target "lyrical-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:lyrical-base-cu128",
     "${REGISTRY}/ros-cuda:lyrical-base-cu128-cuda12.8.90",
@@ -5898,10 +5848,9 @@ target "lyrical-base-cuda-cu128" {
 }
 
 target "lyrical-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:lyrical-perception-cu128", "${REGISTRY}/ros-cuda:lyrical-perception-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "lyrical-perception") }
+  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:lyrical-perception-cu128", "${REGISTRY}/ros-cuda:lyrical-perception-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "lyrical-perception") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-perception-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 perception (lyrical), CUDA 12.8.90"
@@ -5911,10 +5860,9 @@ target "lyrical-perception-cuda-cu128" {
 }
 
 target "lyrical-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:lyrical-desktop-cu128", "${REGISTRY}/ros-cuda:lyrical-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "lyrical-desktop") }
+  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:lyrical-desktop-cu128", "${REGISTRY}/ros-cuda:lyrical-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "lyrical-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop (lyrical), CUDA 12.8.90"
@@ -5924,8 +5872,7 @@ target "lyrical-desktop-cuda-cu128" {
 }
 
 target "lyrical-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu128-cuda12.8.90",
@@ -5941,7 +5888,7 @@ target "lyrical-desktop-full-cuda-cu128" {
 
 target "_cuda-cu130-ubuntu-26-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
   args = {
     ACCELERATOR   = "cuda"
@@ -6022,7 +5969,7 @@ target "lyrical-desktop-full-cuda-cu130" {
 
 target "_cuda-cu121-ubuntu-26-04" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
   args = {
     ACCELERATOR   = "cuda"
@@ -6039,10 +5986,9 @@ target "_cuda-cu121-ubuntu-26-04" {
 }
 
 target "lyrical-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:lyrical-core-cu121", "${REGISTRY}/ros-cuda:lyrical-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "lyrical-core") }
+  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:lyrical-core-cu121", "${REGISTRY}/ros-cuda:lyrical-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "lyrical-core") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 core (lyrical), CUDA 12.1.105"
@@ -6052,10 +5998,9 @@ target "lyrical-core-cuda-cu121" {
 }
 
 target "lyrical-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:lyrical-base-cu121", "${REGISTRY}/ros-cuda:lyrical-base-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "lyrical-base") }
+  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:lyrical-base-cu121", "${REGISTRY}/ros-cuda:lyrical-base-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "lyrical-base") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-base-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 base (lyrical), CUDA 12.1.105"
@@ -6065,10 +6010,9 @@ target "lyrical-base-cuda-cu121" {
 }
 
 target "lyrical-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:lyrical-perception-cu121", "${REGISTRY}/ros-cuda:lyrical-perception-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "lyrical-perception") }
+  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:lyrical-perception-cu121", "${REGISTRY}/ros-cuda:lyrical-perception-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "lyrical-perception") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-perception-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 perception (lyrical), CUDA 12.1.105"
@@ -6078,10 +6022,9 @@ target "lyrical-perception-cuda-cu121" {
 }
 
 target "lyrical-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:lyrical-desktop-cu121", "${REGISTRY}/ros-cuda:lyrical-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "lyrical-desktop") }
+  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:lyrical-desktop-cu121", "${REGISTRY}/ros-cuda:lyrical-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "lyrical-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop (lyrical), CUDA 12.1.105"
@@ -6091,8 +6034,7 @@ target "lyrical-desktop-cuda-cu121" {
 }
 
 target "lyrical-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu121-cuda12.1.105",
@@ -6108,7 +6050,7 @@ target "lyrical-desktop-full-cuda-cu121" {
 
 target "_torch-cu128-ubuntu-26-04" {
   target    = "torch"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda   = part("cuda-cu128")
     part-common = part("common-cu128-py314")
@@ -6205,7 +6147,7 @@ target "lyrical-desktop-full-torch-cu128" {
 
 target "_torch-cu130-ubuntu-26-04" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-cuda   = part("cuda-cu130")
     part-common = part("common-cu130-py314")
@@ -6297,7 +6239,7 @@ target "lyrical-desktop-full-torch-cu130" {
 
 target "_torch-cpu-ubuntu-26-04" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common = part("common-cpu-py314")
     part-torch  = part("torch-cpu-py314")
@@ -6384,10 +6326,9 @@ target "lyrical-desktop-full-torch-cpu" {
 }
 
 target "rolling-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:rolling-core-cu128", "${REGISTRY}/ros-cuda:rolling-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "rolling-core") }
+  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:rolling-core-cu128", "${REGISTRY}/ros-cuda:rolling-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "rolling-core") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 core (rolling), CUDA 12.8.90"
@@ -6397,8 +6338,7 @@ target "rolling-core-cuda-cu128" {
 }
 
 target "rolling-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:rolling-base-cu128",
     "${REGISTRY}/ros-cuda:rolling-base-cu128-cuda12.8.90",
@@ -6414,10 +6354,9 @@ target "rolling-base-cuda-cu128" {
 }
 
 target "rolling-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:rolling-perception-cu128", "${REGISTRY}/ros-cuda:rolling-perception-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "rolling-perception") }
+  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:rolling-perception-cu128", "${REGISTRY}/ros-cuda:rolling-perception-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "rolling-perception") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-perception-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 perception (rolling), CUDA 12.8.90"
@@ -6427,10 +6366,9 @@ target "rolling-perception-cuda-cu128" {
 }
 
 target "rolling-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:rolling-desktop-cu128", "${REGISTRY}/ros-cuda:rolling-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "rolling-desktop") }
+  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:rolling-desktop-cu128", "${REGISTRY}/ros-cuda:rolling-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "rolling-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 2 desktop (rolling), CUDA 12.8.90"
@@ -6440,8 +6378,7 @@ target "rolling-desktop-cuda-cu128" {
 }
 
 target "rolling-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu128-cuda12.8.90",
@@ -6519,10 +6456,9 @@ target "rolling-desktop-full-cuda-cu130" {
 }
 
 target "rolling-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:rolling-core-cu121", "${REGISTRY}/ros-cuda:rolling-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "rolling-core") }
+  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:rolling-core-cu121", "${REGISTRY}/ros-cuda:rolling-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "rolling-core") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 core (rolling), CUDA 12.1.105"
@@ -6532,10 +6468,9 @@ target "rolling-core-cuda-cu121" {
 }
 
 target "rolling-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:rolling-base-cu121", "${REGISTRY}/ros-cuda:rolling-base-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "rolling-base") }
+  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:rolling-base-cu121", "${REGISTRY}/ros-cuda:rolling-base-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "rolling-base") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-base-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 base (rolling), CUDA 12.1.105"
@@ -6545,10 +6480,9 @@ target "rolling-base-cuda-cu121" {
 }
 
 target "rolling-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:rolling-perception-cu121", "${REGISTRY}/ros-cuda:rolling-perception-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "rolling-perception") }
+  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:rolling-perception-cu121", "${REGISTRY}/ros-cuda:rolling-perception-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "rolling-perception") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-perception-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 perception (rolling), CUDA 12.1.105"
@@ -6558,10 +6492,9 @@ target "rolling-perception-cuda-cu121" {
 }
 
 target "rolling-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
-  tags        = ["${REGISTRY}/ros-cuda:rolling-desktop-cu121", "${REGISTRY}/ros-cuda:rolling-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "rolling-desktop") }
+  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  tags     = ["${REGISTRY}/ros-cuda:rolling-desktop-cu121", "${REGISTRY}/ros-cuda:rolling-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "rolling-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 2 desktop (rolling), CUDA 12.1.105"
@@ -6571,8 +6504,7 @@ target "rolling-desktop-cuda-cu121" {
 }
 
 target "rolling-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu121-cuda12.1.105",
@@ -6792,7 +6724,7 @@ target "rolling-desktop-full-torch-cpu" {
 
 target "_cuda-cu128-bookworm" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
   args = {
     ACCELERATOR   = "cuda"
@@ -6809,10 +6741,9 @@ target "_cuda-cu128-bookworm" {
 }
 
 target "bookworm-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
-  tags        = ["${REGISTRY}/ros-cuda:bookworm-core-cu128", "${REGISTRY}/ros-cuda:bookworm-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "bookworm-core") }
+  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  tags     = ["${REGISTRY}/ros-cuda:bookworm-core-cu128", "${REGISTRY}/ros-cuda:bookworm-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "bookworm-core") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 core (bookworm), CUDA 12.8.90"
@@ -6822,8 +6753,7 @@ target "bookworm-core-cuda-cu128" {
 }
 
 target "bookworm-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-base-cu128",
     "${REGISTRY}/ros-cuda:bookworm-base-cu128-cuda12.8.90",
@@ -6839,10 +6769,9 @@ target "bookworm-base-cuda-cu128" {
 }
 
 target "bookworm-robot-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
-  tags        = ["${REGISTRY}/ros-cuda:bookworm-robot-cu128", "${REGISTRY}/ros-cuda:bookworm-robot-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "bookworm-robot") }
+  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  tags     = ["${REGISTRY}/ros-cuda:bookworm-robot-cu128", "${REGISTRY}/ros-cuda:bookworm-robot-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-robot-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 robot (bookworm), CUDA 12.8.90"
@@ -6852,8 +6781,7 @@ target "bookworm-robot-cuda-cu128" {
 }
 
 target "bookworm-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-perception-cu128",
     "${REGISTRY}/ros-cuda:bookworm-perception-cu128-cuda12.8.90",
@@ -6868,10 +6796,9 @@ target "bookworm-perception-cuda-cu128" {
 }
 
 target "bookworm-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
-  tags        = ["${REGISTRY}/ros-cuda:bookworm-desktop-cu128", "${REGISTRY}/ros-cuda:bookworm-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "bookworm-desktop") }
+  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  tags     = ["${REGISTRY}/ros-cuda:bookworm-desktop-cu128", "${REGISTRY}/ros-cuda:bookworm-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 desktop (bookworm), CUDA 12.8.90"
@@ -6881,8 +6808,7 @@ target "bookworm-desktop-cuda-cu128" {
 }
 
 target "bookworm-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu128-cuda12.8.90",
@@ -6898,7 +6824,7 @@ target "bookworm-desktop-full-cuda-cu128" {
 
 target "_cuda-cu130-bookworm" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
   args = {
     ACCELERATOR   = "cuda"
@@ -6994,7 +6920,7 @@ target "bookworm-desktop-full-cuda-cu130" {
 
 target "_cuda-cu121-bookworm" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
   args = {
     ACCELERATOR   = "cuda"
@@ -7011,10 +6937,9 @@ target "_cuda-cu121-bookworm" {
 }
 
 target "bookworm-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
-  tags        = ["${REGISTRY}/ros-cuda:bookworm-core-cu121", "${REGISTRY}/ros-cuda:bookworm-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "bookworm-core") }
+  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  tags     = ["${REGISTRY}/ros-cuda:bookworm-core-cu121", "${REGISTRY}/ros-cuda:bookworm-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "bookworm-core") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 core (bookworm), CUDA 12.1.105"
@@ -7024,10 +6949,9 @@ target "bookworm-core-cuda-cu121" {
 }
 
 target "bookworm-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
-  tags        = ["${REGISTRY}/ros-cuda:bookworm-base-cu121", "${REGISTRY}/ros-cuda:bookworm-base-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "bookworm-base") }
+  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  tags     = ["${REGISTRY}/ros-cuda:bookworm-base-cu121", "${REGISTRY}/ros-cuda:bookworm-base-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "bookworm-base") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-base-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 base (bookworm), CUDA 12.1.105"
@@ -7037,10 +6961,9 @@ target "bookworm-base-cuda-cu121" {
 }
 
 target "bookworm-robot-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
-  tags        = ["${REGISTRY}/ros-cuda:bookworm-robot-cu121", "${REGISTRY}/ros-cuda:bookworm-robot-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "bookworm-robot") }
+  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  tags     = ["${REGISTRY}/ros-cuda:bookworm-robot-cu121", "${REGISTRY}/ros-cuda:bookworm-robot-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-robot-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 robot (bookworm), CUDA 12.1.105"
@@ -7050,8 +6973,7 @@ target "bookworm-robot-cuda-cu121" {
 }
 
 target "bookworm-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-perception-cu121",
     "${REGISTRY}/ros-cuda:bookworm-perception-cu121-cuda12.1.105",
@@ -7066,10 +6988,9 @@ target "bookworm-perception-cuda-cu121" {
 }
 
 target "bookworm-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
-  tags        = ["${REGISTRY}/ros-cuda:bookworm-desktop-cu121", "${REGISTRY}/ros-cuda:bookworm-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "bookworm-desktop") }
+  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  tags     = ["${REGISTRY}/ros-cuda:bookworm-desktop-cu121", "${REGISTRY}/ros-cuda:bookworm-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 desktop (bookworm), CUDA 12.1.105"
@@ -7079,8 +7000,7 @@ target "bookworm-desktop-cuda-cu121" {
 }
 
 target "bookworm-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu121-cuda12.1.105",
@@ -7096,7 +7016,7 @@ target "bookworm-desktop-full-cuda-cu121" {
 
 target "_torch-cu128-bookworm" {
   target    = "torch"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda   = part("cuda-cu128")
     part-common = part("common-cu128-py311")
@@ -7204,7 +7124,7 @@ target "bookworm-desktop-full-torch-cu128" {
 
 target "_torch-cu130-bookworm" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-cuda   = part("cuda-cu130")
     part-common = part("common-cu130-py311")
@@ -7308,7 +7228,7 @@ target "bookworm-desktop-full-torch-cu130" {
 
 target "_torch-cpu-bookworm" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common = part("common-cpu-py311")
     part-torch  = part("torch-cpu-py311")
@@ -7409,7 +7329,7 @@ target "bookworm-desktop-full-torch-cpu" {
 
 target "_tensorflow-cu128-bookworm" {
   target    = "tensorflow"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda       = part("cuda-cu128")
     part-common     = part("common-cu128-py311")
@@ -7511,7 +7431,7 @@ target "bookworm-desktop-full-tensorflow-cu128" {
 
 target "_tensorflow-cpu-bookworm" {
   target    = "tensorflow"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu-py311")
     part-tensorflow = part("tensorflow-cpu-py311")
@@ -7603,7 +7523,7 @@ target "bookworm-desktop-full-tensorflow-cpu" {
 
 target "_ml-cu128-bookworm" {
   target    = "ml"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda       = part("cuda-cu128")
     part-common     = part("common-cu128-py311")
@@ -7715,7 +7635,7 @@ target "bookworm-desktop-full-ml-cu128" {
 
 target "_ml-cpu-bookworm" {
   target    = "ml"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu-py311")
     part-torch      = part("torch-cpu-py311")
@@ -7823,7 +7743,7 @@ target "bookworm-desktop-full-ml-cpu" {
 
 target "_cuda-cu128-trixie" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
   args = {
     ACCELERATOR   = "cuda"
@@ -7840,10 +7760,9 @@ target "_cuda-cu128-trixie" {
 }
 
 target "trixie-core-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu128-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-core-cu128", "${REGISTRY}/ros-cuda:trixie-core-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "trixie-core") }
+  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-core-cu128", "${REGISTRY}/ros-cuda:trixie-core-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "trixie-core") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-core-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 core (trixie), CUDA 12.8.90"
@@ -7853,8 +7772,7 @@ target "trixie-core-cuda-cu128" {
 }
 
 target "trixie-base-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-cuda:trixie-base-cu128",
     "${REGISTRY}/ros-cuda:trixie-base-cu128-cuda12.8.90",
@@ -7870,10 +7788,9 @@ target "trixie-base-cuda-cu128" {
 }
 
 target "trixie-robot-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu128-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-robot-cu128", "${REGISTRY}/ros-cuda:trixie-robot-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "trixie-robot") }
+  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-robot-cu128", "${REGISTRY}/ros-cuda:trixie-robot-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "trixie-robot") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-robot-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 robot (trixie), CUDA 12.8.90"
@@ -7883,10 +7800,9 @@ target "trixie-robot-cuda-cu128" {
 }
 
 target "trixie-perception-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu128-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-perception-cu128", "${REGISTRY}/ros-cuda:trixie-perception-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "trixie-perception") }
+  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-perception-cu128", "${REGISTRY}/ros-cuda:trixie-perception-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "trixie-perception") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-perception-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 perception (trixie), CUDA 12.8.90"
@@ -7896,10 +7812,9 @@ target "trixie-perception-cuda-cu128" {
 }
 
 target "trixie-desktop-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu128-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-desktop-cu128", "${REGISTRY}/ros-cuda:trixie-desktop-cu128-cuda12.8.90"]
-  contexts    = { ros = image("ros", "trixie-desktop") }
+  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-desktop-cu128", "${REGISTRY}/ros-cuda:trixie-desktop-cu128-cuda12.8.90"]
+  contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-desktop-cuda-cu128"
     "org.opencontainers.image.description" = "ROS 1 desktop (trixie), CUDA 12.8.90"
@@ -7909,8 +7824,7 @@ target "trixie-desktop-cuda-cu128" {
 }
 
 target "trixie-desktop-full-cuda-cu128" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu128-cuda12.8.90",
@@ -7926,7 +7840,7 @@ target "trixie-desktop-full-cuda-cu128" {
 
 target "_cuda-cu130-trixie" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
   args = {
     ACCELERATOR   = "cuda"
@@ -8019,7 +7933,7 @@ target "trixie-desktop-full-cuda-cu130" {
 
 target "_cuda-cu121-trixie" {
   target    = "cuda"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
   args = {
     ACCELERATOR   = "cuda"
@@ -8036,10 +7950,9 @@ target "_cuda-cu121-trixie" {
 }
 
 target "trixie-core-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu121-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-core-cu121", "${REGISTRY}/ros-cuda:trixie-core-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "trixie-core") }
+  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-core-cu121", "${REGISTRY}/ros-cuda:trixie-core-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "trixie-core") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-core-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 core (trixie), CUDA 12.1.105"
@@ -8049,10 +7962,9 @@ target "trixie-core-cuda-cu121" {
 }
 
 target "trixie-base-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu121-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-base-cu121", "${REGISTRY}/ros-cuda:trixie-base-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "trixie-base") }
+  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-base-cu121", "${REGISTRY}/ros-cuda:trixie-base-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "trixie-base") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-base-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 base (trixie), CUDA 12.1.105"
@@ -8062,10 +7974,9 @@ target "trixie-base-cuda-cu121" {
 }
 
 target "trixie-robot-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu121-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-robot-cu121", "${REGISTRY}/ros-cuda:trixie-robot-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "trixie-robot") }
+  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-robot-cu121", "${REGISTRY}/ros-cuda:trixie-robot-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "trixie-robot") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-robot-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 robot (trixie), CUDA 12.1.105"
@@ -8075,10 +7986,9 @@ target "trixie-robot-cuda-cu121" {
 }
 
 target "trixie-perception-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu121-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-perception-cu121", "${REGISTRY}/ros-cuda:trixie-perception-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "trixie-perception") }
+  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-perception-cu121", "${REGISTRY}/ros-cuda:trixie-perception-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "trixie-perception") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-perception-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 perception (trixie), CUDA 12.1.105"
@@ -8088,10 +7998,9 @@ target "trixie-perception-cuda-cu121" {
 }
 
 target "trixie-desktop-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu121-trixie"]
-  tags        = ["${REGISTRY}/ros-cuda:trixie-desktop-cu121", "${REGISTRY}/ros-cuda:trixie-desktop-cu121-cuda12.1.105"]
-  contexts    = { ros = image("ros", "trixie-desktop") }
+  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  tags     = ["${REGISTRY}/ros-cuda:trixie-desktop-cu121", "${REGISTRY}/ros-cuda:trixie-desktop-cu121-cuda12.1.105"]
+  contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-desktop-cuda-cu121"
     "org.opencontainers.image.description" = "ROS 1 desktop (trixie), CUDA 12.1.105"
@@ -8101,8 +8010,7 @@ target "trixie-desktop-cuda-cu121" {
 }
 
 target "trixie-desktop-full-cuda-cu121" {
-  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
   tags = [
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu121-cuda12.1.105",
@@ -8118,7 +8026,7 @@ target "trixie-desktop-full-cuda-cu121" {
 
 target "_torch-cu128-trixie" {
   target    = "torch"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda   = part("cuda-cu128")
     part-common = part("common-cu128-py313")
@@ -8223,7 +8131,7 @@ target "trixie-desktop-full-torch-cu128" {
 
 target "_torch-cu130-trixie" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-cuda   = part("cuda-cu130")
     part-common = part("common-cu130-py313")
@@ -8324,7 +8232,7 @@ target "trixie-desktop-full-torch-cu130" {
 
 target "_torch-cpu-trixie" {
   target    = "torch"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common = part("common-cpu-py313")
     part-torch  = part("torch-cpu-py313")
@@ -8416,7 +8324,7 @@ target "trixie-desktop-full-torch-cpu" {
 
 target "_tensorflow-cu128-trixie" {
   target    = "tensorflow"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda       = part("cuda-cu128")
     part-common     = part("common-cu128-py313")
@@ -8518,7 +8426,7 @@ target "trixie-desktop-full-tensorflow-cu128" {
 
 target "_tensorflow-cpu-trixie" {
   target    = "tensorflow"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu-py313")
     part-tensorflow = part("tensorflow-cpu-py313")
@@ -8610,7 +8518,7 @@ target "trixie-desktop-full-tensorflow-cpu" {
 
 target "_ml-cu128-trixie" {
   target    = "ml"
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts = {
     part-cuda       = part("cuda-cu128")
     part-common     = part("common-cu128-py313")
@@ -8722,7 +8630,7 @@ target "trixie-desktop-full-ml-cu128" {
 
 target "_ml-cpu-trixie" {
   target    = "ml"
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
     part-common     = part("common-cpu-py313")
     part-torch      = part("torch-cpu-py313")
@@ -8823,7 +8731,7 @@ target "trixie-desktop-full-ml-cpu" {
 
 target "noetic-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-core") }
   args = {
     TESTS  = "contract ros1 ros1-core"
@@ -8833,7 +8741,7 @@ target "noetic-core-test" {
 
 target "noetic-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-base") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base"
@@ -8843,7 +8751,7 @@ target "noetic-base-test" {
 
 target "noetic-robot-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-robot") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot"
@@ -8853,7 +8761,7 @@ target "noetic-robot-test" {
 
 target "noetic-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-perception") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception"
@@ -8863,7 +8771,7 @@ target "noetic-perception-test" {
 
 target "noetic-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-desktop") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop"
@@ -8873,7 +8781,7 @@ target "noetic-desktop-test" {
 
 target "noetic-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-desktop-full") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full"
@@ -8883,7 +8791,7 @@ target "noetic-desktop-full-test" {
 
 target "noetic-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -8893,7 +8801,7 @@ target "noetic-core-cuda-cu128-test" {
 
 target "noetic-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -8903,7 +8811,7 @@ target "noetic-base-cuda-cu128-test" {
 
 target "noetic-robot-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -8913,7 +8821,7 @@ target "noetic-robot-cuda-cu128-test" {
 
 target "noetic-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -8923,7 +8831,7 @@ target "noetic-perception-cuda-cu128-test" {
 
 target "noetic-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -8933,7 +8841,7 @@ target "noetic-desktop-cuda-cu128-test" {
 
 target "noetic-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -8943,7 +8851,7 @@ target "noetic-desktop-full-cuda-cu128-test" {
 
 target "noetic-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -8953,7 +8861,7 @@ target "noetic-core-cuda-cu130-test" {
 
 target "noetic-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -8963,7 +8871,7 @@ target "noetic-base-cuda-cu130-test" {
 
 target "noetic-robot-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -8973,7 +8881,7 @@ target "noetic-robot-cuda-cu130-test" {
 
 target "noetic-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -8983,7 +8891,7 @@ target "noetic-perception-cuda-cu130-test" {
 
 target "noetic-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -8993,7 +8901,7 @@ target "noetic-desktop-cuda-cu130-test" {
 
 target "noetic-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -9003,7 +8911,7 @@ target "noetic-desktop-full-cuda-cu130-test" {
 
 target "noetic-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -9013,7 +8921,7 @@ target "noetic-core-cuda-cu121-test" {
 
 target "noetic-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -9023,7 +8931,7 @@ target "noetic-base-cuda-cu121-test" {
 
 target "noetic-robot-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -9033,7 +8941,7 @@ target "noetic-robot-cuda-cu121-test" {
 
 target "noetic-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -9043,7 +8951,7 @@ target "noetic-perception-cuda-cu121-test" {
 
 target "noetic-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -9053,7 +8961,7 @@ target "noetic-desktop-cuda-cu121-test" {
 
 target "noetic-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -9063,7 +8971,7 @@ target "noetic-desktop-full-cuda-cu121-test" {
 
 target "noetic-core-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-core-torch-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
@@ -9073,7 +8981,7 @@ target "noetic-core-torch-cu121-test" {
 
 target "noetic-base-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-base-torch-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
@@ -9083,7 +8991,7 @@ target "noetic-base-torch-cu121-test" {
 
 target "noetic-robot-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-robot-torch-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
@@ -9093,7 +9001,7 @@ target "noetic-robot-torch-cu121-test" {
 
 target "noetic-perception-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-perception-torch-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
@@ -9103,7 +9011,7 @@ target "noetic-perception-torch-cu121-test" {
 
 target "noetic-desktop-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-torch-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
@@ -9113,7 +9021,7 @@ target "noetic-desktop-torch-cu121-test" {
 
 target "noetic-desktop-full-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-full-torch-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
@@ -9123,7 +9031,7 @@ target "noetic-desktop-full-torch-cu121-test" {
 
 target "noetic-core-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-core-torch-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core torch"
@@ -9133,7 +9041,7 @@ target "noetic-core-torch-cpu38-test" {
 
 target "noetic-base-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-base-torch-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base torch"
@@ -9143,7 +9051,7 @@ target "noetic-base-torch-cpu38-test" {
 
 target "noetic-robot-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-robot-torch-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
@@ -9153,7 +9061,7 @@ target "noetic-robot-torch-cpu38-test" {
 
 target "noetic-perception-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-perception-torch-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
@@ -9163,7 +9071,7 @@ target "noetic-perception-torch-cpu38-test" {
 
 target "noetic-desktop-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-torch-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
@@ -9173,7 +9081,7 @@ target "noetic-desktop-torch-cpu38-test" {
 
 target "noetic-desktop-full-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-full-torch-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
@@ -9183,7 +9091,7 @@ target "noetic-desktop-full-torch-cpu38-test" {
 
 target "noetic-core-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-core-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core tensorflow"
@@ -9193,7 +9101,7 @@ target "noetic-core-tensorflow-cpu38-test" {
 
 target "noetic-base-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-base-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
@@ -9203,7 +9111,7 @@ target "noetic-base-tensorflow-cpu38-test" {
 
 target "noetic-robot-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-robot-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
@@ -9213,7 +9121,7 @@ target "noetic-robot-tensorflow-cpu38-test" {
 
 target "noetic-perception-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-perception-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
@@ -9223,7 +9131,7 @@ target "noetic-perception-tensorflow-cpu38-test" {
 
 target "noetic-desktop-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-desktop-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
@@ -9233,7 +9141,7 @@ target "noetic-desktop-tensorflow-cpu38-test" {
 
 target "noetic-desktop-full-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-desktop-full-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
@@ -9243,7 +9151,7 @@ target "noetic-desktop-full-tensorflow-cpu38-test" {
 
 target "foxy-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "foxy-core") }
   args = {
     TESTS  = "contract ros2 ros2-core"
@@ -9253,7 +9161,7 @@ target "foxy-core-test" {
 
 target "foxy-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "foxy-base") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base"
@@ -9263,7 +9171,7 @@ target "foxy-base-test" {
 
 target "foxy-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "foxy-desktop") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop"
@@ -9273,7 +9181,7 @@ target "foxy-desktop-test" {
 
 target "foxy-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -9283,7 +9191,7 @@ target "foxy-core-cuda-cu128-test" {
 
 target "foxy-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -9293,7 +9201,7 @@ target "foxy-base-cuda-cu128-test" {
 
 target "foxy-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda"
@@ -9303,7 +9211,7 @@ target "foxy-desktop-cuda-cu128-test" {
 
 target "foxy-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "foxy-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -9313,7 +9221,7 @@ target "foxy-core-cuda-cu130-test" {
 
 target "foxy-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "foxy-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -9323,7 +9231,7 @@ target "foxy-base-cuda-cu130-test" {
 
 target "foxy-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "foxy-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda"
@@ -9333,7 +9241,7 @@ target "foxy-desktop-cuda-cu130-test" {
 
 target "foxy-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -9343,7 +9251,7 @@ target "foxy-core-cuda-cu121-test" {
 
 target "foxy-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -9353,7 +9261,7 @@ target "foxy-base-cuda-cu121-test" {
 
 target "foxy-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda"
@@ -9363,7 +9271,7 @@ target "foxy-desktop-cuda-cu121-test" {
 
 target "foxy-core-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "foxy-core-torch-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -9373,7 +9281,7 @@ target "foxy-core-torch-cu121-test" {
 
 target "foxy-base-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "foxy-base-torch-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -9383,7 +9291,7 @@ target "foxy-base-torch-cu121-test" {
 
 target "foxy-desktop-torch-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "foxy-desktop-torch-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda torch"
@@ -9393,7 +9301,7 @@ target "foxy-desktop-torch-cu121-test" {
 
 target "foxy-core-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "foxy-core-torch-cpu38") }
   args = {
     TESTS  = "contract ros2 ros2-core torch"
@@ -9403,7 +9311,7 @@ target "foxy-core-torch-cpu38-test" {
 
 target "foxy-base-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "foxy-base-torch-cpu38") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch"
@@ -9413,7 +9321,7 @@ target "foxy-base-torch-cpu38-test" {
 
 target "foxy-desktop-torch-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "foxy-desktop-torch-cpu38") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop torch"
@@ -9423,7 +9331,7 @@ target "foxy-desktop-torch-cpu38-test" {
 
 target "foxy-core-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "foxy-core-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros2 ros2-core tensorflow"
@@ -9433,7 +9341,7 @@ target "foxy-core-tensorflow-cpu38-test" {
 
 target "foxy-base-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "foxy-base-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base tensorflow"
@@ -9443,7 +9351,7 @@ target "foxy-base-tensorflow-cpu38-test" {
 
 target "foxy-desktop-tensorflow-cpu38-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "foxy-desktop-tensorflow-cpu38") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop tensorflow"
@@ -9453,7 +9361,7 @@ target "foxy-desktop-tensorflow-cpu38-test" {
 
 target "humble-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-core") }
   args = {
     TESTS  = "contract ros2 ros2-core"
@@ -9463,7 +9371,7 @@ target "humble-core-test" {
 
 target "humble-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-base") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base"
@@ -9473,7 +9381,7 @@ target "humble-base-test" {
 
 target "humble-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-perception") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
@@ -9483,7 +9391,7 @@ target "humble-perception-test" {
 
 target "humble-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-desktop") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
@@ -9493,7 +9401,7 @@ target "humble-desktop-test" {
 
 target "humble-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-desktop-full") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
@@ -9503,7 +9411,7 @@ target "humble-desktop-full-test" {
 
 target "humble-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -9513,7 +9421,7 @@ target "humble-core-cuda-cu128-test" {
 
 target "humble-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -9523,7 +9431,7 @@ target "humble-base-cuda-cu128-test" {
 
 target "humble-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -9533,7 +9441,7 @@ target "humble-perception-cuda-cu128-test" {
 
 target "humble-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -9543,7 +9451,7 @@ target "humble-desktop-cuda-cu128-test" {
 
 target "humble-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -9553,7 +9461,7 @@ target "humble-desktop-full-cuda-cu128-test" {
 
 target "humble-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -9563,7 +9471,7 @@ target "humble-core-cuda-cu130-test" {
 
 target "humble-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -9573,7 +9481,7 @@ target "humble-base-cuda-cu130-test" {
 
 target "humble-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -9583,7 +9491,7 @@ target "humble-perception-cuda-cu130-test" {
 
 target "humble-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -9593,7 +9501,7 @@ target "humble-desktop-cuda-cu130-test" {
 
 target "humble-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -9603,7 +9511,7 @@ target "humble-desktop-full-cuda-cu130-test" {
 
 target "humble-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -9613,7 +9521,7 @@ target "humble-core-cuda-cu121-test" {
 
 target "humble-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -9623,7 +9531,7 @@ target "humble-base-cuda-cu121-test" {
 
 target "humble-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -9633,7 +9541,7 @@ target "humble-perception-cuda-cu121-test" {
 
 target "humble-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -9643,7 +9551,7 @@ target "humble-desktop-cuda-cu121-test" {
 
 target "humble-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -9653,7 +9561,7 @@ target "humble-desktop-full-cuda-cu121-test" {
 
 target "humble-core-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "humble-core-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -9663,7 +9571,7 @@ target "humble-core-torch-cu128-test" {
 
 target "humble-base-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "humble-base-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -9673,7 +9581,7 @@ target "humble-base-torch-cu128-test" {
 
 target "humble-perception-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "humble-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -9683,7 +9591,7 @@ target "humble-perception-torch-cu128-test" {
 
 target "humble-desktop-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "humble-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -9693,7 +9601,7 @@ target "humble-desktop-torch-cu128-test" {
 
 target "humble-desktop-full-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "humble-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -9703,7 +9611,7 @@ target "humble-desktop-full-torch-cu128-test" {
 
 target "humble-core-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -9713,7 +9621,7 @@ target "humble-core-torch-cu130-test" {
 
 target "humble-base-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -9723,7 +9631,7 @@ target "humble-base-torch-cu130-test" {
 
 target "humble-perception-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -9733,7 +9641,7 @@ target "humble-perception-torch-cu130-test" {
 
 target "humble-desktop-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -9743,7 +9651,7 @@ target "humble-desktop-torch-cu130-test" {
 
 target "humble-desktop-full-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -9753,7 +9661,7 @@ target "humble-desktop-full-torch-cu130-test" {
 
 target "humble-core-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-core-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch"
@@ -9763,7 +9671,7 @@ target "humble-core-torch-cpu-test" {
 
 target "humble-base-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-base-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch"
@@ -9773,7 +9681,7 @@ target "humble-base-torch-cpu-test" {
 
 target "humble-perception-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-perception-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch"
@@ -9783,7 +9691,7 @@ target "humble-perception-torch-cpu-test" {
 
 target "humble-desktop-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-desktop-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch"
@@ -9793,7 +9701,7 @@ target "humble-desktop-torch-cpu-test" {
 
 target "humble-desktop-full-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch"
@@ -9803,7 +9711,7 @@ target "humble-desktop-full-torch-cpu-test" {
 
 target "humble-core-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "humble-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda tensorflow"
@@ -9813,7 +9721,7 @@ target "humble-core-tensorflow-cu128-test" {
 
 target "humble-base-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "humble-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda tensorflow"
@@ -9823,7 +9731,7 @@ target "humble-base-tensorflow-cu128-test" {
 
 target "humble-perception-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "humble-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda tensorflow"
@@ -9833,7 +9741,7 @@ target "humble-perception-tensorflow-cu128-test" {
 
 target "humble-desktop-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "humble-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda tensorflow"
@@ -9843,7 +9751,7 @@ target "humble-desktop-tensorflow-cu128-test" {
 
 target "humble-desktop-full-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "humble-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda tensorflow"
@@ -9853,7 +9761,7 @@ target "humble-desktop-full-tensorflow-cu128-test" {
 
 target "humble-core-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "humble-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core tensorflow"
@@ -9863,7 +9771,7 @@ target "humble-core-tensorflow-cpu-test" {
 
 target "humble-base-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "humble-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base tensorflow"
@@ -9873,7 +9781,7 @@ target "humble-base-tensorflow-cpu-test" {
 
 target "humble-perception-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "humble-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception tensorflow"
@@ -9883,7 +9791,7 @@ target "humble-perception-tensorflow-cpu-test" {
 
 target "humble-desktop-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "humble-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop tensorflow"
@@ -9893,7 +9801,7 @@ target "humble-desktop-tensorflow-cpu-test" {
 
 target "humble-desktop-full-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "humble-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full tensorflow"
@@ -9903,7 +9811,7 @@ target "humble-desktop-full-tensorflow-cpu-test" {
 
 target "humble-core-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-core-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml"
@@ -9913,7 +9821,7 @@ target "humble-core-ml-cu128-test" {
 
 target "humble-base-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-base-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml"
@@ -9923,7 +9831,7 @@ target "humble-base-ml-cu128-test" {
 
 target "humble-perception-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-perception-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml"
@@ -9933,7 +9841,7 @@ target "humble-perception-ml-cu128-test" {
 
 target "humble-desktop-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-desktop-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml"
@@ -9943,7 +9851,7 @@ target "humble-desktop-ml-cu128-test" {
 
 target "humble-desktop-full-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml"
@@ -9953,7 +9861,7 @@ target "humble-desktop-full-ml-cu128-test" {
 
 target "humble-core-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-core-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch tensorflow ml"
@@ -9963,7 +9871,7 @@ target "humble-core-ml-cpu-test" {
 
 target "humble-base-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-base-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml"
@@ -9973,7 +9881,7 @@ target "humble-base-ml-cpu-test" {
 
 target "humble-perception-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-perception-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml"
@@ -9983,7 +9891,7 @@ target "humble-perception-ml-cpu-test" {
 
 target "humble-desktop-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-desktop-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml"
@@ -9993,7 +9901,7 @@ target "humble-desktop-ml-cpu-test" {
 
 target "humble-desktop-full-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml"
@@ -10003,7 +9911,7 @@ target "humble-desktop-full-ml-cpu-test" {
 
 target "iron-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-core") }
   args = {
     TESTS  = "contract ros2 ros2-core"
@@ -10013,7 +9921,7 @@ target "iron-core-test" {
 
 target "iron-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-base") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base"
@@ -10023,7 +9931,7 @@ target "iron-base-test" {
 
 target "iron-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-perception") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
@@ -10033,7 +9941,7 @@ target "iron-perception-test" {
 
 target "iron-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-desktop") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
@@ -10043,7 +9951,7 @@ target "iron-desktop-test" {
 
 target "iron-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-desktop-full") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
@@ -10053,7 +9961,7 @@ target "iron-desktop-full-test" {
 
 target "iron-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -10063,7 +9971,7 @@ target "iron-core-cuda-cu128-test" {
 
 target "iron-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -10073,7 +9981,7 @@ target "iron-base-cuda-cu128-test" {
 
 target "iron-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -10083,7 +9991,7 @@ target "iron-perception-cuda-cu128-test" {
 
 target "iron-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -10093,7 +10001,7 @@ target "iron-desktop-cuda-cu128-test" {
 
 target "iron-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -10103,7 +10011,7 @@ target "iron-desktop-full-cuda-cu128-test" {
 
 target "iron-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -10113,7 +10021,7 @@ target "iron-core-cuda-cu130-test" {
 
 target "iron-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -10123,7 +10031,7 @@ target "iron-base-cuda-cu130-test" {
 
 target "iron-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -10133,7 +10041,7 @@ target "iron-perception-cuda-cu130-test" {
 
 target "iron-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -10143,7 +10051,7 @@ target "iron-desktop-cuda-cu130-test" {
 
 target "iron-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -10153,7 +10061,7 @@ target "iron-desktop-full-cuda-cu130-test" {
 
 target "iron-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -10163,7 +10071,7 @@ target "iron-core-cuda-cu121-test" {
 
 target "iron-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -10173,7 +10081,7 @@ target "iron-base-cuda-cu121-test" {
 
 target "iron-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -10183,7 +10091,7 @@ target "iron-perception-cuda-cu121-test" {
 
 target "iron-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -10193,7 +10101,7 @@ target "iron-desktop-cuda-cu121-test" {
 
 target "iron-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -10203,7 +10111,7 @@ target "iron-desktop-full-cuda-cu121-test" {
 
 target "iron-core-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "iron-core-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -10213,7 +10121,7 @@ target "iron-core-torch-cu128-test" {
 
 target "iron-base-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "iron-base-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -10223,7 +10131,7 @@ target "iron-base-torch-cu128-test" {
 
 target "iron-perception-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "iron-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -10233,7 +10141,7 @@ target "iron-perception-torch-cu128-test" {
 
 target "iron-desktop-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "iron-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -10243,7 +10151,7 @@ target "iron-desktop-torch-cu128-test" {
 
 target "iron-desktop-full-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "iron-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -10253,7 +10161,7 @@ target "iron-desktop-full-torch-cu128-test" {
 
 target "iron-core-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -10263,7 +10171,7 @@ target "iron-core-torch-cu130-test" {
 
 target "iron-base-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -10273,7 +10181,7 @@ target "iron-base-torch-cu130-test" {
 
 target "iron-perception-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -10283,7 +10191,7 @@ target "iron-perception-torch-cu130-test" {
 
 target "iron-desktop-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -10293,7 +10201,7 @@ target "iron-desktop-torch-cu130-test" {
 
 target "iron-desktop-full-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -10303,7 +10211,7 @@ target "iron-desktop-full-torch-cu130-test" {
 
 target "iron-core-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-core-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch"
@@ -10313,7 +10221,7 @@ target "iron-core-torch-cpu-test" {
 
 target "iron-base-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-base-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch"
@@ -10323,7 +10231,7 @@ target "iron-base-torch-cpu-test" {
 
 target "iron-perception-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-perception-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch"
@@ -10333,7 +10241,7 @@ target "iron-perception-torch-cpu-test" {
 
 target "iron-desktop-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-desktop-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch"
@@ -10343,7 +10251,7 @@ target "iron-desktop-torch-cpu-test" {
 
 target "iron-desktop-full-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch"
@@ -10353,7 +10261,7 @@ target "iron-desktop-full-torch-cpu-test" {
 
 target "iron-core-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "iron-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda tensorflow"
@@ -10363,7 +10271,7 @@ target "iron-core-tensorflow-cu128-test" {
 
 target "iron-base-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "iron-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda tensorflow"
@@ -10373,7 +10281,7 @@ target "iron-base-tensorflow-cu128-test" {
 
 target "iron-perception-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "iron-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda tensorflow"
@@ -10383,7 +10291,7 @@ target "iron-perception-tensorflow-cu128-test" {
 
 target "iron-desktop-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "iron-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda tensorflow"
@@ -10393,7 +10301,7 @@ target "iron-desktop-tensorflow-cu128-test" {
 
 target "iron-desktop-full-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "iron-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda tensorflow"
@@ -10403,7 +10311,7 @@ target "iron-desktop-full-tensorflow-cu128-test" {
 
 target "iron-core-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "iron-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core tensorflow"
@@ -10413,7 +10321,7 @@ target "iron-core-tensorflow-cpu-test" {
 
 target "iron-base-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "iron-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base tensorflow"
@@ -10423,7 +10331,7 @@ target "iron-base-tensorflow-cpu-test" {
 
 target "iron-perception-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "iron-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception tensorflow"
@@ -10433,7 +10341,7 @@ target "iron-perception-tensorflow-cpu-test" {
 
 target "iron-desktop-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "iron-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop tensorflow"
@@ -10443,7 +10351,7 @@ target "iron-desktop-tensorflow-cpu-test" {
 
 target "iron-desktop-full-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "iron-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full tensorflow"
@@ -10453,7 +10361,7 @@ target "iron-desktop-full-tensorflow-cpu-test" {
 
 target "iron-core-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-core-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml"
@@ -10463,7 +10371,7 @@ target "iron-core-ml-cu128-test" {
 
 target "iron-base-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-base-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml"
@@ -10473,7 +10381,7 @@ target "iron-base-ml-cu128-test" {
 
 target "iron-perception-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-perception-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml"
@@ -10483,7 +10391,7 @@ target "iron-perception-ml-cu128-test" {
 
 target "iron-desktop-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-desktop-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml"
@@ -10493,7 +10401,7 @@ target "iron-desktop-ml-cu128-test" {
 
 target "iron-desktop-full-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml"
@@ -10503,7 +10411,7 @@ target "iron-desktop-full-ml-cu128-test" {
 
 target "iron-core-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-core-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch tensorflow ml"
@@ -10513,7 +10421,7 @@ target "iron-core-ml-cpu-test" {
 
 target "iron-base-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-base-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml"
@@ -10523,7 +10431,7 @@ target "iron-base-ml-cpu-test" {
 
 target "iron-perception-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-perception-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml"
@@ -10533,7 +10441,7 @@ target "iron-perception-ml-cpu-test" {
 
 target "iron-desktop-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-desktop-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml"
@@ -10543,7 +10451,7 @@ target "iron-desktop-ml-cpu-test" {
 
 target "iron-desktop-full-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml"
@@ -10553,7 +10461,7 @@ target "iron-desktop-full-ml-cpu-test" {
 
 target "jazzy-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-core") }
   args = {
     TESTS  = "contract ros2 ros2-core"
@@ -10563,7 +10471,7 @@ target "jazzy-core-test" {
 
 target "jazzy-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-base") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base"
@@ -10573,7 +10481,7 @@ target "jazzy-base-test" {
 
 target "jazzy-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-perception") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
@@ -10583,7 +10491,7 @@ target "jazzy-perception-test" {
 
 target "jazzy-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-desktop") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
@@ -10593,7 +10501,7 @@ target "jazzy-desktop-test" {
 
 target "jazzy-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-desktop-full") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
@@ -10603,7 +10511,7 @@ target "jazzy-desktop-full-test" {
 
 target "jazzy-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -10613,7 +10521,7 @@ target "jazzy-core-cuda-cu128-test" {
 
 target "jazzy-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -10623,7 +10531,7 @@ target "jazzy-base-cuda-cu128-test" {
 
 target "jazzy-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -10633,7 +10541,7 @@ target "jazzy-perception-cuda-cu128-test" {
 
 target "jazzy-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -10643,7 +10551,7 @@ target "jazzy-desktop-cuda-cu128-test" {
 
 target "jazzy-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -10653,7 +10561,7 @@ target "jazzy-desktop-full-cuda-cu128-test" {
 
 target "jazzy-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -10663,7 +10571,7 @@ target "jazzy-core-cuda-cu130-test" {
 
 target "jazzy-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -10673,7 +10581,7 @@ target "jazzy-base-cuda-cu130-test" {
 
 target "jazzy-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -10683,7 +10591,7 @@ target "jazzy-perception-cuda-cu130-test" {
 
 target "jazzy-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -10693,7 +10601,7 @@ target "jazzy-desktop-cuda-cu130-test" {
 
 target "jazzy-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -10703,7 +10611,7 @@ target "jazzy-desktop-full-cuda-cu130-test" {
 
 target "jazzy-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -10713,7 +10621,7 @@ target "jazzy-core-cuda-cu121-test" {
 
 target "jazzy-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -10723,7 +10631,7 @@ target "jazzy-base-cuda-cu121-test" {
 
 target "jazzy-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -10733,7 +10641,7 @@ target "jazzy-perception-cuda-cu121-test" {
 
 target "jazzy-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -10743,7 +10651,7 @@ target "jazzy-desktop-cuda-cu121-test" {
 
 target "jazzy-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -10753,7 +10661,7 @@ target "jazzy-desktop-full-cuda-cu121-test" {
 
 target "jazzy-core-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "jazzy-core-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -10763,7 +10671,7 @@ target "jazzy-core-torch-cu128-test" {
 
 target "jazzy-base-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "jazzy-base-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -10773,7 +10681,7 @@ target "jazzy-base-torch-cu128-test" {
 
 target "jazzy-perception-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "jazzy-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -10783,7 +10691,7 @@ target "jazzy-perception-torch-cu128-test" {
 
 target "jazzy-desktop-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "jazzy-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -10793,7 +10701,7 @@ target "jazzy-desktop-torch-cu128-test" {
 
 target "jazzy-desktop-full-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "jazzy-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -10803,7 +10711,7 @@ target "jazzy-desktop-full-torch-cu128-test" {
 
 target "jazzy-core-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -10813,7 +10721,7 @@ target "jazzy-core-torch-cu130-test" {
 
 target "jazzy-base-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -10823,7 +10731,7 @@ target "jazzy-base-torch-cu130-test" {
 
 target "jazzy-perception-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -10833,7 +10741,7 @@ target "jazzy-perception-torch-cu130-test" {
 
 target "jazzy-desktop-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -10843,7 +10751,7 @@ target "jazzy-desktop-torch-cu130-test" {
 
 target "jazzy-desktop-full-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -10853,7 +10761,7 @@ target "jazzy-desktop-full-torch-cu130-test" {
 
 target "jazzy-core-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-core-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch"
@@ -10863,7 +10771,7 @@ target "jazzy-core-torch-cpu-test" {
 
 target "jazzy-base-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-base-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch"
@@ -10873,7 +10781,7 @@ target "jazzy-base-torch-cpu-test" {
 
 target "jazzy-perception-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-perception-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch"
@@ -10883,7 +10791,7 @@ target "jazzy-perception-torch-cpu-test" {
 
 target "jazzy-desktop-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-desktop-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch"
@@ -10893,7 +10801,7 @@ target "jazzy-desktop-torch-cpu-test" {
 
 target "jazzy-desktop-full-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch"
@@ -10903,7 +10811,7 @@ target "jazzy-desktop-full-torch-cpu-test" {
 
 target "jazzy-core-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "jazzy-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda tensorflow"
@@ -10913,7 +10821,7 @@ target "jazzy-core-tensorflow-cu128-test" {
 
 target "jazzy-base-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "jazzy-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda tensorflow"
@@ -10923,7 +10831,7 @@ target "jazzy-base-tensorflow-cu128-test" {
 
 target "jazzy-perception-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "jazzy-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda tensorflow"
@@ -10933,7 +10841,7 @@ target "jazzy-perception-tensorflow-cu128-test" {
 
 target "jazzy-desktop-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "jazzy-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda tensorflow"
@@ -10943,7 +10851,7 @@ target "jazzy-desktop-tensorflow-cu128-test" {
 
 target "jazzy-desktop-full-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "jazzy-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda tensorflow"
@@ -10953,7 +10861,7 @@ target "jazzy-desktop-full-tensorflow-cu128-test" {
 
 target "jazzy-core-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "jazzy-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core tensorflow"
@@ -10963,7 +10871,7 @@ target "jazzy-core-tensorflow-cpu-test" {
 
 target "jazzy-base-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "jazzy-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base tensorflow"
@@ -10973,7 +10881,7 @@ target "jazzy-base-tensorflow-cpu-test" {
 
 target "jazzy-perception-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "jazzy-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception tensorflow"
@@ -10983,7 +10891,7 @@ target "jazzy-perception-tensorflow-cpu-test" {
 
 target "jazzy-desktop-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "jazzy-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop tensorflow"
@@ -10993,7 +10901,7 @@ target "jazzy-desktop-tensorflow-cpu-test" {
 
 target "jazzy-desktop-full-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "jazzy-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full tensorflow"
@@ -11003,7 +10911,7 @@ target "jazzy-desktop-full-tensorflow-cpu-test" {
 
 target "jazzy-core-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-core-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml"
@@ -11013,7 +10921,7 @@ target "jazzy-core-ml-cu128-test" {
 
 target "jazzy-base-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-base-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml"
@@ -11023,7 +10931,7 @@ target "jazzy-base-ml-cu128-test" {
 
 target "jazzy-perception-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-perception-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml"
@@ -11033,7 +10941,7 @@ target "jazzy-perception-ml-cu128-test" {
 
 target "jazzy-desktop-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-desktop-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml"
@@ -11043,7 +10951,7 @@ target "jazzy-desktop-ml-cu128-test" {
 
 target "jazzy-desktop-full-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml"
@@ -11053,7 +10961,7 @@ target "jazzy-desktop-full-ml-cu128-test" {
 
 target "jazzy-core-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-core-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch tensorflow ml"
@@ -11063,7 +10971,7 @@ target "jazzy-core-ml-cpu-test" {
 
 target "jazzy-base-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-base-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml"
@@ -11073,7 +10981,7 @@ target "jazzy-base-ml-cpu-test" {
 
 target "jazzy-perception-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-perception-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml"
@@ -11083,7 +10991,7 @@ target "jazzy-perception-ml-cpu-test" {
 
 target "jazzy-desktop-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-desktop-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml"
@@ -11093,7 +11001,7 @@ target "jazzy-desktop-ml-cpu-test" {
 
 target "jazzy-desktop-full-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml"
@@ -11103,7 +11011,7 @@ target "jazzy-desktop-full-ml-cpu-test" {
 
 target "kilted-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-core") }
   args = {
     TESTS  = "contract ros2 ros2-core"
@@ -11113,7 +11021,7 @@ target "kilted-core-test" {
 
 target "kilted-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-base") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base"
@@ -11123,7 +11031,7 @@ target "kilted-base-test" {
 
 target "kilted-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-perception") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
@@ -11133,7 +11041,7 @@ target "kilted-perception-test" {
 
 target "kilted-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-desktop") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
@@ -11143,7 +11051,7 @@ target "kilted-desktop-test" {
 
 target "kilted-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-desktop-full") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
@@ -11153,7 +11061,7 @@ target "kilted-desktop-full-test" {
 
 target "kilted-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -11163,7 +11071,7 @@ target "kilted-core-cuda-cu128-test" {
 
 target "kilted-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -11173,7 +11081,7 @@ target "kilted-base-cuda-cu128-test" {
 
 target "kilted-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -11183,7 +11091,7 @@ target "kilted-perception-cuda-cu128-test" {
 
 target "kilted-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -11193,7 +11101,7 @@ target "kilted-desktop-cuda-cu128-test" {
 
 target "kilted-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -11203,7 +11111,7 @@ target "kilted-desktop-full-cuda-cu128-test" {
 
 target "kilted-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -11213,7 +11121,7 @@ target "kilted-core-cuda-cu130-test" {
 
 target "kilted-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -11223,7 +11131,7 @@ target "kilted-base-cuda-cu130-test" {
 
 target "kilted-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -11233,7 +11141,7 @@ target "kilted-perception-cuda-cu130-test" {
 
 target "kilted-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -11243,7 +11151,7 @@ target "kilted-desktop-cuda-cu130-test" {
 
 target "kilted-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -11253,7 +11161,7 @@ target "kilted-desktop-full-cuda-cu130-test" {
 
 target "kilted-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -11263,7 +11171,7 @@ target "kilted-core-cuda-cu121-test" {
 
 target "kilted-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -11273,7 +11181,7 @@ target "kilted-base-cuda-cu121-test" {
 
 target "kilted-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -11283,7 +11191,7 @@ target "kilted-perception-cuda-cu121-test" {
 
 target "kilted-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -11293,7 +11201,7 @@ target "kilted-desktop-cuda-cu121-test" {
 
 target "kilted-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -11303,7 +11211,7 @@ target "kilted-desktop-full-cuda-cu121-test" {
 
 target "kilted-core-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "kilted-core-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -11313,7 +11221,7 @@ target "kilted-core-torch-cu128-test" {
 
 target "kilted-base-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "kilted-base-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -11323,7 +11231,7 @@ target "kilted-base-torch-cu128-test" {
 
 target "kilted-perception-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "kilted-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -11333,7 +11241,7 @@ target "kilted-perception-torch-cu128-test" {
 
 target "kilted-desktop-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "kilted-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -11343,7 +11251,7 @@ target "kilted-desktop-torch-cu128-test" {
 
 target "kilted-desktop-full-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "kilted-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -11353,7 +11261,7 @@ target "kilted-desktop-full-torch-cu128-test" {
 
 target "kilted-core-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -11363,7 +11271,7 @@ target "kilted-core-torch-cu130-test" {
 
 target "kilted-base-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -11373,7 +11281,7 @@ target "kilted-base-torch-cu130-test" {
 
 target "kilted-perception-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -11383,7 +11291,7 @@ target "kilted-perception-torch-cu130-test" {
 
 target "kilted-desktop-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -11393,7 +11301,7 @@ target "kilted-desktop-torch-cu130-test" {
 
 target "kilted-desktop-full-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -11403,7 +11311,7 @@ target "kilted-desktop-full-torch-cu130-test" {
 
 target "kilted-core-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-core-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch"
@@ -11413,7 +11321,7 @@ target "kilted-core-torch-cpu-test" {
 
 target "kilted-base-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-base-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch"
@@ -11423,7 +11331,7 @@ target "kilted-base-torch-cpu-test" {
 
 target "kilted-perception-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-perception-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch"
@@ -11433,7 +11341,7 @@ target "kilted-perception-torch-cpu-test" {
 
 target "kilted-desktop-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-desktop-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch"
@@ -11443,7 +11351,7 @@ target "kilted-desktop-torch-cpu-test" {
 
 target "kilted-desktop-full-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch"
@@ -11453,7 +11361,7 @@ target "kilted-desktop-full-torch-cpu-test" {
 
 target "kilted-core-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "kilted-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda tensorflow"
@@ -11463,7 +11371,7 @@ target "kilted-core-tensorflow-cu128-test" {
 
 target "kilted-base-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "kilted-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda tensorflow"
@@ -11473,7 +11381,7 @@ target "kilted-base-tensorflow-cu128-test" {
 
 target "kilted-perception-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "kilted-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda tensorflow"
@@ -11483,7 +11391,7 @@ target "kilted-perception-tensorflow-cu128-test" {
 
 target "kilted-desktop-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "kilted-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda tensorflow"
@@ -11493,7 +11401,7 @@ target "kilted-desktop-tensorflow-cu128-test" {
 
 target "kilted-desktop-full-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "kilted-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda tensorflow"
@@ -11503,7 +11411,7 @@ target "kilted-desktop-full-tensorflow-cu128-test" {
 
 target "kilted-core-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "kilted-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core tensorflow"
@@ -11513,7 +11421,7 @@ target "kilted-core-tensorflow-cpu-test" {
 
 target "kilted-base-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "kilted-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base tensorflow"
@@ -11523,7 +11431,7 @@ target "kilted-base-tensorflow-cpu-test" {
 
 target "kilted-perception-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "kilted-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception tensorflow"
@@ -11533,7 +11441,7 @@ target "kilted-perception-tensorflow-cpu-test" {
 
 target "kilted-desktop-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "kilted-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop tensorflow"
@@ -11543,7 +11451,7 @@ target "kilted-desktop-tensorflow-cpu-test" {
 
 target "kilted-desktop-full-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "kilted-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full tensorflow"
@@ -11553,7 +11461,7 @@ target "kilted-desktop-full-tensorflow-cpu-test" {
 
 target "kilted-core-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-core-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml"
@@ -11563,7 +11471,7 @@ target "kilted-core-ml-cu128-test" {
 
 target "kilted-base-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-base-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml"
@@ -11573,7 +11481,7 @@ target "kilted-base-ml-cu128-test" {
 
 target "kilted-perception-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-perception-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml"
@@ -11583,7 +11491,7 @@ target "kilted-perception-ml-cu128-test" {
 
 target "kilted-desktop-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-desktop-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml"
@@ -11593,7 +11501,7 @@ target "kilted-desktop-ml-cu128-test" {
 
 target "kilted-desktop-full-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml"
@@ -11603,7 +11511,7 @@ target "kilted-desktop-full-ml-cu128-test" {
 
 target "kilted-core-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-core-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch tensorflow ml"
@@ -11613,7 +11521,7 @@ target "kilted-core-ml-cpu-test" {
 
 target "kilted-base-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-base-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml"
@@ -11623,7 +11531,7 @@ target "kilted-base-ml-cpu-test" {
 
 target "kilted-perception-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-perception-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml"
@@ -11633,7 +11541,7 @@ target "kilted-perception-ml-cpu-test" {
 
 target "kilted-desktop-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-desktop-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml"
@@ -11643,7 +11551,7 @@ target "kilted-desktop-ml-cpu-test" {
 
 target "kilted-desktop-full-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml"
@@ -11653,7 +11561,7 @@ target "kilted-desktop-full-ml-cpu-test" {
 
 target "lyrical-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-core") }
   args = {
     TESTS  = "contract ros2 ros2-core"
@@ -11663,7 +11571,7 @@ target "lyrical-core-test" {
 
 target "lyrical-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-base") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base"
@@ -11673,7 +11581,7 @@ target "lyrical-base-test" {
 
 target "lyrical-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-perception") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
@@ -11683,7 +11591,7 @@ target "lyrical-perception-test" {
 
 target "lyrical-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-desktop") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
@@ -11693,7 +11601,7 @@ target "lyrical-desktop-test" {
 
 target "lyrical-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-desktop-full") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
@@ -11703,7 +11611,7 @@ target "lyrical-desktop-full-test" {
 
 target "lyrical-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -11713,7 +11621,7 @@ target "lyrical-core-cuda-cu128-test" {
 
 target "lyrical-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -11723,7 +11631,7 @@ target "lyrical-base-cuda-cu128-test" {
 
 target "lyrical-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -11733,7 +11641,7 @@ target "lyrical-perception-cuda-cu128-test" {
 
 target "lyrical-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -11743,7 +11651,7 @@ target "lyrical-desktop-cuda-cu128-test" {
 
 target "lyrical-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -11753,7 +11661,7 @@ target "lyrical-desktop-full-cuda-cu128-test" {
 
 target "lyrical-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -11763,7 +11671,7 @@ target "lyrical-core-cuda-cu130-test" {
 
 target "lyrical-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -11773,7 +11681,7 @@ target "lyrical-base-cuda-cu130-test" {
 
 target "lyrical-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -11783,7 +11691,7 @@ target "lyrical-perception-cuda-cu130-test" {
 
 target "lyrical-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -11793,7 +11701,7 @@ target "lyrical-desktop-cuda-cu130-test" {
 
 target "lyrical-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -11803,7 +11711,7 @@ target "lyrical-desktop-full-cuda-cu130-test" {
 
 target "lyrical-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -11813,7 +11721,7 @@ target "lyrical-core-cuda-cu121-test" {
 
 target "lyrical-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -11823,7 +11731,7 @@ target "lyrical-base-cuda-cu121-test" {
 
 target "lyrical-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -11833,7 +11741,7 @@ target "lyrical-perception-cuda-cu121-test" {
 
 target "lyrical-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -11843,7 +11751,7 @@ target "lyrical-desktop-cuda-cu121-test" {
 
 target "lyrical-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -11853,7 +11761,7 @@ target "lyrical-desktop-full-cuda-cu121-test" {
 
 target "lyrical-core-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-core-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -11863,7 +11771,7 @@ target "lyrical-core-torch-cu128-test" {
 
 target "lyrical-base-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-base-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -11873,7 +11781,7 @@ target "lyrical-base-torch-cu128-test" {
 
 target "lyrical-perception-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -11883,7 +11791,7 @@ target "lyrical-perception-torch-cu128-test" {
 
 target "lyrical-desktop-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -11893,7 +11801,7 @@ target "lyrical-desktop-torch-cu128-test" {
 
 target "lyrical-desktop-full-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -11903,7 +11811,7 @@ target "lyrical-desktop-full-torch-cu128-test" {
 
 target "lyrical-core-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -11913,7 +11821,7 @@ target "lyrical-core-torch-cu130-test" {
 
 target "lyrical-base-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -11923,7 +11831,7 @@ target "lyrical-base-torch-cu130-test" {
 
 target "lyrical-perception-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -11933,7 +11841,7 @@ target "lyrical-perception-torch-cu130-test" {
 
 target "lyrical-desktop-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -11943,7 +11851,7 @@ target "lyrical-desktop-torch-cu130-test" {
 
 target "lyrical-desktop-full-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -11953,7 +11861,7 @@ target "lyrical-desktop-full-torch-cu130-test" {
 
 target "lyrical-core-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-core-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch"
@@ -11963,7 +11871,7 @@ target "lyrical-core-torch-cpu-test" {
 
 target "lyrical-base-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-base-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch"
@@ -11973,7 +11881,7 @@ target "lyrical-base-torch-cpu-test" {
 
 target "lyrical-perception-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-perception-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch"
@@ -11983,7 +11891,7 @@ target "lyrical-perception-torch-cpu-test" {
 
 target "lyrical-desktop-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch"
@@ -11993,7 +11901,7 @@ target "lyrical-desktop-torch-cpu-test" {
 
 target "lyrical-desktop-full-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch"
@@ -12003,7 +11911,7 @@ target "lyrical-desktop-full-torch-cpu-test" {
 
 target "rolling-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-core") }
   args = {
     TESTS  = "contract ros2 ros2-core"
@@ -12013,7 +11921,7 @@ target "rolling-core-test" {
 
 target "rolling-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-base") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base"
@@ -12023,7 +11931,7 @@ target "rolling-base-test" {
 
 target "rolling-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-perception") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
@@ -12033,7 +11941,7 @@ target "rolling-perception-test" {
 
 target "rolling-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-desktop") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
@@ -12043,7 +11951,7 @@ target "rolling-desktop-test" {
 
 target "rolling-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-desktop-full") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
@@ -12053,7 +11961,7 @@ target "rolling-desktop-full-test" {
 
 target "rolling-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -12063,7 +11971,7 @@ target "rolling-core-cuda-cu128-test" {
 
 target "rolling-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -12073,7 +11981,7 @@ target "rolling-base-cuda-cu128-test" {
 
 target "rolling-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -12083,7 +11991,7 @@ target "rolling-perception-cuda-cu128-test" {
 
 target "rolling-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -12093,7 +12001,7 @@ target "rolling-desktop-cuda-cu128-test" {
 
 target "rolling-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -12103,7 +12011,7 @@ target "rolling-desktop-full-cuda-cu128-test" {
 
 target "rolling-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -12113,7 +12021,7 @@ target "rolling-core-cuda-cu130-test" {
 
 target "rolling-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -12123,7 +12031,7 @@ target "rolling-base-cuda-cu130-test" {
 
 target "rolling-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -12133,7 +12041,7 @@ target "rolling-perception-cuda-cu130-test" {
 
 target "rolling-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -12143,7 +12051,7 @@ target "rolling-desktop-cuda-cu130-test" {
 
 target "rolling-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -12153,7 +12061,7 @@ target "rolling-desktop-full-cuda-cu130-test" {
 
 target "rolling-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
@@ -12163,7 +12071,7 @@ target "rolling-core-cuda-cu121-test" {
 
 target "rolling-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
@@ -12173,7 +12081,7 @@ target "rolling-base-cuda-cu121-test" {
 
 target "rolling-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
@@ -12183,7 +12091,7 @@ target "rolling-perception-cuda-cu121-test" {
 
 target "rolling-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
@@ -12193,7 +12101,7 @@ target "rolling-desktop-cuda-cu121-test" {
 
 target "rolling-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
@@ -12203,7 +12111,7 @@ target "rolling-desktop-full-cuda-cu121-test" {
 
 target "rolling-core-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-core-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -12213,7 +12121,7 @@ target "rolling-core-torch-cu128-test" {
 
 target "rolling-base-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-base-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -12223,7 +12131,7 @@ target "rolling-base-torch-cu128-test" {
 
 target "rolling-perception-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -12233,7 +12141,7 @@ target "rolling-perception-torch-cu128-test" {
 
 target "rolling-desktop-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -12243,7 +12151,7 @@ target "rolling-desktop-torch-cu128-test" {
 
 target "rolling-desktop-full-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -12253,7 +12161,7 @@ target "rolling-desktop-full-torch-cu128-test" {
 
 target "rolling-core-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
@@ -12263,7 +12171,7 @@ target "rolling-core-torch-cu130-test" {
 
 target "rolling-base-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
@@ -12273,7 +12181,7 @@ target "rolling-base-torch-cu130-test" {
 
 target "rolling-perception-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
@@ -12283,7 +12191,7 @@ target "rolling-perception-torch-cu130-test" {
 
 target "rolling-desktop-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
@@ -12293,7 +12201,7 @@ target "rolling-desktop-torch-cu130-test" {
 
 target "rolling-desktop-full-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
@@ -12303,7 +12211,7 @@ target "rolling-desktop-full-torch-cu130-test" {
 
 target "rolling-core-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-core-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core torch"
@@ -12313,7 +12221,7 @@ target "rolling-core-torch-cpu-test" {
 
 target "rolling-base-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-base-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base torch"
@@ -12323,7 +12231,7 @@ target "rolling-base-torch-cpu-test" {
 
 target "rolling-perception-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-perception-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch"
@@ -12333,7 +12241,7 @@ target "rolling-perception-torch-cpu-test" {
 
 target "rolling-desktop-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch"
@@ -12343,7 +12251,7 @@ target "rolling-desktop-torch-cpu-test" {
 
 target "rolling-desktop-full-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch"
@@ -12353,7 +12261,7 @@ target "rolling-desktop-full-torch-cpu-test" {
 
 target "bookworm-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-core") }
   args = {
     TESTS  = "contract ros1 ros1-core"
@@ -12363,7 +12271,7 @@ target "bookworm-core-test" {
 
 target "bookworm-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-base") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base"
@@ -12373,7 +12281,7 @@ target "bookworm-base-test" {
 
 target "bookworm-robot-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-robot") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot"
@@ -12383,7 +12291,7 @@ target "bookworm-robot-test" {
 
 target "bookworm-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-perception") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception"
@@ -12393,7 +12301,7 @@ target "bookworm-perception-test" {
 
 target "bookworm-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-desktop") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop"
@@ -12403,7 +12311,7 @@ target "bookworm-desktop-test" {
 
 target "bookworm-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-desktop-full") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full"
@@ -12413,7 +12321,7 @@ target "bookworm-desktop-full-test" {
 
 target "bookworm-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -12423,7 +12331,7 @@ target "bookworm-core-cuda-cu128-test" {
 
 target "bookworm-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -12433,7 +12341,7 @@ target "bookworm-base-cuda-cu128-test" {
 
 target "bookworm-robot-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -12443,7 +12351,7 @@ target "bookworm-robot-cuda-cu128-test" {
 
 target "bookworm-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -12453,7 +12361,7 @@ target "bookworm-perception-cuda-cu128-test" {
 
 target "bookworm-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -12463,7 +12371,7 @@ target "bookworm-desktop-cuda-cu128-test" {
 
 target "bookworm-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -12473,7 +12381,7 @@ target "bookworm-desktop-full-cuda-cu128-test" {
 
 target "bookworm-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -12483,7 +12391,7 @@ target "bookworm-core-cuda-cu130-test" {
 
 target "bookworm-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -12493,7 +12401,7 @@ target "bookworm-base-cuda-cu130-test" {
 
 target "bookworm-robot-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -12503,7 +12411,7 @@ target "bookworm-robot-cuda-cu130-test" {
 
 target "bookworm-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -12513,7 +12421,7 @@ target "bookworm-perception-cuda-cu130-test" {
 
 target "bookworm-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -12523,7 +12431,7 @@ target "bookworm-desktop-cuda-cu130-test" {
 
 target "bookworm-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -12533,7 +12441,7 @@ target "bookworm-desktop-full-cuda-cu130-test" {
 
 target "bookworm-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -12543,7 +12451,7 @@ target "bookworm-core-cuda-cu121-test" {
 
 target "bookworm-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -12553,7 +12461,7 @@ target "bookworm-base-cuda-cu121-test" {
 
 target "bookworm-robot-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -12563,7 +12471,7 @@ target "bookworm-robot-cuda-cu121-test" {
 
 target "bookworm-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -12573,7 +12481,7 @@ target "bookworm-perception-cuda-cu121-test" {
 
 target "bookworm-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -12583,7 +12491,7 @@ target "bookworm-desktop-cuda-cu121-test" {
 
 target "bookworm-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -12593,7 +12501,7 @@ target "bookworm-desktop-full-cuda-cu121-test" {
 
 target "bookworm-core-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
@@ -12603,7 +12511,7 @@ target "bookworm-core-torch-cu128-test" {
 
 target "bookworm-base-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
@@ -12613,7 +12521,7 @@ target "bookworm-base-torch-cu128-test" {
 
 target "bookworm-robot-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
@@ -12623,7 +12531,7 @@ target "bookworm-robot-torch-cu128-test" {
 
 target "bookworm-perception-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
@@ -12633,7 +12541,7 @@ target "bookworm-perception-torch-cu128-test" {
 
 target "bookworm-desktop-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
@@ -12643,7 +12551,7 @@ target "bookworm-desktop-torch-cu128-test" {
 
 target "bookworm-desktop-full-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
@@ -12653,7 +12561,7 @@ target "bookworm-desktop-full-torch-cu128-test" {
 
 target "bookworm-core-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
@@ -12663,7 +12571,7 @@ target "bookworm-core-torch-cu130-test" {
 
 target "bookworm-base-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
@@ -12673,7 +12581,7 @@ target "bookworm-base-torch-cu130-test" {
 
 target "bookworm-robot-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
@@ -12683,7 +12591,7 @@ target "bookworm-robot-torch-cu130-test" {
 
 target "bookworm-perception-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
@@ -12693,7 +12601,7 @@ target "bookworm-perception-torch-cu130-test" {
 
 target "bookworm-desktop-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
@@ -12703,7 +12611,7 @@ target "bookworm-desktop-torch-cu130-test" {
 
 target "bookworm-desktop-full-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
@@ -12713,7 +12621,7 @@ target "bookworm-desktop-full-torch-cu130-test" {
 
 target "bookworm-core-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core torch"
@@ -12723,7 +12631,7 @@ target "bookworm-core-torch-cpu-test" {
 
 target "bookworm-base-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base torch"
@@ -12733,7 +12641,7 @@ target "bookworm-base-torch-cpu-test" {
 
 target "bookworm-robot-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
@@ -12743,7 +12651,7 @@ target "bookworm-robot-torch-cpu-test" {
 
 target "bookworm-perception-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
@@ -12753,7 +12661,7 @@ target "bookworm-perception-torch-cpu-test" {
 
 target "bookworm-desktop-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
@@ -12763,7 +12671,7 @@ target "bookworm-desktop-torch-cpu-test" {
 
 target "bookworm-desktop-full-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
@@ -12773,7 +12681,7 @@ target "bookworm-desktop-full-torch-cpu-test" {
 
 target "bookworm-core-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda tensorflow"
@@ -12783,7 +12691,7 @@ target "bookworm-core-tensorflow-cu128-test" {
 
 target "bookworm-base-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda tensorflow"
@@ -12793,7 +12701,7 @@ target "bookworm-base-tensorflow-cu128-test" {
 
 target "bookworm-robot-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda tensorflow"
@@ -12803,7 +12711,7 @@ target "bookworm-robot-tensorflow-cu128-test" {
 
 target "bookworm-perception-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda tensorflow"
@@ -12813,7 +12721,7 @@ target "bookworm-perception-tensorflow-cu128-test" {
 
 target "bookworm-desktop-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda tensorflow"
@@ -12823,7 +12731,7 @@ target "bookworm-desktop-tensorflow-cu128-test" {
 
 target "bookworm-desktop-full-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda tensorflow"
@@ -12833,7 +12741,7 @@ target "bookworm-desktop-full-tensorflow-cu128-test" {
 
 target "bookworm-core-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core tensorflow"
@@ -12843,7 +12751,7 @@ target "bookworm-core-tensorflow-cpu-test" {
 
 target "bookworm-base-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
@@ -12853,7 +12761,7 @@ target "bookworm-base-tensorflow-cpu-test" {
 
 target "bookworm-robot-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
@@ -12863,7 +12771,7 @@ target "bookworm-robot-tensorflow-cpu-test" {
 
 target "bookworm-perception-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
@@ -12873,7 +12781,7 @@ target "bookworm-perception-tensorflow-cpu-test" {
 
 target "bookworm-desktop-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
@@ -12883,7 +12791,7 @@ target "bookworm-desktop-tensorflow-cpu-test" {
 
 target "bookworm-desktop-full-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
@@ -12893,7 +12801,7 @@ target "bookworm-desktop-full-tensorflow-cpu-test" {
 
 target "bookworm-core-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-core-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch tensorflow ml"
@@ -12903,7 +12811,7 @@ target "bookworm-core-ml-cu128-test" {
 
 target "bookworm-base-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-base-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch tensorflow ml"
@@ -12913,7 +12821,7 @@ target "bookworm-base-ml-cu128-test" {
 
 target "bookworm-robot-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-robot-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch tensorflow ml"
@@ -12923,7 +12831,7 @@ target "bookworm-robot-ml-cu128-test" {
 
 target "bookworm-perception-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-perception-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch tensorflow ml"
@@ -12933,7 +12841,7 @@ target "bookworm-perception-ml-cu128-test" {
 
 target "bookworm-desktop-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch tensorflow ml"
@@ -12943,7 +12851,7 @@ target "bookworm-desktop-ml-cu128-test" {
 
 target "bookworm-desktop-full-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch tensorflow ml"
@@ -12953,7 +12861,7 @@ target "bookworm-desktop-full-ml-cu128-test" {
 
 target "bookworm-core-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-core-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core torch tensorflow ml"
@@ -12963,7 +12871,7 @@ target "bookworm-core-ml-cpu-test" {
 
 target "bookworm-base-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-base-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base torch tensorflow ml"
@@ -12973,7 +12881,7 @@ target "bookworm-base-ml-cpu-test" {
 
 target "bookworm-robot-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-robot-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch tensorflow ml"
@@ -12983,7 +12891,7 @@ target "bookworm-robot-ml-cpu-test" {
 
 target "bookworm-perception-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-perception-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch tensorflow ml"
@@ -12993,7 +12901,7 @@ target "bookworm-perception-ml-cpu-test" {
 
 target "bookworm-desktop-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch tensorflow ml"
@@ -13003,7 +12911,7 @@ target "bookworm-desktop-ml-cpu-test" {
 
 target "bookworm-desktop-full-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch tensorflow ml"
@@ -13013,7 +12921,7 @@ target "bookworm-desktop-full-ml-cpu-test" {
 
 target "trixie-core-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-core") }
   args = {
     TESTS  = "contract ros1 ros1-core"
@@ -13023,7 +12931,7 @@ target "trixie-core-test" {
 
 target "trixie-base-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-base") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base"
@@ -13033,7 +12941,7 @@ target "trixie-base-test" {
 
 target "trixie-robot-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-robot") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot"
@@ -13043,7 +12951,7 @@ target "trixie-robot-test" {
 
 target "trixie-perception-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-perception") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception"
@@ -13053,7 +12961,7 @@ target "trixie-perception-test" {
 
 target "trixie-desktop-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-desktop") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop"
@@ -13063,7 +12971,7 @@ target "trixie-desktop-test" {
 
 target "trixie-desktop-full-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-desktop-full") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full"
@@ -13073,7 +12981,7 @@ target "trixie-desktop-full-test" {
 
 target "trixie-core-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -13083,7 +12991,7 @@ target "trixie-core-cuda-cu128-test" {
 
 target "trixie-base-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -13093,7 +13001,7 @@ target "trixie-base-cuda-cu128-test" {
 
 target "trixie-robot-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -13103,7 +13011,7 @@ target "trixie-robot-cuda-cu128-test" {
 
 target "trixie-perception-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -13113,7 +13021,7 @@ target "trixie-perception-cuda-cu128-test" {
 
 target "trixie-desktop-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -13123,7 +13031,7 @@ target "trixie-desktop-cuda-cu128-test" {
 
 target "trixie-desktop-full-cuda-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -13133,7 +13041,7 @@ target "trixie-desktop-full-cuda-cu128-test" {
 
 target "trixie-core-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -13143,7 +13051,7 @@ target "trixie-core-cuda-cu130-test" {
 
 target "trixie-base-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -13153,7 +13061,7 @@ target "trixie-base-cuda-cu130-test" {
 
 target "trixie-robot-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -13163,7 +13071,7 @@ target "trixie-robot-cuda-cu130-test" {
 
 target "trixie-perception-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -13173,7 +13081,7 @@ target "trixie-perception-cuda-cu130-test" {
 
 target "trixie-desktop-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -13183,7 +13091,7 @@ target "trixie-desktop-cuda-cu130-test" {
 
 target "trixie-desktop-full-cuda-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -13193,7 +13101,7 @@ target "trixie-desktop-full-cuda-cu130-test" {
 
 target "trixie-core-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
@@ -13203,7 +13111,7 @@ target "trixie-core-cuda-cu121-test" {
 
 target "trixie-base-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
@@ -13213,7 +13121,7 @@ target "trixie-base-cuda-cu121-test" {
 
 target "trixie-robot-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
@@ -13223,7 +13131,7 @@ target "trixie-robot-cuda-cu121-test" {
 
 target "trixie-perception-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
@@ -13233,7 +13141,7 @@ target "trixie-perception-cuda-cu121-test" {
 
 target "trixie-desktop-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
@@ -13243,7 +13151,7 @@ target "trixie-desktop-cuda-cu121-test" {
 
 target "trixie-desktop-full-cuda-cu121-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu121") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
@@ -13253,7 +13161,7 @@ target "trixie-desktop-full-cuda-cu121-test" {
 
 target "trixie-core-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
@@ -13263,7 +13171,7 @@ target "trixie-core-torch-cu128-test" {
 
 target "trixie-base-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
@@ -13273,7 +13181,7 @@ target "trixie-base-torch-cu128-test" {
 
 target "trixie-robot-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
@@ -13283,7 +13191,7 @@ target "trixie-robot-torch-cu128-test" {
 
 target "trixie-perception-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
@@ -13293,7 +13201,7 @@ target "trixie-perception-torch-cu128-test" {
 
 target "trixie-desktop-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
@@ -13303,7 +13211,7 @@ target "trixie-desktop-torch-cu128-test" {
 
 target "trixie-desktop-full-torch-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
@@ -13313,7 +13221,7 @@ target "trixie-desktop-full-torch-cu128-test" {
 
 target "trixie-core-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
@@ -13323,7 +13231,7 @@ target "trixie-core-torch-cu130-test" {
 
 target "trixie-base-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
@@ -13333,7 +13241,7 @@ target "trixie-base-torch-cu130-test" {
 
 target "trixie-robot-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
@@ -13343,7 +13251,7 @@ target "trixie-robot-torch-cu130-test" {
 
 target "trixie-perception-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
@@ -13353,7 +13261,7 @@ target "trixie-perception-torch-cu130-test" {
 
 target "trixie-desktop-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
@@ -13363,7 +13271,7 @@ target "trixie-desktop-torch-cu130-test" {
 
 target "trixie-desktop-full-torch-cu130-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
@@ -13373,7 +13281,7 @@ target "trixie-desktop-full-torch-cu130-test" {
 
 target "trixie-core-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core torch"
@@ -13383,7 +13291,7 @@ target "trixie-core-torch-cpu-test" {
 
 target "trixie-base-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base torch"
@@ -13393,7 +13301,7 @@ target "trixie-base-torch-cpu-test" {
 
 target "trixie-robot-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
@@ -13403,7 +13311,7 @@ target "trixie-robot-torch-cpu-test" {
 
 target "trixie-perception-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
@@ -13413,7 +13321,7 @@ target "trixie-perception-torch-cpu-test" {
 
 target "trixie-desktop-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
@@ -13423,7 +13331,7 @@ target "trixie-desktop-torch-cpu-test" {
 
 target "trixie-desktop-full-torch-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
@@ -13433,7 +13341,7 @@ target "trixie-desktop-full-torch-cpu-test" {
 
 target "trixie-core-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-core-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda tensorflow"
@@ -13443,7 +13351,7 @@ target "trixie-core-tensorflow-cu128-test" {
 
 target "trixie-base-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-base-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda tensorflow"
@@ -13453,7 +13361,7 @@ target "trixie-base-tensorflow-cu128-test" {
 
 target "trixie-robot-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-robot-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda tensorflow"
@@ -13463,7 +13371,7 @@ target "trixie-robot-tensorflow-cu128-test" {
 
 target "trixie-perception-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-perception-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda tensorflow"
@@ -13473,7 +13381,7 @@ target "trixie-perception-tensorflow-cu128-test" {
 
 target "trixie-desktop-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda tensorflow"
@@ -13483,7 +13391,7 @@ target "trixie-desktop-tensorflow-cu128-test" {
 
 target "trixie-desktop-full-tensorflow-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-full-tensorflow-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda tensorflow"
@@ -13493,7 +13401,7 @@ target "trixie-desktop-full-tensorflow-cu128-test" {
 
 target "trixie-core-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-core-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core tensorflow"
@@ -13503,7 +13411,7 @@ target "trixie-core-tensorflow-cpu-test" {
 
 target "trixie-base-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-base-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
@@ -13513,7 +13421,7 @@ target "trixie-base-tensorflow-cpu-test" {
 
 target "trixie-robot-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-robot-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
@@ -13523,7 +13431,7 @@ target "trixie-robot-tensorflow-cpu-test" {
 
 target "trixie-perception-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-perception-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
@@ -13533,7 +13441,7 @@ target "trixie-perception-tensorflow-cpu-test" {
 
 target "trixie-desktop-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
@@ -13543,7 +13451,7 @@ target "trixie-desktop-tensorflow-cpu-test" {
 
 target "trixie-desktop-full-tensorflow-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-full-tensorflow-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
@@ -13553,7 +13461,7 @@ target "trixie-desktop-full-tensorflow-cpu-test" {
 
 target "trixie-core-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-core-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch tensorflow ml"
@@ -13563,7 +13471,7 @@ target "trixie-core-ml-cu128-test" {
 
 target "trixie-base-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-base-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch tensorflow ml"
@@ -13573,7 +13481,7 @@ target "trixie-base-ml-cu128-test" {
 
 target "trixie-robot-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-robot-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch tensorflow ml"
@@ -13583,7 +13491,7 @@ target "trixie-robot-ml-cu128-test" {
 
 target "trixie-perception-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-perception-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch tensorflow ml"
@@ -13593,7 +13501,7 @@ target "trixie-perception-ml-cu128-test" {
 
 target "trixie-desktop-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch tensorflow ml"
@@ -13603,7 +13511,7 @@ target "trixie-desktop-ml-cu128-test" {
 
 target "trixie-desktop-full-ml-cu128-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64"]
+  platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-full-ml-cu128") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch tensorflow ml"
@@ -13613,7 +13521,7 @@ target "trixie-desktop-full-ml-cu128-test" {
 
 target "trixie-core-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-core-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core torch tensorflow ml"
@@ -13623,7 +13531,7 @@ target "trixie-core-ml-cpu-test" {
 
 target "trixie-base-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-base-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base torch tensorflow ml"
@@ -13633,7 +13541,7 @@ target "trixie-base-ml-cpu-test" {
 
 target "trixie-robot-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-robot-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch tensorflow ml"
@@ -13643,7 +13551,7 @@ target "trixie-robot-ml-cpu-test" {
 
 target "trixie-perception-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-perception-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch tensorflow ml"
@@ -13653,7 +13561,7 @@ target "trixie-perception-ml-cpu-test" {
 
 target "trixie-desktop-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch tensorflow ml"
@@ -13663,7 +13571,7 @@ target "trixie-desktop-ml-cpu-test" {
 
 target "trixie-desktop-full-ml-cpu-test" {
   inherits  = ["_test"]
-  platforms = ["linux/amd64", "linux/arm64"]
+  platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-full-ml-cpu") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch tensorflow ml"
@@ -13685,12 +13593,24 @@ group "noetic" {
     "noetic-perception",
     "noetic-desktop",
     "noetic-desktop-full",
+    "noetic-core-cuda-cu128",
+    "noetic-base-cuda-cu128",
+    "noetic-robot-cuda-cu128",
+    "noetic-perception-cuda-cu128",
+    "noetic-desktop-cuda-cu128",
+    "noetic-desktop-full-cuda-cu128",
     "noetic-core-cuda-cu130",
     "noetic-base-cuda-cu130",
     "noetic-robot-cuda-cu130",
     "noetic-perception-cuda-cu130",
     "noetic-desktop-cuda-cu130",
     "noetic-desktop-full-cuda-cu130",
+    "noetic-core-cuda-cu121",
+    "noetic-base-cuda-cu121",
+    "noetic-robot-cuda-cu121",
+    "noetic-perception-cuda-cu121",
+    "noetic-desktop-cuda-cu121",
+    "noetic-desktop-full-cuda-cu121",
     "noetic-core-torch-cu121",
     "noetic-base-torch-cu121",
     "noetic-robot-torch-cu121",
@@ -13711,9 +13631,15 @@ group "foxy" {
     "foxy-core",
     "foxy-base",
     "foxy-desktop",
+    "foxy-core-cuda-cu128",
+    "foxy-base-cuda-cu128",
+    "foxy-desktop-cuda-cu128",
     "foxy-core-cuda-cu130",
     "foxy-base-cuda-cu130",
     "foxy-desktop-cuda-cu130",
+    "foxy-core-cuda-cu121",
+    "foxy-base-cuda-cu121",
+    "foxy-desktop-cuda-cu121",
     "foxy-core-torch-cu121",
     "foxy-base-torch-cu121",
     "foxy-desktop-torch-cu121",
@@ -13730,11 +13656,21 @@ group "humble" {
     "humble-perception",
     "humble-desktop",
     "humble-desktop-full",
+    "humble-core-cuda-cu128",
+    "humble-base-cuda-cu128",
+    "humble-perception-cuda-cu128",
+    "humble-desktop-cuda-cu128",
+    "humble-desktop-full-cuda-cu128",
     "humble-core-cuda-cu130",
     "humble-base-cuda-cu130",
     "humble-perception-cuda-cu130",
     "humble-desktop-cuda-cu130",
     "humble-desktop-full-cuda-cu130",
+    "humble-core-cuda-cu121",
+    "humble-base-cuda-cu121",
+    "humble-perception-cuda-cu121",
+    "humble-desktop-cuda-cu121",
+    "humble-desktop-full-cuda-cu121",
     "humble-core-torch-cu128",
     "humble-base-torch-cu128",
     "humble-perception-torch-cu128",
@@ -13780,11 +13716,21 @@ group "iron" {
     "iron-perception",
     "iron-desktop",
     "iron-desktop-full",
+    "iron-core-cuda-cu128",
+    "iron-base-cuda-cu128",
+    "iron-perception-cuda-cu128",
+    "iron-desktop-cuda-cu128",
+    "iron-desktop-full-cuda-cu128",
     "iron-core-cuda-cu130",
     "iron-base-cuda-cu130",
     "iron-perception-cuda-cu130",
     "iron-desktop-cuda-cu130",
     "iron-desktop-full-cuda-cu130",
+    "iron-core-cuda-cu121",
+    "iron-base-cuda-cu121",
+    "iron-perception-cuda-cu121",
+    "iron-desktop-cuda-cu121",
+    "iron-desktop-full-cuda-cu121",
     "iron-core-torch-cu128",
     "iron-base-torch-cu128",
     "iron-perception-torch-cu128",
@@ -13830,11 +13776,21 @@ group "jazzy" {
     "jazzy-perception",
     "jazzy-desktop",
     "jazzy-desktop-full",
+    "jazzy-core-cuda-cu128",
+    "jazzy-base-cuda-cu128",
+    "jazzy-perception-cuda-cu128",
+    "jazzy-desktop-cuda-cu128",
+    "jazzy-desktop-full-cuda-cu128",
     "jazzy-core-cuda-cu130",
     "jazzy-base-cuda-cu130",
     "jazzy-perception-cuda-cu130",
     "jazzy-desktop-cuda-cu130",
     "jazzy-desktop-full-cuda-cu130",
+    "jazzy-core-cuda-cu121",
+    "jazzy-base-cuda-cu121",
+    "jazzy-perception-cuda-cu121",
+    "jazzy-desktop-cuda-cu121",
+    "jazzy-desktop-full-cuda-cu121",
     "jazzy-core-torch-cu128",
     "jazzy-base-torch-cu128",
     "jazzy-perception-torch-cu128",
@@ -13880,11 +13836,21 @@ group "kilted" {
     "kilted-perception",
     "kilted-desktop",
     "kilted-desktop-full",
+    "kilted-core-cuda-cu128",
+    "kilted-base-cuda-cu128",
+    "kilted-perception-cuda-cu128",
+    "kilted-desktop-cuda-cu128",
+    "kilted-desktop-full-cuda-cu128",
     "kilted-core-cuda-cu130",
     "kilted-base-cuda-cu130",
     "kilted-perception-cuda-cu130",
     "kilted-desktop-cuda-cu130",
     "kilted-desktop-full-cuda-cu130",
+    "kilted-core-cuda-cu121",
+    "kilted-base-cuda-cu121",
+    "kilted-perception-cuda-cu121",
+    "kilted-desktop-cuda-cu121",
+    "kilted-desktop-full-cuda-cu121",
     "kilted-core-torch-cu128",
     "kilted-base-torch-cu128",
     "kilted-perception-torch-cu128",
@@ -13930,11 +13896,21 @@ group "lyrical" {
     "lyrical-perception",
     "lyrical-desktop",
     "lyrical-desktop-full",
+    "lyrical-core-cuda-cu128",
+    "lyrical-base-cuda-cu128",
+    "lyrical-perception-cuda-cu128",
+    "lyrical-desktop-cuda-cu128",
+    "lyrical-desktop-full-cuda-cu128",
     "lyrical-core-cuda-cu130",
     "lyrical-base-cuda-cu130",
     "lyrical-perception-cuda-cu130",
     "lyrical-desktop-cuda-cu130",
     "lyrical-desktop-full-cuda-cu130",
+    "lyrical-core-cuda-cu121",
+    "lyrical-base-cuda-cu121",
+    "lyrical-perception-cuda-cu121",
+    "lyrical-desktop-cuda-cu121",
+    "lyrical-desktop-full-cuda-cu121",
     "lyrical-core-torch-cu128",
     "lyrical-base-torch-cu128",
     "lyrical-perception-torch-cu128",
@@ -13955,11 +13931,21 @@ group "rolling" {
     "rolling-perception",
     "rolling-desktop",
     "rolling-desktop-full",
+    "rolling-core-cuda-cu128",
+    "rolling-base-cuda-cu128",
+    "rolling-perception-cuda-cu128",
+    "rolling-desktop-cuda-cu128",
+    "rolling-desktop-full-cuda-cu128",
     "rolling-core-cuda-cu130",
     "rolling-base-cuda-cu130",
     "rolling-perception-cuda-cu130",
     "rolling-desktop-cuda-cu130",
     "rolling-desktop-full-cuda-cu130",
+    "rolling-core-cuda-cu121",
+    "rolling-base-cuda-cu121",
+    "rolling-perception-cuda-cu121",
+    "rolling-desktop-cuda-cu121",
+    "rolling-desktop-full-cuda-cu121",
     "rolling-core-torch-cu128",
     "rolling-base-torch-cu128",
     "rolling-perception-torch-cu128",
@@ -13981,12 +13967,24 @@ group "bookworm" {
     "bookworm-perception",
     "bookworm-desktop",
     "bookworm-desktop-full",
+    "bookworm-core-cuda-cu128",
+    "bookworm-base-cuda-cu128",
+    "bookworm-robot-cuda-cu128",
+    "bookworm-perception-cuda-cu128",
+    "bookworm-desktop-cuda-cu128",
+    "bookworm-desktop-full-cuda-cu128",
     "bookworm-core-cuda-cu130",
     "bookworm-base-cuda-cu130",
     "bookworm-robot-cuda-cu130",
     "bookworm-perception-cuda-cu130",
     "bookworm-desktop-cuda-cu130",
     "bookworm-desktop-full-cuda-cu130",
+    "bookworm-core-cuda-cu121",
+    "bookworm-base-cuda-cu121",
+    "bookworm-robot-cuda-cu121",
+    "bookworm-perception-cuda-cu121",
+    "bookworm-desktop-cuda-cu121",
+    "bookworm-desktop-full-cuda-cu121",
     "bookworm-core-torch-cu128",
     "bookworm-base-torch-cu128",
     "bookworm-robot-torch-cu128",
@@ -14028,12 +14026,24 @@ group "trixie" {
     "trixie-perception",
     "trixie-desktop",
     "trixie-desktop-full",
+    "trixie-core-cuda-cu128",
+    "trixie-base-cuda-cu128",
+    "trixie-robot-cuda-cu128",
+    "trixie-perception-cuda-cu128",
+    "trixie-desktop-cuda-cu128",
+    "trixie-desktop-full-cuda-cu128",
     "trixie-core-cuda-cu130",
     "trixie-base-cuda-cu130",
     "trixie-robot-cuda-cu130",
     "trixie-perception-cuda-cu130",
     "trixie-desktop-cuda-cu130",
     "trixie-desktop-full-cuda-cu130",
+    "trixie-core-cuda-cu121",
+    "trixie-base-cuda-cu121",
+    "trixie-robot-cuda-cu121",
+    "trixie-perception-cuda-cu121",
+    "trixie-desktop-cuda-cu121",
+    "trixie-desktop-full-cuda-cu121",
     "trixie-core-torch-cu128",
     "trixie-base-torch-cu128",
     "trixie-robot-torch-cu128",
@@ -14082,15 +14092,21 @@ group "trixie" {
 group "core" {
   targets = [
     "noetic-core",
+    "noetic-core-cuda-cu128",
     "noetic-core-cuda-cu130",
+    "noetic-core-cuda-cu121",
     "noetic-core-torch-cu121",
     "noetic-core-tensorflow-cpu38",
     "foxy-core",
+    "foxy-core-cuda-cu128",
     "foxy-core-cuda-cu130",
+    "foxy-core-cuda-cu121",
     "foxy-core-torch-cu121",
     "foxy-core-tensorflow-cpu38",
     "humble-core",
+    "humble-core-cuda-cu128",
     "humble-core-cuda-cu130",
+    "humble-core-cuda-cu121",
     "humble-core-torch-cu128",
     "humble-core-torch-cu130",
     "humble-core-torch-cpu",
@@ -14099,7 +14115,9 @@ group "core" {
     "humble-core-ml-cu128",
     "humble-core-ml-cpu",
     "iron-core",
+    "iron-core-cuda-cu128",
     "iron-core-cuda-cu130",
+    "iron-core-cuda-cu121",
     "iron-core-torch-cu128",
     "iron-core-torch-cu130",
     "iron-core-torch-cpu",
@@ -14108,7 +14126,9 @@ group "core" {
     "iron-core-ml-cu128",
     "iron-core-ml-cpu",
     "jazzy-core",
+    "jazzy-core-cuda-cu128",
     "jazzy-core-cuda-cu130",
+    "jazzy-core-cuda-cu121",
     "jazzy-core-torch-cu128",
     "jazzy-core-torch-cu130",
     "jazzy-core-torch-cpu",
@@ -14117,7 +14137,9 @@ group "core" {
     "jazzy-core-ml-cu128",
     "jazzy-core-ml-cpu",
     "kilted-core",
+    "kilted-core-cuda-cu128",
     "kilted-core-cuda-cu130",
+    "kilted-core-cuda-cu121",
     "kilted-core-torch-cu128",
     "kilted-core-torch-cu130",
     "kilted-core-torch-cpu",
@@ -14126,22 +14148,30 @@ group "core" {
     "kilted-core-ml-cu128",
     "kilted-core-ml-cpu",
     "lyrical-core",
+    "lyrical-core-cuda-cu128",
     "lyrical-core-cuda-cu130",
+    "lyrical-core-cuda-cu121",
     "lyrical-core-torch-cu128",
     "lyrical-core-torch-cu130",
     "rolling-core",
+    "rolling-core-cuda-cu128",
     "rolling-core-cuda-cu130",
+    "rolling-core-cuda-cu121",
     "rolling-core-torch-cu128",
     "rolling-core-torch-cu130",
     "bookworm-core",
+    "bookworm-core-cuda-cu128",
     "bookworm-core-cuda-cu130",
+    "bookworm-core-cuda-cu121",
     "bookworm-core-torch-cu128",
     "bookworm-core-torch-cu130",
     "bookworm-core-tensorflow-cu128",
     "bookworm-core-tensorflow-cpu",
     "bookworm-core-ml-cu128",
     "trixie-core",
+    "trixie-core-cuda-cu128",
     "trixie-core-cuda-cu130",
+    "trixie-core-cuda-cu121",
     "trixie-core-torch-cu128",
     "trixie-core-torch-cu130",
     "trixie-core-torch-cpu",
@@ -14155,15 +14185,21 @@ group "core" {
 group "base" {
   targets = [
     "noetic-base",
+    "noetic-base-cuda-cu128",
     "noetic-base-cuda-cu130",
+    "noetic-base-cuda-cu121",
     "noetic-base-torch-cu121",
     "noetic-base-tensorflow-cpu38",
     "foxy-base",
+    "foxy-base-cuda-cu128",
     "foxy-base-cuda-cu130",
+    "foxy-base-cuda-cu121",
     "foxy-base-torch-cu121",
     "foxy-base-tensorflow-cpu38",
     "humble-base",
+    "humble-base-cuda-cu128",
     "humble-base-cuda-cu130",
+    "humble-base-cuda-cu121",
     "humble-base-torch-cu128",
     "humble-base-torch-cu130",
     "humble-base-torch-cpu",
@@ -14172,7 +14208,9 @@ group "base" {
     "humble-base-ml-cu128",
     "humble-base-ml-cpu",
     "iron-base",
+    "iron-base-cuda-cu128",
     "iron-base-cuda-cu130",
+    "iron-base-cuda-cu121",
     "iron-base-torch-cu128",
     "iron-base-torch-cu130",
     "iron-base-torch-cpu",
@@ -14181,7 +14219,9 @@ group "base" {
     "iron-base-ml-cu128",
     "iron-base-ml-cpu",
     "jazzy-base",
+    "jazzy-base-cuda-cu128",
     "jazzy-base-cuda-cu130",
+    "jazzy-base-cuda-cu121",
     "jazzy-base-torch-cu128",
     "jazzy-base-torch-cu130",
     "jazzy-base-torch-cpu",
@@ -14190,7 +14230,9 @@ group "base" {
     "jazzy-base-ml-cu128",
     "jazzy-base-ml-cpu",
     "kilted-base",
+    "kilted-base-cuda-cu128",
     "kilted-base-cuda-cu130",
+    "kilted-base-cuda-cu121",
     "kilted-base-torch-cu128",
     "kilted-base-torch-cu130",
     "kilted-base-torch-cpu",
@@ -14199,22 +14241,30 @@ group "base" {
     "kilted-base-ml-cu128",
     "kilted-base-ml-cpu",
     "lyrical-base",
+    "lyrical-base-cuda-cu128",
     "lyrical-base-cuda-cu130",
+    "lyrical-base-cuda-cu121",
     "lyrical-base-torch-cu128",
     "lyrical-base-torch-cu130",
     "rolling-base",
+    "rolling-base-cuda-cu128",
     "rolling-base-cuda-cu130",
+    "rolling-base-cuda-cu121",
     "rolling-base-torch-cu128",
     "rolling-base-torch-cu130",
     "bookworm-base",
+    "bookworm-base-cuda-cu128",
     "bookworm-base-cuda-cu130",
+    "bookworm-base-cuda-cu121",
     "bookworm-base-torch-cu128",
     "bookworm-base-torch-cu130",
     "bookworm-base-tensorflow-cu128",
     "bookworm-base-tensorflow-cpu",
     "bookworm-base-ml-cu128",
     "trixie-base",
+    "trixie-base-cuda-cu128",
     "trixie-base-cuda-cu130",
+    "trixie-base-cuda-cu121",
     "trixie-base-torch-cu128",
     "trixie-base-torch-cu130",
     "trixie-base-torch-cpu",
@@ -14228,18 +14278,24 @@ group "base" {
 group "robot" {
   targets = [
     "noetic-robot",
+    "noetic-robot-cuda-cu128",
     "noetic-robot-cuda-cu130",
+    "noetic-robot-cuda-cu121",
     "noetic-robot-torch-cu121",
     "noetic-robot-tensorflow-cpu38",
     "bookworm-robot",
+    "bookworm-robot-cuda-cu128",
     "bookworm-robot-cuda-cu130",
+    "bookworm-robot-cuda-cu121",
     "bookworm-robot-torch-cu128",
     "bookworm-robot-torch-cu130",
     "bookworm-robot-tensorflow-cu128",
     "bookworm-robot-tensorflow-cpu",
     "bookworm-robot-ml-cu128",
     "trixie-robot",
+    "trixie-robot-cuda-cu128",
     "trixie-robot-cuda-cu130",
+    "trixie-robot-cuda-cu121",
     "trixie-robot-torch-cu128",
     "trixie-robot-torch-cu130",
     "trixie-robot-torch-cpu",
@@ -14253,11 +14309,15 @@ group "robot" {
 group "perception" {
   targets = [
     "noetic-perception",
+    "noetic-perception-cuda-cu128",
     "noetic-perception-cuda-cu130",
+    "noetic-perception-cuda-cu121",
     "noetic-perception-torch-cu121",
     "noetic-perception-tensorflow-cpu38",
     "humble-perception",
+    "humble-perception-cuda-cu128",
     "humble-perception-cuda-cu130",
+    "humble-perception-cuda-cu121",
     "humble-perception-torch-cu128",
     "humble-perception-torch-cu130",
     "humble-perception-torch-cpu",
@@ -14266,7 +14326,9 @@ group "perception" {
     "humble-perception-ml-cu128",
     "humble-perception-ml-cpu",
     "iron-perception",
+    "iron-perception-cuda-cu128",
     "iron-perception-cuda-cu130",
+    "iron-perception-cuda-cu121",
     "iron-perception-torch-cu128",
     "iron-perception-torch-cu130",
     "iron-perception-torch-cpu",
@@ -14275,7 +14337,9 @@ group "perception" {
     "iron-perception-ml-cu128",
     "iron-perception-ml-cpu",
     "jazzy-perception",
+    "jazzy-perception-cuda-cu128",
     "jazzy-perception-cuda-cu130",
+    "jazzy-perception-cuda-cu121",
     "jazzy-perception-torch-cu128",
     "jazzy-perception-torch-cu130",
     "jazzy-perception-torch-cpu",
@@ -14284,7 +14348,9 @@ group "perception" {
     "jazzy-perception-ml-cu128",
     "jazzy-perception-ml-cpu",
     "kilted-perception",
+    "kilted-perception-cuda-cu128",
     "kilted-perception-cuda-cu130",
+    "kilted-perception-cuda-cu121",
     "kilted-perception-torch-cu128",
     "kilted-perception-torch-cu130",
     "kilted-perception-torch-cpu",
@@ -14293,22 +14359,30 @@ group "perception" {
     "kilted-perception-ml-cu128",
     "kilted-perception-ml-cpu",
     "lyrical-perception",
+    "lyrical-perception-cuda-cu128",
     "lyrical-perception-cuda-cu130",
+    "lyrical-perception-cuda-cu121",
     "lyrical-perception-torch-cu128",
     "lyrical-perception-torch-cu130",
     "rolling-perception",
+    "rolling-perception-cuda-cu128",
     "rolling-perception-cuda-cu130",
+    "rolling-perception-cuda-cu121",
     "rolling-perception-torch-cu128",
     "rolling-perception-torch-cu130",
     "bookworm-perception",
+    "bookworm-perception-cuda-cu128",
     "bookworm-perception-cuda-cu130",
+    "bookworm-perception-cuda-cu121",
     "bookworm-perception-torch-cu128",
     "bookworm-perception-torch-cu130",
     "bookworm-perception-tensorflow-cu128",
     "bookworm-perception-tensorflow-cpu",
     "bookworm-perception-ml-cu128",
     "trixie-perception",
+    "trixie-perception-cuda-cu128",
     "trixie-perception-cuda-cu130",
+    "trixie-perception-cuda-cu121",
     "trixie-perception-torch-cu128",
     "trixie-perception-torch-cu130",
     "trixie-perception-torch-cpu",
@@ -14322,15 +14396,21 @@ group "perception" {
 group "desktop" {
   targets = [
     "noetic-desktop",
+    "noetic-desktop-cuda-cu128",
     "noetic-desktop-cuda-cu130",
+    "noetic-desktop-cuda-cu121",
     "noetic-desktop-torch-cu121",
     "noetic-desktop-tensorflow-cpu38",
     "foxy-desktop",
+    "foxy-desktop-cuda-cu128",
     "foxy-desktop-cuda-cu130",
+    "foxy-desktop-cuda-cu121",
     "foxy-desktop-torch-cu121",
     "foxy-desktop-tensorflow-cpu38",
     "humble-desktop",
+    "humble-desktop-cuda-cu128",
     "humble-desktop-cuda-cu130",
+    "humble-desktop-cuda-cu121",
     "humble-desktop-torch-cu128",
     "humble-desktop-torch-cu130",
     "humble-desktop-torch-cpu",
@@ -14339,7 +14419,9 @@ group "desktop" {
     "humble-desktop-ml-cu128",
     "humble-desktop-ml-cpu",
     "iron-desktop",
+    "iron-desktop-cuda-cu128",
     "iron-desktop-cuda-cu130",
+    "iron-desktop-cuda-cu121",
     "iron-desktop-torch-cu128",
     "iron-desktop-torch-cu130",
     "iron-desktop-torch-cpu",
@@ -14348,7 +14430,9 @@ group "desktop" {
     "iron-desktop-ml-cu128",
     "iron-desktop-ml-cpu",
     "jazzy-desktop",
+    "jazzy-desktop-cuda-cu128",
     "jazzy-desktop-cuda-cu130",
+    "jazzy-desktop-cuda-cu121",
     "jazzy-desktop-torch-cu128",
     "jazzy-desktop-torch-cu130",
     "jazzy-desktop-torch-cpu",
@@ -14357,7 +14441,9 @@ group "desktop" {
     "jazzy-desktop-ml-cu128",
     "jazzy-desktop-ml-cpu",
     "kilted-desktop",
+    "kilted-desktop-cuda-cu128",
     "kilted-desktop-cuda-cu130",
+    "kilted-desktop-cuda-cu121",
     "kilted-desktop-torch-cu128",
     "kilted-desktop-torch-cu130",
     "kilted-desktop-torch-cpu",
@@ -14366,22 +14452,30 @@ group "desktop" {
     "kilted-desktop-ml-cu128",
     "kilted-desktop-ml-cpu",
     "lyrical-desktop",
+    "lyrical-desktop-cuda-cu128",
     "lyrical-desktop-cuda-cu130",
+    "lyrical-desktop-cuda-cu121",
     "lyrical-desktop-torch-cu128",
     "lyrical-desktop-torch-cu130",
     "rolling-desktop",
+    "rolling-desktop-cuda-cu128",
     "rolling-desktop-cuda-cu130",
+    "rolling-desktop-cuda-cu121",
     "rolling-desktop-torch-cu128",
     "rolling-desktop-torch-cu130",
     "bookworm-desktop",
+    "bookworm-desktop-cuda-cu128",
     "bookworm-desktop-cuda-cu130",
+    "bookworm-desktop-cuda-cu121",
     "bookworm-desktop-torch-cu128",
     "bookworm-desktop-torch-cu130",
     "bookworm-desktop-tensorflow-cu128",
     "bookworm-desktop-tensorflow-cpu",
     "bookworm-desktop-ml-cu128",
     "trixie-desktop",
+    "trixie-desktop-cuda-cu128",
     "trixie-desktop-cuda-cu130",
+    "trixie-desktop-cuda-cu121",
     "trixie-desktop-torch-cu128",
     "trixie-desktop-torch-cu130",
     "trixie-desktop-torch-cpu",
@@ -14395,11 +14489,15 @@ group "desktop" {
 group "desktop-full" {
   targets = [
     "noetic-desktop-full",
+    "noetic-desktop-full-cuda-cu128",
     "noetic-desktop-full-cuda-cu130",
+    "noetic-desktop-full-cuda-cu121",
     "noetic-desktop-full-torch-cu121",
     "noetic-desktop-full-tensorflow-cpu38",
     "humble-desktop-full",
+    "humble-desktop-full-cuda-cu128",
     "humble-desktop-full-cuda-cu130",
+    "humble-desktop-full-cuda-cu121",
     "humble-desktop-full-torch-cu128",
     "humble-desktop-full-torch-cu130",
     "humble-desktop-full-torch-cpu",
@@ -14408,7 +14506,9 @@ group "desktop-full" {
     "humble-desktop-full-ml-cu128",
     "humble-desktop-full-ml-cpu",
     "iron-desktop-full",
+    "iron-desktop-full-cuda-cu128",
     "iron-desktop-full-cuda-cu130",
+    "iron-desktop-full-cuda-cu121",
     "iron-desktop-full-torch-cu128",
     "iron-desktop-full-torch-cu130",
     "iron-desktop-full-torch-cpu",
@@ -14417,7 +14517,9 @@ group "desktop-full" {
     "iron-desktop-full-ml-cu128",
     "iron-desktop-full-ml-cpu",
     "jazzy-desktop-full",
+    "jazzy-desktop-full-cuda-cu128",
     "jazzy-desktop-full-cuda-cu130",
+    "jazzy-desktop-full-cuda-cu121",
     "jazzy-desktop-full-torch-cu128",
     "jazzy-desktop-full-torch-cu130",
     "jazzy-desktop-full-torch-cpu",
@@ -14426,7 +14528,9 @@ group "desktop-full" {
     "jazzy-desktop-full-ml-cu128",
     "jazzy-desktop-full-ml-cpu",
     "kilted-desktop-full",
+    "kilted-desktop-full-cuda-cu128",
     "kilted-desktop-full-cuda-cu130",
+    "kilted-desktop-full-cuda-cu121",
     "kilted-desktop-full-torch-cu128",
     "kilted-desktop-full-torch-cu130",
     "kilted-desktop-full-torch-cpu",
@@ -14435,22 +14539,30 @@ group "desktop-full" {
     "kilted-desktop-full-ml-cu128",
     "kilted-desktop-full-ml-cpu",
     "lyrical-desktop-full",
+    "lyrical-desktop-full-cuda-cu128",
     "lyrical-desktop-full-cuda-cu130",
+    "lyrical-desktop-full-cuda-cu121",
     "lyrical-desktop-full-torch-cu128",
     "lyrical-desktop-full-torch-cu130",
     "rolling-desktop-full",
+    "rolling-desktop-full-cuda-cu128",
     "rolling-desktop-full-cuda-cu130",
+    "rolling-desktop-full-cuda-cu121",
     "rolling-desktop-full-torch-cu128",
     "rolling-desktop-full-torch-cu130",
     "bookworm-desktop-full",
+    "bookworm-desktop-full-cuda-cu128",
     "bookworm-desktop-full-cuda-cu130",
+    "bookworm-desktop-full-cuda-cu121",
     "bookworm-desktop-full-torch-cu128",
     "bookworm-desktop-full-torch-cu130",
     "bookworm-desktop-full-tensorflow-cu128",
     "bookworm-desktop-full-tensorflow-cpu",
     "bookworm-desktop-full-ml-cu128",
     "trixie-desktop-full",
+    "trixie-desktop-full-cuda-cu128",
     "trixie-desktop-full-cuda-cu130",
+    "trixie-desktop-full-cuda-cu121",
     "trixie-desktop-full-torch-cu128",
     "trixie-desktop-full-torch-cu130",
     "trixie-desktop-full-torch-cpu",
@@ -14519,57 +14631,159 @@ group "none" {
 
 group "cuda" {
   targets = [
+    "noetic-core-cuda-cu128",
+    "noetic-base-cuda-cu128",
+    "noetic-robot-cuda-cu128",
+    "noetic-perception-cuda-cu128",
+    "noetic-desktop-cuda-cu128",
+    "noetic-desktop-full-cuda-cu128",
     "noetic-core-cuda-cu130",
     "noetic-base-cuda-cu130",
     "noetic-robot-cuda-cu130",
     "noetic-perception-cuda-cu130",
     "noetic-desktop-cuda-cu130",
     "noetic-desktop-full-cuda-cu130",
+    "noetic-core-cuda-cu121",
+    "noetic-base-cuda-cu121",
+    "noetic-robot-cuda-cu121",
+    "noetic-perception-cuda-cu121",
+    "noetic-desktop-cuda-cu121",
+    "noetic-desktop-full-cuda-cu121",
+    "foxy-core-cuda-cu128",
+    "foxy-base-cuda-cu128",
+    "foxy-desktop-cuda-cu128",
     "foxy-core-cuda-cu130",
     "foxy-base-cuda-cu130",
     "foxy-desktop-cuda-cu130",
+    "foxy-core-cuda-cu121",
+    "foxy-base-cuda-cu121",
+    "foxy-desktop-cuda-cu121",
+    "humble-core-cuda-cu128",
+    "humble-base-cuda-cu128",
+    "humble-perception-cuda-cu128",
+    "humble-desktop-cuda-cu128",
+    "humble-desktop-full-cuda-cu128",
     "humble-core-cuda-cu130",
     "humble-base-cuda-cu130",
     "humble-perception-cuda-cu130",
     "humble-desktop-cuda-cu130",
     "humble-desktop-full-cuda-cu130",
+    "humble-core-cuda-cu121",
+    "humble-base-cuda-cu121",
+    "humble-perception-cuda-cu121",
+    "humble-desktop-cuda-cu121",
+    "humble-desktop-full-cuda-cu121",
+    "iron-core-cuda-cu128",
+    "iron-base-cuda-cu128",
+    "iron-perception-cuda-cu128",
+    "iron-desktop-cuda-cu128",
+    "iron-desktop-full-cuda-cu128",
     "iron-core-cuda-cu130",
     "iron-base-cuda-cu130",
     "iron-perception-cuda-cu130",
     "iron-desktop-cuda-cu130",
     "iron-desktop-full-cuda-cu130",
+    "iron-core-cuda-cu121",
+    "iron-base-cuda-cu121",
+    "iron-perception-cuda-cu121",
+    "iron-desktop-cuda-cu121",
+    "iron-desktop-full-cuda-cu121",
+    "jazzy-core-cuda-cu128",
+    "jazzy-base-cuda-cu128",
+    "jazzy-perception-cuda-cu128",
+    "jazzy-desktop-cuda-cu128",
+    "jazzy-desktop-full-cuda-cu128",
     "jazzy-core-cuda-cu130",
     "jazzy-base-cuda-cu130",
     "jazzy-perception-cuda-cu130",
     "jazzy-desktop-cuda-cu130",
     "jazzy-desktop-full-cuda-cu130",
+    "jazzy-core-cuda-cu121",
+    "jazzy-base-cuda-cu121",
+    "jazzy-perception-cuda-cu121",
+    "jazzy-desktop-cuda-cu121",
+    "jazzy-desktop-full-cuda-cu121",
+    "kilted-core-cuda-cu128",
+    "kilted-base-cuda-cu128",
+    "kilted-perception-cuda-cu128",
+    "kilted-desktop-cuda-cu128",
+    "kilted-desktop-full-cuda-cu128",
     "kilted-core-cuda-cu130",
     "kilted-base-cuda-cu130",
     "kilted-perception-cuda-cu130",
     "kilted-desktop-cuda-cu130",
     "kilted-desktop-full-cuda-cu130",
+    "kilted-core-cuda-cu121",
+    "kilted-base-cuda-cu121",
+    "kilted-perception-cuda-cu121",
+    "kilted-desktop-cuda-cu121",
+    "kilted-desktop-full-cuda-cu121",
+    "lyrical-core-cuda-cu128",
+    "lyrical-base-cuda-cu128",
+    "lyrical-perception-cuda-cu128",
+    "lyrical-desktop-cuda-cu128",
+    "lyrical-desktop-full-cuda-cu128",
     "lyrical-core-cuda-cu130",
     "lyrical-base-cuda-cu130",
     "lyrical-perception-cuda-cu130",
     "lyrical-desktop-cuda-cu130",
     "lyrical-desktop-full-cuda-cu130",
+    "lyrical-core-cuda-cu121",
+    "lyrical-base-cuda-cu121",
+    "lyrical-perception-cuda-cu121",
+    "lyrical-desktop-cuda-cu121",
+    "lyrical-desktop-full-cuda-cu121",
+    "rolling-core-cuda-cu128",
+    "rolling-base-cuda-cu128",
+    "rolling-perception-cuda-cu128",
+    "rolling-desktop-cuda-cu128",
+    "rolling-desktop-full-cuda-cu128",
     "rolling-core-cuda-cu130",
     "rolling-base-cuda-cu130",
     "rolling-perception-cuda-cu130",
     "rolling-desktop-cuda-cu130",
     "rolling-desktop-full-cuda-cu130",
+    "rolling-core-cuda-cu121",
+    "rolling-base-cuda-cu121",
+    "rolling-perception-cuda-cu121",
+    "rolling-desktop-cuda-cu121",
+    "rolling-desktop-full-cuda-cu121",
+    "bookworm-core-cuda-cu128",
+    "bookworm-base-cuda-cu128",
+    "bookworm-robot-cuda-cu128",
+    "bookworm-perception-cuda-cu128",
+    "bookworm-desktop-cuda-cu128",
+    "bookworm-desktop-full-cuda-cu128",
     "bookworm-core-cuda-cu130",
     "bookworm-base-cuda-cu130",
     "bookworm-robot-cuda-cu130",
     "bookworm-perception-cuda-cu130",
     "bookworm-desktop-cuda-cu130",
     "bookworm-desktop-full-cuda-cu130",
+    "bookworm-core-cuda-cu121",
+    "bookworm-base-cuda-cu121",
+    "bookworm-robot-cuda-cu121",
+    "bookworm-perception-cuda-cu121",
+    "bookworm-desktop-cuda-cu121",
+    "bookworm-desktop-full-cuda-cu121",
+    "trixie-core-cuda-cu128",
+    "trixie-base-cuda-cu128",
+    "trixie-robot-cuda-cu128",
+    "trixie-perception-cuda-cu128",
+    "trixie-desktop-cuda-cu128",
+    "trixie-desktop-full-cuda-cu128",
     "trixie-core-cuda-cu130",
     "trixie-base-cuda-cu130",
     "trixie-robot-cuda-cu130",
     "trixie-perception-cuda-cu130",
     "trixie-desktop-cuda-cu130",
     "trixie-desktop-full-cuda-cu130",
+    "trixie-core-cuda-cu121",
+    "trixie-base-cuda-cu121",
+    "trixie-robot-cuda-cu121",
+    "trixie-perception-cuda-cu121",
+    "trixie-desktop-cuda-cu121",
+    "trixie-desktop-full-cuda-cu121",
   ]
 }
 
@@ -14840,6 +15054,20 @@ group "ml" {
 
 group "cu128" {
   targets = [
+    "noetic-core-cuda-cu128",
+    "noetic-base-cuda-cu128",
+    "noetic-robot-cuda-cu128",
+    "noetic-perception-cuda-cu128",
+    "noetic-desktop-cuda-cu128",
+    "noetic-desktop-full-cuda-cu128",
+    "foxy-core-cuda-cu128",
+    "foxy-base-cuda-cu128",
+    "foxy-desktop-cuda-cu128",
+    "humble-core-cuda-cu128",
+    "humble-base-cuda-cu128",
+    "humble-perception-cuda-cu128",
+    "humble-desktop-cuda-cu128",
+    "humble-desktop-full-cuda-cu128",
     "humble-core-torch-cu128",
     "humble-base-torch-cu128",
     "humble-perception-torch-cu128",
@@ -14855,6 +15083,11 @@ group "cu128" {
     "humble-perception-ml-cu128",
     "humble-desktop-ml-cu128",
     "humble-desktop-full-ml-cu128",
+    "iron-core-cuda-cu128",
+    "iron-base-cuda-cu128",
+    "iron-perception-cuda-cu128",
+    "iron-desktop-cuda-cu128",
+    "iron-desktop-full-cuda-cu128",
     "iron-core-torch-cu128",
     "iron-base-torch-cu128",
     "iron-perception-torch-cu128",
@@ -14870,6 +15103,11 @@ group "cu128" {
     "iron-perception-ml-cu128",
     "iron-desktop-ml-cu128",
     "iron-desktop-full-ml-cu128",
+    "jazzy-core-cuda-cu128",
+    "jazzy-base-cuda-cu128",
+    "jazzy-perception-cuda-cu128",
+    "jazzy-desktop-cuda-cu128",
+    "jazzy-desktop-full-cuda-cu128",
     "jazzy-core-torch-cu128",
     "jazzy-base-torch-cu128",
     "jazzy-perception-torch-cu128",
@@ -14885,6 +15123,11 @@ group "cu128" {
     "jazzy-perception-ml-cu128",
     "jazzy-desktop-ml-cu128",
     "jazzy-desktop-full-ml-cu128",
+    "kilted-core-cuda-cu128",
+    "kilted-base-cuda-cu128",
+    "kilted-perception-cuda-cu128",
+    "kilted-desktop-cuda-cu128",
+    "kilted-desktop-full-cuda-cu128",
     "kilted-core-torch-cu128",
     "kilted-base-torch-cu128",
     "kilted-perception-torch-cu128",
@@ -14900,16 +15143,32 @@ group "cu128" {
     "kilted-perception-ml-cu128",
     "kilted-desktop-ml-cu128",
     "kilted-desktop-full-ml-cu128",
+    "lyrical-core-cuda-cu128",
+    "lyrical-base-cuda-cu128",
+    "lyrical-perception-cuda-cu128",
+    "lyrical-desktop-cuda-cu128",
+    "lyrical-desktop-full-cuda-cu128",
     "lyrical-core-torch-cu128",
     "lyrical-base-torch-cu128",
     "lyrical-perception-torch-cu128",
     "lyrical-desktop-torch-cu128",
     "lyrical-desktop-full-torch-cu128",
+    "rolling-core-cuda-cu128",
+    "rolling-base-cuda-cu128",
+    "rolling-perception-cuda-cu128",
+    "rolling-desktop-cuda-cu128",
+    "rolling-desktop-full-cuda-cu128",
     "rolling-core-torch-cu128",
     "rolling-base-torch-cu128",
     "rolling-perception-torch-cu128",
     "rolling-desktop-torch-cu128",
     "rolling-desktop-full-torch-cu128",
+    "bookworm-core-cuda-cu128",
+    "bookworm-base-cuda-cu128",
+    "bookworm-robot-cuda-cu128",
+    "bookworm-perception-cuda-cu128",
+    "bookworm-desktop-cuda-cu128",
+    "bookworm-desktop-full-cuda-cu128",
     "bookworm-core-torch-cu128",
     "bookworm-base-torch-cu128",
     "bookworm-robot-torch-cu128",
@@ -14928,6 +15187,12 @@ group "cu128" {
     "bookworm-perception-ml-cu128",
     "bookworm-desktop-ml-cu128",
     "bookworm-desktop-full-ml-cu128",
+    "trixie-core-cuda-cu128",
+    "trixie-base-cuda-cu128",
+    "trixie-robot-cuda-cu128",
+    "trixie-perception-cuda-cu128",
+    "trixie-desktop-cuda-cu128",
+    "trixie-desktop-full-cuda-cu128",
     "trixie-core-torch-cu128",
     "trixie-base-torch-cu128",
     "trixie-robot-torch-cu128",
@@ -15049,15 +15314,66 @@ group "cu130" {
 
 group "cu121" {
   targets = [
+    "noetic-core-cuda-cu121",
+    "noetic-base-cuda-cu121",
+    "noetic-robot-cuda-cu121",
+    "noetic-perception-cuda-cu121",
+    "noetic-desktop-cuda-cu121",
+    "noetic-desktop-full-cuda-cu121",
     "noetic-core-torch-cu121",
     "noetic-base-torch-cu121",
     "noetic-robot-torch-cu121",
     "noetic-perception-torch-cu121",
     "noetic-desktop-torch-cu121",
     "noetic-desktop-full-torch-cu121",
+    "foxy-core-cuda-cu121",
+    "foxy-base-cuda-cu121",
+    "foxy-desktop-cuda-cu121",
     "foxy-core-torch-cu121",
     "foxy-base-torch-cu121",
     "foxy-desktop-torch-cu121",
+    "humble-core-cuda-cu121",
+    "humble-base-cuda-cu121",
+    "humble-perception-cuda-cu121",
+    "humble-desktop-cuda-cu121",
+    "humble-desktop-full-cuda-cu121",
+    "iron-core-cuda-cu121",
+    "iron-base-cuda-cu121",
+    "iron-perception-cuda-cu121",
+    "iron-desktop-cuda-cu121",
+    "iron-desktop-full-cuda-cu121",
+    "jazzy-core-cuda-cu121",
+    "jazzy-base-cuda-cu121",
+    "jazzy-perception-cuda-cu121",
+    "jazzy-desktop-cuda-cu121",
+    "jazzy-desktop-full-cuda-cu121",
+    "kilted-core-cuda-cu121",
+    "kilted-base-cuda-cu121",
+    "kilted-perception-cuda-cu121",
+    "kilted-desktop-cuda-cu121",
+    "kilted-desktop-full-cuda-cu121",
+    "lyrical-core-cuda-cu121",
+    "lyrical-base-cuda-cu121",
+    "lyrical-perception-cuda-cu121",
+    "lyrical-desktop-cuda-cu121",
+    "lyrical-desktop-full-cuda-cu121",
+    "rolling-core-cuda-cu121",
+    "rolling-base-cuda-cu121",
+    "rolling-perception-cuda-cu121",
+    "rolling-desktop-cuda-cu121",
+    "rolling-desktop-full-cuda-cu121",
+    "bookworm-core-cuda-cu121",
+    "bookworm-base-cuda-cu121",
+    "bookworm-robot-cuda-cu121",
+    "bookworm-perception-cuda-cu121",
+    "bookworm-desktop-cuda-cu121",
+    "bookworm-desktop-full-cuda-cu121",
+    "trixie-core-cuda-cu121",
+    "trixie-base-cuda-cu121",
+    "trixie-robot-cuda-cu121",
+    "trixie-perception-cuda-cu121",
+    "trixie-desktop-cuda-cu121",
+    "trixie-desktop-full-cuda-cu121",
   ]
 }
 
@@ -15172,12 +15488,24 @@ group "all" {
     "noetic-perception",
     "noetic-desktop",
     "noetic-desktop-full",
+    "noetic-core-cuda-cu128",
+    "noetic-base-cuda-cu128",
+    "noetic-robot-cuda-cu128",
+    "noetic-perception-cuda-cu128",
+    "noetic-desktop-cuda-cu128",
+    "noetic-desktop-full-cuda-cu128",
     "noetic-core-cuda-cu130",
     "noetic-base-cuda-cu130",
     "noetic-robot-cuda-cu130",
     "noetic-perception-cuda-cu130",
     "noetic-desktop-cuda-cu130",
     "noetic-desktop-full-cuda-cu130",
+    "noetic-core-cuda-cu121",
+    "noetic-base-cuda-cu121",
+    "noetic-robot-cuda-cu121",
+    "noetic-perception-cuda-cu121",
+    "noetic-desktop-cuda-cu121",
+    "noetic-desktop-full-cuda-cu121",
     "noetic-core-torch-cu121",
     "noetic-base-torch-cu121",
     "noetic-robot-torch-cu121",
@@ -15193,9 +15521,15 @@ group "all" {
     "foxy-core",
     "foxy-base",
     "foxy-desktop",
+    "foxy-core-cuda-cu128",
+    "foxy-base-cuda-cu128",
+    "foxy-desktop-cuda-cu128",
     "foxy-core-cuda-cu130",
     "foxy-base-cuda-cu130",
     "foxy-desktop-cuda-cu130",
+    "foxy-core-cuda-cu121",
+    "foxy-base-cuda-cu121",
+    "foxy-desktop-cuda-cu121",
     "foxy-core-torch-cu121",
     "foxy-base-torch-cu121",
     "foxy-desktop-torch-cu121",
@@ -15207,11 +15541,21 @@ group "all" {
     "humble-perception",
     "humble-desktop",
     "humble-desktop-full",
+    "humble-core-cuda-cu128",
+    "humble-base-cuda-cu128",
+    "humble-perception-cuda-cu128",
+    "humble-desktop-cuda-cu128",
+    "humble-desktop-full-cuda-cu128",
     "humble-core-cuda-cu130",
     "humble-base-cuda-cu130",
     "humble-perception-cuda-cu130",
     "humble-desktop-cuda-cu130",
     "humble-desktop-full-cuda-cu130",
+    "humble-core-cuda-cu121",
+    "humble-base-cuda-cu121",
+    "humble-perception-cuda-cu121",
+    "humble-desktop-cuda-cu121",
+    "humble-desktop-full-cuda-cu121",
     "humble-core-torch-cu128",
     "humble-base-torch-cu128",
     "humble-perception-torch-cu128",
@@ -15252,11 +15596,21 @@ group "all" {
     "iron-perception",
     "iron-desktop",
     "iron-desktop-full",
+    "iron-core-cuda-cu128",
+    "iron-base-cuda-cu128",
+    "iron-perception-cuda-cu128",
+    "iron-desktop-cuda-cu128",
+    "iron-desktop-full-cuda-cu128",
     "iron-core-cuda-cu130",
     "iron-base-cuda-cu130",
     "iron-perception-cuda-cu130",
     "iron-desktop-cuda-cu130",
     "iron-desktop-full-cuda-cu130",
+    "iron-core-cuda-cu121",
+    "iron-base-cuda-cu121",
+    "iron-perception-cuda-cu121",
+    "iron-desktop-cuda-cu121",
+    "iron-desktop-full-cuda-cu121",
     "iron-core-torch-cu128",
     "iron-base-torch-cu128",
     "iron-perception-torch-cu128",
@@ -15297,11 +15651,21 @@ group "all" {
     "jazzy-perception",
     "jazzy-desktop",
     "jazzy-desktop-full",
+    "jazzy-core-cuda-cu128",
+    "jazzy-base-cuda-cu128",
+    "jazzy-perception-cuda-cu128",
+    "jazzy-desktop-cuda-cu128",
+    "jazzy-desktop-full-cuda-cu128",
     "jazzy-core-cuda-cu130",
     "jazzy-base-cuda-cu130",
     "jazzy-perception-cuda-cu130",
     "jazzy-desktop-cuda-cu130",
     "jazzy-desktop-full-cuda-cu130",
+    "jazzy-core-cuda-cu121",
+    "jazzy-base-cuda-cu121",
+    "jazzy-perception-cuda-cu121",
+    "jazzy-desktop-cuda-cu121",
+    "jazzy-desktop-full-cuda-cu121",
     "jazzy-core-torch-cu128",
     "jazzy-base-torch-cu128",
     "jazzy-perception-torch-cu128",
@@ -15342,11 +15706,21 @@ group "all" {
     "kilted-perception",
     "kilted-desktop",
     "kilted-desktop-full",
+    "kilted-core-cuda-cu128",
+    "kilted-base-cuda-cu128",
+    "kilted-perception-cuda-cu128",
+    "kilted-desktop-cuda-cu128",
+    "kilted-desktop-full-cuda-cu128",
     "kilted-core-cuda-cu130",
     "kilted-base-cuda-cu130",
     "kilted-perception-cuda-cu130",
     "kilted-desktop-cuda-cu130",
     "kilted-desktop-full-cuda-cu130",
+    "kilted-core-cuda-cu121",
+    "kilted-base-cuda-cu121",
+    "kilted-perception-cuda-cu121",
+    "kilted-desktop-cuda-cu121",
+    "kilted-desktop-full-cuda-cu121",
     "kilted-core-torch-cu128",
     "kilted-base-torch-cu128",
     "kilted-perception-torch-cu128",
@@ -15387,11 +15761,21 @@ group "all" {
     "lyrical-perception",
     "lyrical-desktop",
     "lyrical-desktop-full",
+    "lyrical-core-cuda-cu128",
+    "lyrical-base-cuda-cu128",
+    "lyrical-perception-cuda-cu128",
+    "lyrical-desktop-cuda-cu128",
+    "lyrical-desktop-full-cuda-cu128",
     "lyrical-core-cuda-cu130",
     "lyrical-base-cuda-cu130",
     "lyrical-perception-cuda-cu130",
     "lyrical-desktop-cuda-cu130",
     "lyrical-desktop-full-cuda-cu130",
+    "lyrical-core-cuda-cu121",
+    "lyrical-base-cuda-cu121",
+    "lyrical-perception-cuda-cu121",
+    "lyrical-desktop-cuda-cu121",
+    "lyrical-desktop-full-cuda-cu121",
     "lyrical-core-torch-cu128",
     "lyrical-base-torch-cu128",
     "lyrical-perception-torch-cu128",
@@ -15407,11 +15791,21 @@ group "all" {
     "rolling-perception",
     "rolling-desktop",
     "rolling-desktop-full",
+    "rolling-core-cuda-cu128",
+    "rolling-base-cuda-cu128",
+    "rolling-perception-cuda-cu128",
+    "rolling-desktop-cuda-cu128",
+    "rolling-desktop-full-cuda-cu128",
     "rolling-core-cuda-cu130",
     "rolling-base-cuda-cu130",
     "rolling-perception-cuda-cu130",
     "rolling-desktop-cuda-cu130",
     "rolling-desktop-full-cuda-cu130",
+    "rolling-core-cuda-cu121",
+    "rolling-base-cuda-cu121",
+    "rolling-perception-cuda-cu121",
+    "rolling-desktop-cuda-cu121",
+    "rolling-desktop-full-cuda-cu121",
     "rolling-core-torch-cu128",
     "rolling-base-torch-cu128",
     "rolling-perception-torch-cu128",
@@ -15428,12 +15822,24 @@ group "all" {
     "bookworm-perception",
     "bookworm-desktop",
     "bookworm-desktop-full",
+    "bookworm-core-cuda-cu128",
+    "bookworm-base-cuda-cu128",
+    "bookworm-robot-cuda-cu128",
+    "bookworm-perception-cuda-cu128",
+    "bookworm-desktop-cuda-cu128",
+    "bookworm-desktop-full-cuda-cu128",
     "bookworm-core-cuda-cu130",
     "bookworm-base-cuda-cu130",
     "bookworm-robot-cuda-cu130",
     "bookworm-perception-cuda-cu130",
     "bookworm-desktop-cuda-cu130",
     "bookworm-desktop-full-cuda-cu130",
+    "bookworm-core-cuda-cu121",
+    "bookworm-base-cuda-cu121",
+    "bookworm-robot-cuda-cu121",
+    "bookworm-perception-cuda-cu121",
+    "bookworm-desktop-cuda-cu121",
+    "bookworm-desktop-full-cuda-cu121",
     "bookworm-core-torch-cu128",
     "bookworm-base-torch-cu128",
     "bookworm-robot-torch-cu128",
@@ -15470,12 +15876,24 @@ group "all" {
     "trixie-perception",
     "trixie-desktop",
     "trixie-desktop-full",
+    "trixie-core-cuda-cu128",
+    "trixie-base-cuda-cu128",
+    "trixie-robot-cuda-cu128",
+    "trixie-perception-cuda-cu128",
+    "trixie-desktop-cuda-cu128",
+    "trixie-desktop-full-cuda-cu128",
     "trixie-core-cuda-cu130",
     "trixie-base-cuda-cu130",
     "trixie-robot-cuda-cu130",
     "trixie-perception-cuda-cu130",
     "trixie-desktop-cuda-cu130",
     "trixie-desktop-full-cuda-cu130",
+    "trixie-core-cuda-cu121",
+    "trixie-base-cuda-cu121",
+    "trixie-robot-cuda-cu121",
+    "trixie-perception-cuda-cu121",
+    "trixie-desktop-cuda-cu121",
+    "trixie-desktop-full-cuda-cu121",
     "trixie-core-torch-cu128",
     "trixie-base-torch-cu128",
     "trixie-robot-torch-cu128",
@@ -15576,12 +15994,24 @@ group "tests" {
     "noetic-perception-test",
     "noetic-desktop-test",
     "noetic-desktop-full-test",
+    "noetic-core-cuda-cu128-test",
+    "noetic-base-cuda-cu128-test",
+    "noetic-robot-cuda-cu128-test",
+    "noetic-perception-cuda-cu128-test",
+    "noetic-desktop-cuda-cu128-test",
+    "noetic-desktop-full-cuda-cu128-test",
     "noetic-core-cuda-cu130-test",
     "noetic-base-cuda-cu130-test",
     "noetic-robot-cuda-cu130-test",
     "noetic-perception-cuda-cu130-test",
     "noetic-desktop-cuda-cu130-test",
     "noetic-desktop-full-cuda-cu130-test",
+    "noetic-core-cuda-cu121-test",
+    "noetic-base-cuda-cu121-test",
+    "noetic-robot-cuda-cu121-test",
+    "noetic-perception-cuda-cu121-test",
+    "noetic-desktop-cuda-cu121-test",
+    "noetic-desktop-full-cuda-cu121-test",
     "noetic-core-torch-cu121-test",
     "noetic-base-torch-cu121-test",
     "noetic-robot-torch-cu121-test",
@@ -15597,9 +16027,15 @@ group "tests" {
     "foxy-core-test",
     "foxy-base-test",
     "foxy-desktop-test",
+    "foxy-core-cuda-cu128-test",
+    "foxy-base-cuda-cu128-test",
+    "foxy-desktop-cuda-cu128-test",
     "foxy-core-cuda-cu130-test",
     "foxy-base-cuda-cu130-test",
     "foxy-desktop-cuda-cu130-test",
+    "foxy-core-cuda-cu121-test",
+    "foxy-base-cuda-cu121-test",
+    "foxy-desktop-cuda-cu121-test",
     "foxy-core-torch-cu121-test",
     "foxy-base-torch-cu121-test",
     "foxy-desktop-torch-cu121-test",
@@ -15611,11 +16047,21 @@ group "tests" {
     "humble-perception-test",
     "humble-desktop-test",
     "humble-desktop-full-test",
+    "humble-core-cuda-cu128-test",
+    "humble-base-cuda-cu128-test",
+    "humble-perception-cuda-cu128-test",
+    "humble-desktop-cuda-cu128-test",
+    "humble-desktop-full-cuda-cu128-test",
     "humble-core-cuda-cu130-test",
     "humble-base-cuda-cu130-test",
     "humble-perception-cuda-cu130-test",
     "humble-desktop-cuda-cu130-test",
     "humble-desktop-full-cuda-cu130-test",
+    "humble-core-cuda-cu121-test",
+    "humble-base-cuda-cu121-test",
+    "humble-perception-cuda-cu121-test",
+    "humble-desktop-cuda-cu121-test",
+    "humble-desktop-full-cuda-cu121-test",
     "humble-core-torch-cu128-test",
     "humble-base-torch-cu128-test",
     "humble-perception-torch-cu128-test",
@@ -15656,11 +16102,21 @@ group "tests" {
     "iron-perception-test",
     "iron-desktop-test",
     "iron-desktop-full-test",
+    "iron-core-cuda-cu128-test",
+    "iron-base-cuda-cu128-test",
+    "iron-perception-cuda-cu128-test",
+    "iron-desktop-cuda-cu128-test",
+    "iron-desktop-full-cuda-cu128-test",
     "iron-core-cuda-cu130-test",
     "iron-base-cuda-cu130-test",
     "iron-perception-cuda-cu130-test",
     "iron-desktop-cuda-cu130-test",
     "iron-desktop-full-cuda-cu130-test",
+    "iron-core-cuda-cu121-test",
+    "iron-base-cuda-cu121-test",
+    "iron-perception-cuda-cu121-test",
+    "iron-desktop-cuda-cu121-test",
+    "iron-desktop-full-cuda-cu121-test",
     "iron-core-torch-cu128-test",
     "iron-base-torch-cu128-test",
     "iron-perception-torch-cu128-test",
@@ -15701,11 +16157,21 @@ group "tests" {
     "jazzy-perception-test",
     "jazzy-desktop-test",
     "jazzy-desktop-full-test",
+    "jazzy-core-cuda-cu128-test",
+    "jazzy-base-cuda-cu128-test",
+    "jazzy-perception-cuda-cu128-test",
+    "jazzy-desktop-cuda-cu128-test",
+    "jazzy-desktop-full-cuda-cu128-test",
     "jazzy-core-cuda-cu130-test",
     "jazzy-base-cuda-cu130-test",
     "jazzy-perception-cuda-cu130-test",
     "jazzy-desktop-cuda-cu130-test",
     "jazzy-desktop-full-cuda-cu130-test",
+    "jazzy-core-cuda-cu121-test",
+    "jazzy-base-cuda-cu121-test",
+    "jazzy-perception-cuda-cu121-test",
+    "jazzy-desktop-cuda-cu121-test",
+    "jazzy-desktop-full-cuda-cu121-test",
     "jazzy-core-torch-cu128-test",
     "jazzy-base-torch-cu128-test",
     "jazzy-perception-torch-cu128-test",
@@ -15746,11 +16212,21 @@ group "tests" {
     "kilted-perception-test",
     "kilted-desktop-test",
     "kilted-desktop-full-test",
+    "kilted-core-cuda-cu128-test",
+    "kilted-base-cuda-cu128-test",
+    "kilted-perception-cuda-cu128-test",
+    "kilted-desktop-cuda-cu128-test",
+    "kilted-desktop-full-cuda-cu128-test",
     "kilted-core-cuda-cu130-test",
     "kilted-base-cuda-cu130-test",
     "kilted-perception-cuda-cu130-test",
     "kilted-desktop-cuda-cu130-test",
     "kilted-desktop-full-cuda-cu130-test",
+    "kilted-core-cuda-cu121-test",
+    "kilted-base-cuda-cu121-test",
+    "kilted-perception-cuda-cu121-test",
+    "kilted-desktop-cuda-cu121-test",
+    "kilted-desktop-full-cuda-cu121-test",
     "kilted-core-torch-cu128-test",
     "kilted-base-torch-cu128-test",
     "kilted-perception-torch-cu128-test",
@@ -15791,11 +16267,21 @@ group "tests" {
     "lyrical-perception-test",
     "lyrical-desktop-test",
     "lyrical-desktop-full-test",
+    "lyrical-core-cuda-cu128-test",
+    "lyrical-base-cuda-cu128-test",
+    "lyrical-perception-cuda-cu128-test",
+    "lyrical-desktop-cuda-cu128-test",
+    "lyrical-desktop-full-cuda-cu128-test",
     "lyrical-core-cuda-cu130-test",
     "lyrical-base-cuda-cu130-test",
     "lyrical-perception-cuda-cu130-test",
     "lyrical-desktop-cuda-cu130-test",
     "lyrical-desktop-full-cuda-cu130-test",
+    "lyrical-core-cuda-cu121-test",
+    "lyrical-base-cuda-cu121-test",
+    "lyrical-perception-cuda-cu121-test",
+    "lyrical-desktop-cuda-cu121-test",
+    "lyrical-desktop-full-cuda-cu121-test",
     "lyrical-core-torch-cu128-test",
     "lyrical-base-torch-cu128-test",
     "lyrical-perception-torch-cu128-test",
@@ -15811,11 +16297,21 @@ group "tests" {
     "rolling-perception-test",
     "rolling-desktop-test",
     "rolling-desktop-full-test",
+    "rolling-core-cuda-cu128-test",
+    "rolling-base-cuda-cu128-test",
+    "rolling-perception-cuda-cu128-test",
+    "rolling-desktop-cuda-cu128-test",
+    "rolling-desktop-full-cuda-cu128-test",
     "rolling-core-cuda-cu130-test",
     "rolling-base-cuda-cu130-test",
     "rolling-perception-cuda-cu130-test",
     "rolling-desktop-cuda-cu130-test",
     "rolling-desktop-full-cuda-cu130-test",
+    "rolling-core-cuda-cu121-test",
+    "rolling-base-cuda-cu121-test",
+    "rolling-perception-cuda-cu121-test",
+    "rolling-desktop-cuda-cu121-test",
+    "rolling-desktop-full-cuda-cu121-test",
     "rolling-core-torch-cu128-test",
     "rolling-base-torch-cu128-test",
     "rolling-perception-torch-cu128-test",
@@ -15832,12 +16328,24 @@ group "tests" {
     "bookworm-perception-test",
     "bookworm-desktop-test",
     "bookworm-desktop-full-test",
+    "bookworm-core-cuda-cu128-test",
+    "bookworm-base-cuda-cu128-test",
+    "bookworm-robot-cuda-cu128-test",
+    "bookworm-perception-cuda-cu128-test",
+    "bookworm-desktop-cuda-cu128-test",
+    "bookworm-desktop-full-cuda-cu128-test",
     "bookworm-core-cuda-cu130-test",
     "bookworm-base-cuda-cu130-test",
     "bookworm-robot-cuda-cu130-test",
     "bookworm-perception-cuda-cu130-test",
     "bookworm-desktop-cuda-cu130-test",
     "bookworm-desktop-full-cuda-cu130-test",
+    "bookworm-core-cuda-cu121-test",
+    "bookworm-base-cuda-cu121-test",
+    "bookworm-robot-cuda-cu121-test",
+    "bookworm-perception-cuda-cu121-test",
+    "bookworm-desktop-cuda-cu121-test",
+    "bookworm-desktop-full-cuda-cu121-test",
     "bookworm-core-torch-cu128-test",
     "bookworm-base-torch-cu128-test",
     "bookworm-robot-torch-cu128-test",
@@ -15874,12 +16382,24 @@ group "tests" {
     "trixie-perception-test",
     "trixie-desktop-test",
     "trixie-desktop-full-test",
+    "trixie-core-cuda-cu128-test",
+    "trixie-base-cuda-cu128-test",
+    "trixie-robot-cuda-cu128-test",
+    "trixie-perception-cuda-cu128-test",
+    "trixie-desktop-cuda-cu128-test",
+    "trixie-desktop-full-cuda-cu128-test",
     "trixie-core-cuda-cu130-test",
     "trixie-base-cuda-cu130-test",
     "trixie-robot-cuda-cu130-test",
     "trixie-perception-cuda-cu130-test",
     "trixie-desktop-cuda-cu130-test",
     "trixie-desktop-full-cuda-cu130-test",
+    "trixie-core-cuda-cu121-test",
+    "trixie-base-cuda-cu121-test",
+    "trixie-robot-cuda-cu121-test",
+    "trixie-perception-cuda-cu121-test",
+    "trixie-desktop-cuda-cu121-test",
+    "trixie-desktop-full-cuda-cu121-test",
     "trixie-core-torch-cu128-test",
     "trixie-base-torch-cu128-test",
     "trixie-robot-torch-cu128-test",

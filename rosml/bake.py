@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -110,6 +110,11 @@ function "image_digest" {
   result = try(split("@", context)[1], null)
 }
 
+function "platforms" {
+  params = [all]
+  result = PLATFORM == "" ? all : [PLATFORM]
+}
+
 # A build argument that is left out when it is empty.
 function "given" {
   params = [value]
@@ -130,6 +135,7 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield "REGISTRY", matrix.registry, "where images live, without https://"
     for os, system in matrix.operating_systems.items():
         yield names.os_variable(os), f"docker-image://{system.image}@{system.digest}", f"base image of {os}"
+    yield "PLATFORM", "", "build for this platform only, such as linux/amd64; if empty, for all that a target has"
     yield "SOURCE_DATE_EPOCH", EPOCH, "time of every file, in seconds since 1970"
     yield "REVISION", "", "commit that is built, for a label"
     yield "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
@@ -171,7 +177,7 @@ def _operating_systems(catalogue: Catalogue) -> Iterator[Target]:
         system = matrix.operating_systems[os]
         attributes = {
             "inherits": ["_base"],
-            "platforms": [matrix.architectures[name].platform for name in system.architectures],
+            "platforms": _platforms(matrix.architectures[name].platform for name in system.architectures),
             "contexts": {"os": Expression(names.os_variable(os))},
         }
         yield names.os_target(os), attributes
@@ -207,7 +213,7 @@ def _distribution(matrix: Matrix, name: str, distribution: Distribution) -> dict
         "io.rosml.python": system.python,
         "io.rosml.ros": str(distribution.ros),
     }
-    platforms = [matrix.architectures[architecture].platform for architecture in system.architectures]
+    platforms = _platforms(matrix.architectures[architecture].platform for architecture in system.architectures)
     return {"inherits": ["_image"], "platforms": platforms, "labels": labels}
 
 
@@ -242,6 +248,10 @@ def _dependency(image: Image) -> Dependency:
 
 def _part(payload: str) -> Dependency:
     return Dependency(call("part", payload).code, names.files_target(payload))
+
+
+def _platforms(platforms: Iterable[str]) -> Expression:
+    return Expression(f"platforms([{', '.join(text(platform) for platform in platforms)}])")
 
 
 def _tags(image: Image) -> list[Expression]:
@@ -280,7 +290,7 @@ def _files(matrix: Matrix, payload: Payload) -> dict[str, object]:
     return {
         "inherits": ["_payload"],
         "target": "payload-files",
-        "platforms": payload.platforms,
+        "platforms": _platforms(payload.platforms),
         "contexts": {"os": Expression(names.os_variable(payload.os))},
         "args": {
             "PART": payload.part,
@@ -321,7 +331,7 @@ def _join(matrix: Matrix, image: Image) -> dict[str, object]:
     args |= {f"{name.upper()}_VERSION": version for name, version in image.versions.items() if name != "nccl"}
     return {
         "target": image.framework,
-        "platforms": image.platforms,
+        "platforms": _platforms(image.platforms),
         "contexts": {f"part-{part}": _part(name) for part, name in parts.items()},
         "args": args,
         "labels": {
@@ -336,7 +346,7 @@ def _tests(catalogue: Catalogue) -> Iterator[Target]:
     for image in catalogue.images:
         attributes = {
             "inherits": ["_test"],
-            "platforms": image.platforms,
+            "platforms": _platforms(image.platforms),
             "contexts": {"image": _dependency(image)},
             "args": {
                 "TESTS": " ".join(image.tests),

@@ -78,7 +78,9 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
     env["CA_BUNDLE"] = services.ca_bundle
     # Variables of the bake file that a shell may have for other reasons would change what is built.
     for name in [
-        name for name in env if name in ("SOURCE_DATE_EPOCH", "REVISION", "DIGESTS") or name.startswith("OS_")
+        name
+        for name in env
+        if name in ("PLATFORM", "SOURCE_DATE_EPOCH", "REVISION", "DIGESTS") or name.startswith("OS_")
     ]:
         del env[name]
     for name in ("HTTP_PROXY", "HTTPS_PROXY"):

@@ -20,6 +20,7 @@ from typing import Any
 from rosml import base_images, builder, forecast, names, registry, verify
 from rosml.errors import RosmlError
 from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
+from rosml.problems import listed
 from rosml.progress import Step
 from rosml.services import Services
 
@@ -95,6 +96,18 @@ def require_buildable(image: Image) -> None:
     """
     if not image.locked:
         raise RosmlError(missing_locks(image), MAKE_LOCKS, exit_code=2)
+    if base_images.native_architecture() not in image.architectures:
+        raise RosmlError(
+            f"{image.target} exists for {listed(image.architectures)} only, and this machine is"
+            f" {base_images.native_architecture()}",
+            "use such a machine, or another target: make list",
+            exit_code=2,
+        )
+
+
+def _platform(catalogue: Catalogue) -> str:
+    """The platform that is built here: the machine's own."""
+    return catalogue.matrix.architectures[base_images.native_architecture()].platform
 
 
 @dataclass
@@ -162,7 +175,7 @@ class Publisher:
         assembled_on = {self.catalogue.payload_by_name[name].os for name in image.parts}
         systems = self.catalogue.matrix.operating_systems
         first = next(iter(systems))  # what the tools of tests and the cuda part are assembled on
-        variables = {"REGISTRY": self.prefix}
+        variables = {"REGISTRY": self.prefix, "PLATFORM": _platform(self.catalogue)}
         for name in sorted({image.os, first} | assembled_on):
             reference = base_images.ensure(self.services, systems[name], say=self.say)
             variables[names.os_variable(name)] = f"docker-image://{reference}"
@@ -192,7 +205,7 @@ class Publisher:
         folder = self.services.state / "tests" / image.target
         metadata, report_folder = folder / "metadata", folder / "report"
         shutil.rmtree(report_folder, ignore_errors=True)
-        config = registry.image_config(self.services, reference, image.platforms[0])
+        config = registry.image_config(self.services, reference, variables["PLATFORM"])
         verify.write_metadata(metadata, image, config)
         # A run that failed is in the builder's cache like any other: another attempt has to be told apart.
         attempts = folder / "failed-attempts"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from rosml.model import FAMILIES, PARTS, Family, Framework, Matrix, Part, Stack
 from rosml.problems import listed
@@ -35,8 +35,8 @@ def architectures(matrix: Matrix, os: str, framework: str, stack: str | None) ->
     facts = matrix.frameworks[framework]
     allowed = set(matrix.operating_systems[os].architectures)
     if stack is not None:
-        for family in facts.releases:
-            allowed &= set(_wheels(matrix, family, stack))
+        for _, wheels in _available(matrix, facts, stack):
+            allowed &= set(wheels)
     return tuple(name for name in matrix.architectures if name in allowed)
 
 
@@ -44,11 +44,9 @@ def architecture_reason(matrix: Matrix, os: str, framework: str, stack: str | No
     """Why an image that exists leaves out an architecture."""
     if architecture not in matrix.operating_systems[os].architectures:
         return f"images of {os} are built for {listed(matrix.operating_systems[os].architectures)} only"
-    for family in matrix.frameworks[framework].releases if stack else ():
-        wheels = _wheels(matrix, family, stack or "")
+    for what, wheels in _available(matrix, matrix.frameworks[framework], stack) if stack else ():
         if architecture not in wheels:
-            release = matrix.stacks[stack or ""].release(family)
-            return f"{family} {release} has {stack} wheels for {listed(wheels)} only"
+            return f"{what} has {stack} wheels for {listed(wheels)} only"
     return None
 
 
@@ -108,17 +106,25 @@ def _python(matrix: Matrix, os: str, framework: Framework, stack: Stack) -> str 
 def _architectures(matrix: Matrix, os: str, framework: Framework, stack: str) -> str | None:
     available = matrix.operating_systems[os].architectures
     common = set(available)
-    for family in families(framework):
-        wheels = _wheels(matrix, family, stack)
-        release = matrix.stacks[stack].release(family)
+    for what, wheels in _available(matrix, framework, stack):
         if not common & set(wheels):
             if not wheels:
-                return f"{family} {release} has no wheel for stack {stack}"
-            return f"{family} {release} has {stack} wheels for {listed(wheels)} only, and {os} is built for {listed(available)}"
+                return f"{what} has no wheel for stack {stack}"
+            return f"{what} has {stack} wheels for {listed(wheels)} only, and {os} is built for {listed(available)}"
         common &= set(wheels)
     return None
 
 
-def _wheels(matrix: Matrix, family: Family, stack: str) -> Sequence[str]:
-    version = matrix.stacks[stack].release(family)
-    return matrix.releases.of(family)[version].architectures(stack) if version else ()
+def _available(matrix: Matrix, framework: Framework, stack: str) -> Iterator[tuple[str, Sequence[str]]]:
+    """What a framework takes of a stack, and the architectures that it has wheels for."""
+    facts = matrix.stacks[stack]
+    wheels = {
+        family: matrix.releases.of(family)[version].architectures(stack)
+        for family in FAMILIES
+        if (version := facts.release(family))
+    }
+    for family in families(framework):
+        yield f"{family} {facts.release(family)}", wheels.get(family, ())
+    if not framework.releases:  # CUDA's libraries come with the releases: they are where any of those is
+        anywhere = [architecture for found in wheels.values() for architecture in found]
+        yield f"CUDA {facts.cuda}", tuple(name for name in matrix.architectures if name in anywhere)

@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, builder, registry, verify
+from rosml import ROOT, base_images, builder, registry, verify
 from rosml.expand import Catalogue
 from rosml.services import Services
 from tests.e2e.conftest import NAMESPACE, Published, publish, run
 
 Publish = Callable[[str], Published]
 
+PLATFORM = f"linux/{base_images.native_architecture()}"
 FIRST = "bookworm-core-torch-cu128"
 SECOND = "bookworm-base-torch-cu128"
 PAYLOAD_PARTS = 3
@@ -105,7 +106,7 @@ def test_a_payload_assembled_again_elsewhere_has_the_same_digest(
             f"again-{name}",
             ROOT / "docker-bake.hcl",
             (f"{payload.target}.output={output},oci-mediatypes=true", f"{payload.target}.tags=", "*.no-cache=true"),
-            {"REGISTRY": f"{services.registry}/{NAMESPACE}", "OS_BOOKWORM": base_image(image)},
+            {"REGISTRY": f"{services.registry}/{NAMESPACE}", "OS_BOOKWORM": base_image(image), "PLATFORM": PLATFORM},
         )
         _, metadata = builder.run(services_in(services, checkout), bake)
         again += [
@@ -131,7 +132,12 @@ def test_the_committed_bake_file_works_by_itself(services: Services, published: 
     arguments = [*services.buildx, "bake", "--progress", "plain"]
     if services.ca_bundle:
         arguments += ["--allow", f"fs.read={services.ca_bundle}"]
-    env = {**services.environment(), "OS_BOOKWORM": base_image(image), "CA_BUNDLE": services.ca_bundle}
+    env = {
+        **services.environment(),
+        "OS_BOOKWORM": base_image(image),
+        "CA_BUNDLE": services.ca_bundle,
+        "PLATFORM": PLATFORM,
+    }
     outcome = run(*arguments, "bookworm-core-test", env=env)
     assert outcome.code == 0, outcome.err
 
