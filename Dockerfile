@@ -36,19 +36,17 @@ ENTRYPOINT ["/tini", "--", "/entrypoint.sh"]
 CMD ["bash"]
 
 FROM parent AS ros
-ARG ROS_PACKAGES ROS_TOOLS
+ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT
 RUN --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/ros,target=/run/components/ros \
     --mount=type=secret,id=ca-bundle \
     /run/components/ros/install.sh
-ARG ROS_DISTRO ROS_VERSION
 ENV ROS_DISTRO=${ROS_DISTRO} \
     ROS_VERSION=${ROS_VERSION}
 
 # ---- ML payloads ----------------------------------------------------------------------------------------------------
 # Runs on the builder's own architecture and assembles for any: no emulation.
 FROM --platform=${BUILDPLATFORM} os AS assembler
-ARG BUILDARCH
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
     --mount=type=bind,source=components/payload/install-assembler.sh,target=/run/components/payload/install-assembler.sh \
     --mount=type=bind,source=tools/requirements.txt,target=/run/requirements.txt \

@@ -58,7 +58,7 @@ def print_table(catalogue: Catalogue) -> None:
         table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
     console = Console(highlight=False, soft_wrap=True)
     if not console.is_terminal:
-        console = Console(highlight=False, width=200)
+        console = Console(highlight=False, width=400)
     console.print(table)
     console.print(f"{len(catalogue.images)} images, {len(catalogue.payloads)} payloads", style="dim")
     if unlocked := [image.target for image in catalogue.images if not image.locked]:

@@ -359,17 +359,17 @@ def _outcome(request: Request, root: Path, uv: str, upgrade: bool) -> _Outcome:
         for python in (request.python, ANY_PYTHON)
         for file in sorted((root / "locks" / request.stack / request.architecture / python).glob("*.txt"))
     }
-    previous = "\n".join(earlier.values())
+    previous, reason = "\n".join(earlier.values()), ""
     try:
         pins = resolve(request, uv, upgrade, previous)
     except Unreachable as error:
         if all(_path(request, family) in earlier for family in request.roots):
             return _Outcome(request, kept=earlier, reason=error.message)
         here = {family: wanted for family, wanted in request.roots.items() if family not in request.elsewhere}
-        rest = replace(request, roots=here, elsewhere={})
-        return _Outcome(rest, resolve(rest, uv, upgrade, previous) if here else [], reason=error.message)
+        request = replace(request, roots=here, elsewhere={})
+        pins, reason = resolve(request, uv, upgrade, previous) if here else [], error.message
     _one_cuda(request, pins)
-    return _Outcome(request, pins)
+    return _Outcome(request, pins, reason=reason)
 
 
 def _path(request: Request, part: str) -> str:

@@ -53,7 +53,7 @@ def main(
         raise click.UsageError("--output belongs to writing and --check")
     from rosml import expand
 
-    catalogue = expand.load(matrix)
+    catalogue = expand.load(matrix, ROOT)
     if list_:
         from rosml import inputs, listing
 

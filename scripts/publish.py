@@ -46,7 +46,7 @@ def image(target: str, matrix: Path, namespace: str, check: bool, as_json: bool)
     def say(line: str) -> None:
         click.echo(click.style(f"==> {line}", bold=True), err=True)
 
-    catalogue = expand.load(matrix)
+    catalogue = expand.load(matrix, ROOT)
     target = target or catalogue.matrix.default.target
     require_buildable(catalogue.image(target))  # a typo is told before anything else happens
     if check:

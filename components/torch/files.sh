@@ -14,7 +14,8 @@ if [[ ${ACCELERATOR:?} == cuda && -d $bundled ]]; then
   rm -f "$bundled"/*.a
   for library in "$bundled"/*.so*; do
     name=$(basename "$library")
-    case $name in libcupti.so*) name=libcupti.so.12 ;; esac
+    # by the name that has no version: it leads to the stack's own, whatever release Triton was built with
+    case $name in libcupti.so*) name=libcupti.so ;; esac
     ln -sf "/usr/lib/$TRIPLET/$name" "$library"
   done
 fi

@@ -171,21 +171,24 @@ def test_list_json(real: Catalogue) -> None:
 
 def test_list_is_one_line_for_each_image(real: Catalogue) -> None:
     lines = generate("--list").stdout.splitlines()
-    assert len(lines) == len(real.images) + 2
-    assert lines[1].split()[0] == "bookworm-core"
-    assert lines[-1] == "60 images, 11 payloads"
+    unlocked = [image.target for image in real.images if not image.locked]
+    assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in real.images]
+    assert [line.split()[0] for line in lines[:-2] if "no lock " in line] == unlocked
+    assert lines[-2] == f"{len(real.images)} images, {len(real.payloads)} payloads"
+    assert lines[-1].startswith(f"{len(unlocked)} have no lock and cannot be built yet; run 'make locks'")
 
 
 EXITS: dict[str, tuple[list[str], int, str]] = {
     "exists": (["--explain", "bookworm-core"], 0, "bookworm-core exists:"),
-    "ruled out": (["--explain", "bookworm-core-torch-cpu"], 0, "stack cpu has no release of torch"),
+    "ruled out": (["--explain", "jazzy-robot"], 0, "jazzy (ROS 2) has no robot metapackage"),
+    "no lock": (["--explain", "bookworm-core-torch-cpu"], 0, "run 'make locks'"),
     "not understood": (["--explain", "bokworm-core"], 2, "did you mean 'bookworm-core'"),
     "nothing": (["--explain", ""], 2, "no image named ''"),
     "two things at once": (["--check", "--list"], 2, "use one of them"),
     "json of nothing": (["--json"], 2, "belongs to --list"),
     "difference and list": (["--diff", "HEAD", "--list"], 2, "use one of them"),
     "output of a difference": (["--diff", "HEAD", "--output", "x"], 2, "belongs to writing"),
-    "same matrix": (["--diff", str(ROOT / "matrix.yaml")], 0, "0 added, 0 removed, 0 changed, 60 same"),
+    "same matrix": (["--diff", str(ROOT / "matrix.yaml")], 0, "0 added, 0 removed, 0 changed, 485 same"),
     "output of a list": (["--list", "--output", "x"], 2, "belongs to writing"),
     "unknown option": (["--chek"], 2, "--check"),
     "no such matrix": (["--matrix", "/nowhere/matrix.yaml"], 2, "no such file"),
@@ -267,7 +270,9 @@ def printed(*targets: str, file: Path = ROOT / "docker-bake.hcl", **env: str) ->
 
 
 def test_every_target_prints(real: Catalogue) -> None:
-    targets = printed("all", "payloads", "tests")
+    unlocked = [name for image in real.images if not image.locked for name in (image.target, image.test_target)]
+    payloads = [payload.target for payload in real.payloads]
+    targets = printed("all", "tests", *payloads, *unlocked)
     for image in real.images:
         target, test = targets[image.target], targets[image.test_target]
         assert target["tags"] == [f"{real.matrix.registry}/{tag}" for tag in image.tags]
@@ -310,6 +315,13 @@ def test_dependencies_are_taken_from_the_registry() -> None:
 def test_broken_digests_fail() -> None:
     with pytest.raises(RosmlError, match="jsondecode"):
         printed("bookworm-base", DIGESTS='{"bookworm-core": ')
+
+
+def test_one_platform() -> None:
+    """PLATFORM restricts a target and all that it stands on."""
+    targets = printed("jazzy-base", PLATFORM="linux/arm64")
+    assert len(targets) > 1
+    assert all(target["platforms"] == ["linux/arm64"] for target in targets.values())
 
 
 def test_variables() -> None:

@@ -7,22 +7,36 @@ from conftest import ROOT, changed, parse
 
 from rosml import names, rules
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue, combinations
+from rosml.expand import Catalogue, combinations, with_locks
 from rosml.explain import explain, why_not
 from rosml.listing import facts
 
 
-def test_the_slice(real: Catalogue) -> None:
-    kinds = {(image.framework, image.stack) for image in real.images}
-    assert kinds == {
-        ("none", None),
-        ("torch", "cu128"),
-        ("tensorflow", "cu128"),
-        ("ml", "cu128"),
-        ("tensorflow", "cpu"),
-    }
-    assert len(real.images) == 60
-    assert {image.platforms for image in real.images} == {("linux/amd64",)}
+def test_every_axis(real: Catalogue) -> None:
+    """The axes of the design, and as many images as it asks for."""
+    ubuntu = ["noetic", "foxy", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling"]
+    assert list(real.matrix.distributions) == [*ubuntu, "bookworm", "trixie"]
+    assert list(real.matrix.components) == ["core", "base", "robot", "perception", "desktop", "desktop-full"]
+    assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
+    assert list(real.matrix.stacks) == ["cu128", "cu130", "cu121", "cpu", "cpu38"]
+    assert len(real.images) == 485
+    both = [image for image in real.images if len(image.platforms) == 2]
+    assert len([tag for image in both for tag in image.tags]) > 300
+
+
+def test_every_distribution_has_every_framework_that_its_facts_allow(real: Catalogue) -> None:
+    kinds: dict[str, set[str]] = {}
+    for image in real.images:
+        kinds.setdefault(image.distribution, set()).add("-".join(filter(None, [image.framework, image.stack])))
+    cuda = {"none", "cuda-cu121", "cuda-cu128", "cuda-cu130"}
+    torch = cuda | {"torch-cu128", "torch-cu130", "torch-cpu"}
+    ml = torch | {"tensorflow-cu128", "tensorflow-cpu", "ml-cu128", "ml-cpu"}
+    for name in ("humble", "iron", "jazzy", "kilted", "bookworm", "trixie"):
+        assert kinds[name] == ml
+    for name in ("lyrical", "rolling"):  # no TensorFlow for Python 3.14
+        assert kinds[name] == torch
+    for name in ("noetic", "foxy"):  # Python 3.8; torch and TensorFlow contradict each other there
+        assert kinds[name] == cuda | {"torch-cu121", "torch-cpu38", "tensorflow-cpu38"}
 
 
 def test_image_facts(real: Catalogue) -> None:
@@ -61,6 +75,7 @@ def test_image_facts(real: Catalogue) -> None:
             "locks/cu128/amd64/3.11/tensorflow.txt",
         ],
         "tests": ["contract", "ros1", "ros1-core", "ros1-base", "cuda", "torch", "tensorflow", "ml"],
+        "locked": True,
         "disk": {
             key: sum(
                 getattr(size, key)
@@ -92,7 +107,10 @@ def test_an_index_lists_only_architectures_with_the_same_content(small: Catalogu
 
 
 def test_payloads_are_made_for_every_architecture_that_needs_them(small: Catalogue) -> None:
-    payload = small.payload_by_name["cuda-cu1"]  # the framework cuda exists for both
+    payload = small.payload_by_name["tensorflow-cpu-py312"]
+    assert payload.architectures == ("arm64",)  # ml is the only framework with TensorFlow, and torch is for arm64 only
+    payload = parse(changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64, arm64], cpu: [arm64]}"))\
+        .payload_by_name["cuda-cu1"]  # fmt: skip
     assert payload.architectures == ("amd64", "arm64")
     assert payload.locks == ("locks/cu1/amd64/any/cuda.txt", "locks/cu1/arm64/any/cuda.txt")
     assert payload.os == "ubuntu-24.04"
@@ -108,8 +126,18 @@ def test_floating_tags(small: Catalogue) -> None:
     assert small.image("alpha-base-cuda-cu1").tags[1] == "ros-cuda:alpha-base-cu1-cuda12.8.90"
 
 
-def test_no_long_term_release_no_latest(real: Catalogue) -> None:
-    assert not [tag for image in real.images for tag in image.tags if tag.endswith(":latest")]
+def test_latest_is_the_newest_long_term_release(real: Catalogue) -> None:
+    latest = {tag: image.target for image in real.images for tag in image.tags if tag.endswith(":latest")}
+    assert latest == {
+        "ros:latest": "lyrical-base",
+        "ros-cuda:latest": "lyrical-base-cuda-cu128",
+        "ros-torch:latest": "lyrical-base-torch-cu128",
+    }
+
+
+def test_no_long_term_release_no_latest() -> None:
+    without = parse(changed("    lts: true\n", ""))
+    assert not [tag for image in without.images for tag in image.tags if tag.endswith(":latest")]
 
 
 def test_names_and_tags_are_unique(real: Catalogue) -> None:
@@ -123,9 +151,37 @@ def test_every_test_has_a_file(real: Catalogue) -> None:
     assert {test for test in wanted if not (ROOT / "tests/structure" / f"{test}.yaml").is_file()} == set()
 
 
-def test_every_lock_is_there(real: Catalogue) -> None:
+def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catalogue) -> None:
     wanted = {lock for payload in real.payloads for lock in payload.locks}
-    assert {lock for lock in wanted if not (ROOT / lock).is_file()} == set()
+    assert {lock for lock in wanted if not (ROOT / lock).is_file()} == {
+        "locks/cpu/amd64/3.11/torch.txt",
+        "locks/cpu/amd64/3.14/common.txt",
+        "locks/cpu/amd64/3.14/torch.txt",
+        "locks/cpu38/amd64/3.8/torch.txt",
+    }
+
+
+def test_images_without_a_lock_are_in_no_group(small: Catalogue) -> None:
+    locks = {lock for payload in small.payloads for lock in payload.locks}
+    torch = "locks/cu1/amd64/3.12/torch.txt"
+    catalogue = with_locks(small, locks - {torch})
+    unlocked = [image for image in catalogue.images if not image.locked]
+    assert {image.target for image in unlocked} == {
+        f"alpha-{component}-{framework}-cu1"
+        for component in ("core", "base", "desktop")
+        for framework in ("torch", "ml")
+    }
+    assert all(image.unlocked == (torch,) for image in unlocked)
+    grouped = {target for targets in catalogue.groups.values() for target in targets}
+    assert not grouped & {name for image in unlocked for name in (image.target, image.test_target)}
+    assert "payload-torch-cu1-py312" not in grouped
+    assert "payload-torch-cu1-py314" in grouped
+    assert f"there is no {torch}; run 'make locks'" in explain(catalogue, "alpha-core-torch-cu1")
+    assert with_locks(small, locks) == small
+
+
+def test_the_default_group_can_be_built(real: Catalogue) -> None:
+    assert all(real.image(target).locked for target in (real.matrix.default.target, *real.matrix.default.group))
 
 
 def test_every_combination_exists_or_has_a_reason(small: Catalogue, real: Catalogue) -> None:
@@ -163,8 +219,7 @@ REASONS = {
     "alpha-base-torch": "alpha-base-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
     "alpha-base-none": "alpha-base-none is called alpha-base.",
     "cu1": "cu1: a group of 13 targets; see them with --list",
-    "payload-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt and "
-    "locks/cu1/arm64/any/cuda.txt, in 13 images",
+    "payload-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
 }
 
 
@@ -173,10 +228,26 @@ def test_reasons(small: Catalogue, name: str) -> None:
     assert explain(small, name) == REASONS[name]
 
 
-def test_a_stack_without_a_release(real: Catalogue) -> None:
-    assert why_not(real, "bookworm-core-torch-cpu") == (
-        "bookworm-core-torch-cpu does not exist: stack cpu has no release of torch."
-    )
+REAL_REASONS = {
+    "lyrical-base-tensorflow-cpu": "no release of tensorflow has a wheel for Python 3.14, the Python of ubuntu-26.04",
+    "jazzy-robot": "jazzy (ROS 2) has no robot metapackage; it has core, base, perception, desktop and desktop-full",
+    "bookworm-core-tensorflow-cu130": "stack cu130 has no release of tensorflow",
+    "noetic-base-torch-cu128": "torch 2.10.0 has no wheel for Python 3.8, the Python of ubuntu-20.04 (2.4.1 has)",
+    "noetic-base-ml-cpu38": "what framework ml needs of stack cpu38 does not go together (tensorflow 2.13.1 needs "
+    "typing-extensions below 4.6, torch 2.4.1 needs 4.8)",
+    "jazzy-base-cuda-cpu": "framework cuda needs accelerator cuda, and stack cpu has cpu",
+}
+
+
+@pytest.mark.parametrize("name", REAL_REASONS)
+def test_reasons_of_the_real_matrix(real: Catalogue, name: str) -> None:
+    assert why_not(real, name) == f"{name} does not exist: {REAL_REASONS[name]}."
+
+
+def test_a_wheel_elsewhere_counts() -> None:
+    small = parse(changed("cpu: [arm64]}}", "cpu: [arm64]}, elsewhere: {cpu: {amd64: {}}}, requires: [jinja2]}"))
+    assert small.image("alpha-core-torch-cpu").platforms == ("linux/amd64", "linux/arm64")
+    assert small.image("alpha-core-ml-cpu").platforms == ("linux/amd64", "linux/arm64")
 
 
 def test_no_wheel_for_any_architecture() -> None:

@@ -135,12 +135,16 @@ def test_the_same_everywhere(project: Path, tmp_path: Path) -> None:
 
 def test_every_file_that_reaches_the_builder_is_an_input(real: Catalogue) -> None:
     """Also a warning of a file that nothing uses."""
-    inputs, todo = Inputs(ROOT, real), [item.target for item in items(real)]
+    inputs = Inputs(ROOT, real)
+    todo = {(item.target, architecture) for item in items(real) for architecture in item.architectures}
+    seen: set[tuple[str, str]] = set()
     used: set[str] = set()
     while todo:
-        found = inputs.of(todo.pop(), "amd64")
+        target, architecture = todo.pop()
+        seen.add((target, architecture))
+        found = inputs.of(target, architecture)
         used |= found.keys()
-        todo += [name.removeprefix(TARGET) for name in found if name.startswith(TARGET)]
+        todo |= {(name.removeprefix(TARGET), architecture) for name in found if name.startswith(TARGET)} - seen
     files = {path for folder in ("components", "locks") for path in (ROOT / folder).rglob("*") if path.is_file()}
     wanted = {path.relative_to(ROOT).as_posix() for path in files if "__pycache__" not in path.parts}
     assert {name for name in used if (ROOT / name).is_file()} == wanted | {"tools/requirements.txt"}
@@ -233,8 +237,13 @@ def test_the_time_of_files_counts(project: Path, monkeypatch: pytest.MonkeyPatch
 
 STAGES: dict[str, tuple[str, str, bool, set[str]]] = {
     "comment": ("# ---- ROS ---", "\n# ---- ROS, a comment\n\n# ---", False, set()),
-    "comment in a stage": ("ARG ROS_DISTRO ROS_VERSION", "# why\n\nARG ROS_DISTRO ROS_VERSION", False, set()),
-    "ros": ("ARG ROS_DISTRO ROS_VERSION", "ARG ROS_DISTRO ROS_VERSION X=1", True, set()),
+    "comment in a stage": (
+        "ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO",
+        "# why\n\nARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO",
+        False,
+        set(),
+    ),
+    "ros": ("ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO", "ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO X=1", True, set()),
     "torch": ("ENV TORCH_VERSION=", "ENV X=1 TORCH_VERSION=", False, {"torch"}),
     "assembler": ("ENV PATH=/opt/uv/bin", "ENV X=1 PATH=/opt/uv/bin", False, PARTS),
     "test-run": ("ARG TESTS EXPECT", "ARG TESTS EXPECT X", False, set()),

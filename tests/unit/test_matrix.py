@@ -260,7 +260,7 @@ def test_requirement(small: expand.Catalogue) -> None:
 
 
 def test_a_stack_without_a_release_asks_for_nothing(real: expand.Catalogue) -> None:
-    assert real.matrix.stacks["cpu"].requirement("torch", "amd64") is None
+    assert real.matrix.stacks["cu130"].requirement("tensorflow", "amd64") is None
 
 
 def test_a_new_distribution_fits_in_ten_lines() -> None:

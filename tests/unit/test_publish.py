@@ -100,6 +100,9 @@ class Stage:
         for name in FILES:
             self.write(f"report/{name}.json", results(one=True, two=True))
         self.write("report/unpacked", "4 /")
+        for lock in {lock for payload in self.catalogue.payloads for lock in payload.locks}:
+            (self.folder / lock).parent.mkdir(parents=True, exist_ok=True)
+            (self.folder / lock).touch()
         regctl = executable(self.folder / "regctl", REGCTL.format(folder=self.folder))
         services(self.folder, self.registry, buildx=buildx(self.folder, BAKE), regctl=regctl)
 
