@@ -260,9 +260,10 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         parts=tuple(payload.name for payload in kind.payloads),
         tests=("contract", ros, *(f"{ros}-{link}" for link in chain), *shared, *ml),
         locks=tuple(lock for payload in kind.payloads for lock in payload.locks),
-        disk=sum(
-            [*(matrix.disk.components[link] for link in chain), *(payload.disk for payload in kind.payloads)],
-            start=matrix.disk.os,
+        disk=Size.total(
+            matrix.disk.os,
+            *(matrix.disk.components[link] for link in chain),
+            *(payload.disk for payload in kind.payloads),
         ),
     )
 

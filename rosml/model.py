@@ -219,9 +219,11 @@ class Size(Facts):
     unpacked: Megabytes = Field(description="MB on disk")
     compressed: Megabytes = Field(description="MB in the registry")
 
-    def __add__(self, other: Size) -> Size:
-        return Size.model_construct(
-            unpacked=self.unpacked + other.unpacked, compressed=self.compressed + other.compressed
+    @classmethod
+    def total(cls, *sizes: Size) -> Size:
+        """The sum of sizes."""
+        return cls.model_construct(
+            unpacked=sum(size.unpacked for size in sizes), compressed=sum(size.compressed for size in sizes)
         )
 
 
