@@ -1,7 +1,7 @@
 """The library behind the commands in `scripts/`: small modules, one noun each.
 
 The way of the data: `source` (YAML with places) -> `model` (structure) -> `references` (names that must exist) ->
-`expand` (images and payloads) -> `bake`, `listing`, `explain` (what people and tools read).
+`expand` (images and payloads) -> `bake`, `listing`, `explain`, `plan` (what people and tools read).
 None of these touches the network, reads the clock, or depends on the machine.
 """
 

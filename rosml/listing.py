@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosml.expand import Catalogue, Image
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 
 def facts(image: Image) -> dict[str, Any]:
@@ -39,10 +42,17 @@ def as_json(catalogue: Catalogue) -> str:
     return json.dumps([facts(image) for image in catalogue.images], indent=2) + "\n"
 
 
-def print_table(catalogue: Catalogue) -> None:
-    """Prints all images; one line each, also where nobody watches and the terminal's width is unknown."""
+def console() -> Console:
+    """Where tables go: one line for each row, also where nobody watches and the terminal's width is unknown."""
     from rich.console import Console  # slow to import, and only needed here
-    from rich.table import Table
+
+    terminal = Console(highlight=False, soft_wrap=True)
+    return terminal if terminal.is_terminal else Console(highlight=False, width=200)
+
+
+def print_table(catalogue: Catalogue) -> None:
+    """Prints all images."""
+    from rich.table import Table  # slow to import, and only needed here
 
     table = Table(box=None, header_style="bold", pad_edge=False)
     for column in ("target", "versions", "platforms", "main tag"):
@@ -52,8 +62,6 @@ def print_table(catalogue: Catalogue) -> None:
         versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
         platforms = ", ".join(image.platforms)
         table.add_row(image.target, versions, platforms, image.tags[0], f"{image.disk.unpacked / 1000:.1f}")
-    console = Console(highlight=False, soft_wrap=True)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=200)
-    console.print(table)
-    console.print(f"{len(catalogue.images)} images, {len(catalogue.payloads)} payloads", style="dim")
+    out = console()
+    out.print(table)
+    out.print(f"{len(catalogue.images)} images, {len(catalogue.payloads)} payloads", style="dim")

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes docker-bake.hcl (and matrix.schema.json and README.md's table) from matrix.yaml; lists and explains images."""
+"""Writes docker-bake.hcl (and matrix.schema.json and README.md's table) from matrix.yaml; lists and explains images;
+plans their build in CI."""
 
 from __future__ import annotations
 
@@ -19,19 +20,32 @@ COMMAND = "make generate"
 @click.command(help=__doc__)
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
 @click.option("--list", "list_", is_flag=True, help="List every image with its facts.")
-@click.option("--json", "as_json", is_flag=True, help="With --list: as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="With --list or --shards: as JSON.")
 @click.option("--explain", metavar="TARGET", help="Say why an image exists, or why it does not.")
+@click.option("--shards", metavar="N", type=int, help="Plan the build of all images on N machines.")
 @click.option(
     "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
 )
-@click.option("--output", type=click.Path(path_type=Path), help="Write this bake file instead, and nothing else.")
-def main(check: bool, list_: bool, as_json: bool, explain: str | None, matrix: Path, output: Path | None) -> None:
-    if check + list_ + (explain is not None) > 1:
-        raise click.UsageError("--check, --list and --explain do different things; use one of them")
-    if as_json and not list_:
-        raise click.UsageError("--json belongs to --list")
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Write this bake file instead, and nothing else; with --shards: this plan, as JSON.",
+)
+def main(
+    check: bool,
+    list_: bool,
+    as_json: bool,
+    explain: str | None,
+    shards: int | None,
+    matrix: Path,
+    output: Path | None,
+) -> None:
+    if check + list_ + (explain is not None) + (shards is not None) > 1:
+        raise click.UsageError("--check, --list, --explain and --shards do different things; use one of them")
+    if as_json and not list_ and shards is None:
+        raise click.UsageError("--json belongs to --list and --shards")
     if output and (list_ or explain is not None):
-        raise click.UsageError("--output belongs to writing and --check")
+        raise click.UsageError("--output belongs to writing, --check and --shards")
     from rosml import expand
 
     catalogue = expand.load(matrix)
@@ -46,6 +60,16 @@ def main(check: bool, list_: bool, as_json: bool, explain: str | None, matrix: P
         from rosml.explain import explain as sentence
 
         click.echo(sentence(catalogue, explain))
+    elif shards is not None:
+        from rosml import plan
+
+        planned = plan.plan(catalogue, shards)
+        if output:
+            write({output: plan.as_json(planned)})
+        elif as_json:
+            click.echo(plan.as_json(planned), nl=False)
+        else:
+            plan.print_table(planned)
     else:
         from rosml import bake
 

@@ -181,6 +181,7 @@ EXITS: dict[str, tuple[list[str], int, str]] = {
     "nothing": (["--explain", ""], 2, "no image named ''"),
     "two things at once": (["--check", "--list"], 2, "use one of them"),
     "json of nothing": (["--json"], 2, "belongs to --list"),
+    "plan and list": (["--shards", "2", "--list"], 2, "use one of them"),
     "output of a list": (["--list", "--output", "x"], 2, "belongs to writing"),
     "unknown option": (["--chek"], 2, "--check"),
     "no such matrix": (["--matrix", "/nowhere/matrix.yaml"], 2, "no such file"),
