@@ -208,7 +208,7 @@ def _images(matrix: Matrix) -> Iterator[Image]:
                 if rules.stack_reason(matrix, distribution.os, framework, stack) is None:
                     kind = _kind(matrix, distribution, framework, stack)
                     for component in matrix.components:
-                        if component in distribution.components:
+                        if component in distribution.present:
                             yield _image(matrix, name, distribution, component, kind, name == latest)
 
 
@@ -273,7 +273,7 @@ def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[
     chain: list[str] = []
     link: str | None = component
     while link:
-        if link in distribution.components:
+        if link in distribution.present:
             chain.append(link)
         link = matrix.components[link].builds_on
     return tuple(reversed(chain))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import datetime
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
@@ -215,6 +216,11 @@ class Distribution(Facts):
     apt: Apt | None = Field(
         default=None, description="ROS's own apt repository, for packages that are not the system's"
     )
+
+    @cached_property
+    def present(self) -> frozenset[str]:
+        """The components, to look one up."""
+        return frozenset(self.components)
 
 
 class Size(Facts):
