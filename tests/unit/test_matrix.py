@@ -224,9 +224,13 @@ def test_any_number_of_rows(edits: list[tuple[str, int, int, bool]]) -> None:
 
 
 @PROFILE
-@given(st.lists(st.integers(-1, 40), min_size=1, max_size=40))
-def test_any_components_on_one_another(below: list[int]) -> None:
-    """-1 builds on nothing, a number without a component is unknown; chains, trees, cycles."""
+@given(st.lists(st.integers(-1, 40), min_size=1, max_size=40), st.booleans())
+def test_any_components_on_one_another(below: list[int], orderly: bool) -> None:
+    """-1 builds on nothing, a number without a component is unknown; chains, trees, cycles. In an orderly file each
+    builds on one of the three before it.
+    """
+    if orderly:
+        below = [max(-1, n - 1 - link % 3) if link >= 0 else -1 for n, link in enumerate(below)]
     text = SMALL.replace("components: [core", f"components: [{', '.join(f'c{n}' for n in range(len(below)))}, core")
     rows = "".join(f"  c{n}: {{{f'builds_on: c{link}' if link >= 0 else ''}}}\n" for n, link in enumerate(below))
     text = changed("\ncomponents:\n", f"\ncomponents:\n{rows}", text)
