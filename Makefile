@@ -18,7 +18,7 @@ unexport PYTHONPATH PYTHONHOME
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 
-.PHONY: help image test lint unit list explain generate locks up down clean status
+.PHONY: help image test lint unit bench list explain generate locks up down clean status
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' Makefile
@@ -36,6 +36,9 @@ lint: .python ## the linters only
 
 unit: .python ## the linters and the unit tests: no builder, seconds
 	@$(RUN) pytest tests/lint tests/unit
+
+bench: .python ## how fast the generator is: the real matrix, and up to 10,000 images
+	@$(RUN) scripts/bench.py
 
 list: .python ## every image that can be built
 	@$(RUN) scripts/generate_bake.py --list

@@ -185,12 +185,15 @@ def _operating_systems(catalogue: Catalogue) -> Iterator[Target]:
 
 def _ros_images(catalogue: Catalogue) -> Iterator[Target]:
     matrix = catalogue.matrix
+    images: dict[str, list[Image]] = {name: [] for name in matrix.distributions}
+    for image in catalogue.images:
+        if image.stack is None:
+            images[image.distribution].append(image)
     for name, distribution in matrix.distributions.items():
         yield _distribution_target(name), _distribution(matrix, name, distribution)
         yield _ros_target(name), _ros(matrix, name, distribution)
-        for image in catalogue.images:
-            if image.distribution == name and image.stack is None:
-                yield image.target, _ros_image(catalogue, image)
+        for image in images[name]:
+            yield image.target, _ros_image(catalogue, image)
 
 
 def _distribution_target(name: str) -> str:

@@ -242,7 +242,7 @@ def _images(matrix: Matrix) -> Iterator[Image]:
                 if rules.stack_reason(matrix, distribution.os, framework, stack) is None:
                     kind = _kind(matrix, distribution, framework, stack)
                     for component in matrix.components:
-                        if component in distribution.components:
+                        if component in distribution.present:
                             yield _image(matrix, name, distribution, component, kind, name == latest)
 
 
@@ -294,9 +294,10 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         parts=tuple(payload.name for payload in kind.payloads),
         tests=("contract", ros, *(f"{ros}-{link}" for link in chain), *shared, *ml),
         locks=tuple(lock for payload in kind.payloads for lock in payload.locks),
-        disk=sum(
-            [*(matrix.disk.components[link] for link in chain), *(payload.disk for payload in kind.payloads)],
-            start=matrix.disk.os,
+        disk=Size.total(
+            matrix.disk.os,
+            *(matrix.disk.components[link] for link in chain),
+            *(payload.disk for payload in kind.payloads),
         ),
     )
 
@@ -306,7 +307,7 @@ def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[
     chain: list[str] = []
     link: str | None = component
     while link:
-        if link in distribution.components:
+        if link in distribution.present:
             chain.append(link)
         link = matrix.components[link].builds_on
     return tuple(reversed(chain))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from pathlib import Path
 
 from rosml.errors import RosmlError
@@ -32,6 +31,8 @@ def write(file: Path, content: str) -> bool:
 
 
 def _replace(file: Path, content: str) -> None:
+    import tempfile  # only needed here
+
     mode = file.stat().st_mode & 0o777 if file.exists() else 0o644
     descriptor, temporary = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.")
     try:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from pathlib import Path
 
 from rosml.errors import RosmlError
@@ -25,7 +25,7 @@ def needed_mb(catalogue: Catalogue, image: Image, built: Iterable[str]) -> int:
         image: what is to be built.
         built: names of the payloads and targets that are in the builder.
     """
-    done = set(built)
+    done = built if isinstance(built, Set) else set(built)
     total = 0
     if image.target not in done:
         total += _ros_mb(catalogue, catalogue.by_target[image.parent] if image.stack else image, done)
@@ -36,7 +36,7 @@ def needed_mb(catalogue: Catalogue, image: Image, built: Iterable[str]) -> int:
     return total
 
 
-def _ros_mb(catalogue: Catalogue, image: Image, done: set[str]) -> int:
+def _ros_mb(catalogue: Catalogue, image: Image, done: Set[str]) -> int:
     """Megabytes for a ROS image and what it stands on, down to the first one that is built."""
     if image.target in done:
         return 0

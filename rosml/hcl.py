@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
+from json.encoder import encode_basestring as quoted
 
 WIDTH = 120
 """Lists are kept on one line up to this many characters."""
@@ -20,13 +20,12 @@ class Expression:
 
 def text(value: str) -> str:
     """A quoted text in which nothing is filled in."""
-    quoted = json.dumps(value, ensure_ascii=False)
-    return quoted.replace("${", "$${").replace("%{", "%%{")
+    return quoted(value).replace("${", "$${").replace("%{", "%%{")
 
 
 def template(value: str) -> Expression:
     """A quoted text in which `${…}` is filled in."""
-    return Expression(json.dumps(value, ensure_ascii=False))
+    return Expression(quoted(value))
 
 
 def call(function: str, *arguments: str | Expression) -> Expression:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosml.expand import MAKE_LOCKS, Catalogue, Image
 from rosml.inputs import Inputs
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 
 def facts(image: Image) -> dict[str, Any]:
@@ -42,10 +45,17 @@ def as_json(inputs: Inputs) -> str:
     return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
 
 
-def print_table(catalogue: Catalogue) -> None:
-    """Prints all images; one line each, also where nobody watches and the terminal's width is unknown."""
+def console() -> Console:
+    """Where tables go: one line for each row, also where nobody watches and the terminal's width is unknown."""
     from rich.console import Console  # slow to import, and only needed here
-    from rich.table import Table
+
+    terminal = Console(highlight=False, soft_wrap=True)
+    return terminal if terminal.is_terminal else Console(highlight=False, width=400)
+
+
+def print_table(catalogue: Catalogue) -> None:
+    """Prints all images."""
+    from rich.table import Table  # slow to import, and only needed here
 
     table = Table(box=None, header_style="bold", pad_edge=False)
     for column in ("target", "versions", "platforms", "main tag", ""):
@@ -56,10 +66,8 @@ def print_table(catalogue: Catalogue) -> None:
         platforms = ", ".join(image.platforms)
         state = "" if image.locked else "no lock"
         table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
-    console = Console(highlight=False, soft_wrap=True)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=400)
-    console.print(table)
-    console.print(f"{len(catalogue.images)} images, {len(catalogue.payloads)} payloads", style="dim")
+    out = console()
+    out.print(table)
+    out.print(f"{len(catalogue.images)} images, {len(catalogue.payloads)} payloads", style="dim")
     if unlocked := [image.target for image in catalogue.images if not image.locked]:
-        console.print(f"{len(unlocked)} have no lock and cannot be built yet; {MAKE_LOCKS}", style="yellow")
+        out.print(f"{len(unlocked)} have no lock and cannot be built yet; {MAKE_LOCKS}", style="yellow")

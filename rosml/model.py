@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import datetime
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
@@ -72,6 +73,7 @@ Packages = Annotated[str, Field(pattern=PACKAGES, max_length=400)]
 Target = Annotated[str, Field(pattern=NAME, max_length=128)]
 Names = Annotated[tuple[Name, ...], Field(min_length=1)]
 Megabytes = Annotated[int, Field(ge=0, le=1_000_000)]
+Rate = Annotated[int, Field(ge=1, le=10_000)]
 
 
 def _requirement_kind(value: Any) -> str:
@@ -106,6 +108,9 @@ class Architecture(Facts):
     platform: Annotated[str, Field(pattern=PLATFORM)] = Field(description="BuildKit's platform")
     wheels: Word = Field(description="uv's name of the wheel platform, with the oldest glibc that is supported")
     triplet: Word = Field(description="Debian's multiarch triplet: the folder of libraries below /usr/lib")
+    runner: Word | None = Field(
+        default=None, description="label of the machines that build for it in CI; a build plan needs it"
+    )
 
 
 class OperatingSystem(Facts):
@@ -232,6 +237,11 @@ class Distribution(Facts):
         default=None, description="ROS's own apt repository, for packages that are not the system's"
     )
 
+    @cached_property
+    def present(self) -> frozenset[str]:
+        """The components, to look one up."""
+        return frozenset(self.components)
+
 
 class Size(Facts):
     """Sizes in MB (10^6 bytes)."""
@@ -239,9 +249,16 @@ class Size(Facts):
     unpacked: Megabytes = Field(description="MB on disk")
     compressed: Megabytes = Field(description="MB in the registry")
 
-    def __add__(self, other: Size) -> Size:
+    @classmethod
+    def total(cls, *sizes: Size) -> Size:
+        """The sum of sizes."""
+        return cls.model_construct(
+            unpacked=sum(size.unpacked for size in sizes), compressed=sum(size.compressed for size in sizes)
+        )
+
+    def __sub__(self, other: Size) -> Size:
         return Size.model_construct(
-            unpacked=self.unpacked + other.unpacked, compressed=self.compressed + other.compressed
+            unpacked=self.unpacked - other.unpacked, compressed=self.compressed - other.compressed
         )
 
 
@@ -251,6 +268,14 @@ class Disk(Facts):
     os: Size = Field(description="operating system with the essentials")
     components: dict[Name, Size] = Field(description="component -> size")
     parts: dict[Name, dict[Part, Size]] = Field(description="stack -> payload part -> size")
+
+
+class Rates(Facts):
+    """How fast a machine of CI builds, for the estimates of a build plan."""
+
+    packages: Rate = Field(description="MB unpacked per second, where apt installs packages")
+    payloads: Rate = Field(description="MB unpacked per second, where payloads are assembled")
+    test: Rate = Field(description="seconds for the tests of an image")
 
 
 class Matrix(Facts):
@@ -272,3 +297,4 @@ class Matrix(Facts):
     stacks: dict[Name, Stack]
     distributions: dict[Name, Distribution] = Field(min_length=1)
     disk: Disk
+    rates: Rates | None = Field(default=None, description="how fast images are built; a build plan needs it")

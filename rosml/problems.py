@@ -13,11 +13,15 @@ Path = tuple[str | int, ...]
 SHOWN = 50
 """How many problems one message spells out; a broken file can hold thousands."""
 
-SOUGHT = 2_000
-"""Among how many names near matches are sought, so that a broken file does not take minutes to explain."""
+SOUGHT = 600
+"""Among how many names near matches are sought, so that a broken file does not take seconds to explain; the full matrix
+has about 500 images."""
+
+LONGEST = 500
+"""Characters of a problem's path, and of its text: a broken file can hold a number of 100,000 digits."""
 
 
-@dataclass(frozen=True, order=True)
+@dataclass(frozen=True)
 class Problem:
     """One problem. `line` and `column` count from 1; `path` is empty where the file as a whole is meant."""
 
@@ -28,14 +32,22 @@ class Problem:
 
     def message(self, file: str) -> str:
         """The problem as editors and terminals link it: `file:line:column: path: text`."""
-        return ": ".join(part for part in (f"{file}:{self.line}:{self.column}", self.path, self.text) if part)
+        place = f"{file}:{self.line}:{self.column}"
+        return ": ".join(part for part in (place, _shortened(self.path), _shortened(self.text)) if part)
+
+
+def _shortened(text: str) -> str:
+    """A text with its beginning, which says what is wrong, and its end, which says what to do about it."""
+    return text if len(text) <= LONGEST else f"{text[: LONGEST * 2 // 3]}…{text[-LONGEST // 3 :]}"
 
 
 class InputError(RosmlError):
     """A file with problems: all of them, in the order of the file. The exit code is 2."""
 
     def __init__(self, file: str, problems: Iterable[Problem]) -> None:
-        self.problems = tuple(sorted(set(problems)))
+        self.problems = tuple(
+            sorted(set(problems), key=lambda problem: (problem.line, problem.column, problem.path, problem.text))
+        )
         lines = [problem.message(file) for problem in self.problems[:SHOWN]]
         if len(self.problems) > SHOWN:
             lines.append(f"{file}: and more; the first {SHOWN} problems are shown")

@@ -12,8 +12,15 @@ from rosml.problems import Path, listed, near, unknown
 Finding = tuple[Path, str]
 """A problem's path and its text."""
 
-MAX_COMBINATIONS = 200_000
-"""More combinations than that are a mistake; the full matrix has about 1,500."""
+MAX_COMBINATIONS = 50_000
+"""More combinations than that are a mistake: they would take seconds, and hundreds of megabytes. The full matrix has
+about 1,500; 10,000 images like its own are 30,000 combinations."""
+
+MAX_CHAIN = 32
+"""More components on one another than that are a mistake: each is a layer, of which an image can have 127."""
+
+MAX_ARCHITECTURES = 16
+"""More than that are a mistake: every image and payload lists its own."""
 
 PLACEHOLDERS = ("component", "metapackage", "ros_distro")
 
@@ -94,6 +101,7 @@ def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
 
 def _components(matrix: Matrix) -> Iterator[Finding]:
     settled: set[str] = set()
+    cycles = False
     for name, component in matrix.components.items():
         if component.builds_on and component.builds_on not in matrix.components:
             yield ("components", name, "builds_on"), unknown("component", component.builds_on, matrix.components)
@@ -107,6 +115,20 @@ def _components(matrix: Matrix) -> Iterator[Finding]:
             cycle = list(chain)[list(chain).index(below) :]
             way = " -> ".join([*cycle, below] if len(cycle) <= 8 else [below, "…", below])
             yield ("components", below, "builds_on"), f"a cycle: {way}; one of them must build on nothing"
+            cycles = True
+    for name in () if cycles else matrix.components:
+        if _chain_length(matrix, name) > MAX_CHAIN:
+            text = f"more than {MAX_CHAIN} components on one another, with what it builds on; remove some"
+            yield ("components", name, "builds_on"), text
+            return
+
+
+def _chain_length(matrix: Matrix, name: str) -> int:
+    """How many components stand on one another below one, with itself; counted no further than is allowed."""
+    length, link = 0, matrix.components.get(name)
+    while link and length <= MAX_CHAIN:
+        length, link = length + 1, matrix.components.get(link.builds_on or "")
+    return length
 
 
 def _frameworks(matrix: Matrix) -> Iterator[Finding]:
@@ -247,6 +269,8 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _size(matrix: Matrix) -> Iterator[Finding]:
+    if len(matrix.architectures) > MAX_ARCHITECTURES:
+        yield ("architectures",), f"{len(matrix.architectures)}, more than {MAX_ARCHITECTURES}; remove some"
     components = sum(len(distribution.components) for distribution in matrix.distributions.values())
     combinations = components * (1 + len(matrix.frameworks) * len(matrix.stacks))
     if combinations > MAX_COMBINATIONS:

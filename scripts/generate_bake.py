@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes docker-bake.hcl (and matrix.schema.json and README.md's table) from matrix.yaml; lists and explains images.
+"""Writes docker-bake.hcl (and matrix.schema.json and README.md's table) from matrix.yaml; lists, explains and compares
+images, and plans their build in CI.
 
 \b
 Examples:
@@ -7,6 +8,7 @@ Examples:
   generate_bake.py --diff HEAD            what the uncommitted changes would build anew, and why
   generate_bake.py --diff v1.2 --json     the same since a tag, all of it, for machines
   generate_bake.py --diff other.yaml      what differs from another matrix
+  generate_bake.py --shards 8             which of eight machines would build what, and how long that takes
 """
 
 from __future__ import annotations
@@ -27,30 +29,36 @@ COMMAND = "make generate"
 @click.command(help=__doc__)
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
 @click.option("--list", "list_", is_flag=True, help="List every image with its facts.")
-@click.option("--json", "as_json", is_flag=True, help="With --list and --diff: as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="With --list, --diff and --shards: as JSON.")
 @click.option(
     "--diff", metavar="REV", help="Say which images differ from a git revision or another matrix file, and why."
 )
 @click.option("--explain", metavar="TARGET", help="Say why an image exists, or why it does not.")
+@click.option("--shards", metavar="N", type=int, help="Plan the build of all images on N machines.")
 @click.option(
     "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
 )
-@click.option("--output", type=click.Path(path_type=Path), help="Write this bake file instead, and nothing else.")
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Write this bake file instead, and nothing else; with --shards: this plan, as JSON.",
+)
 def main(
     check: bool,
     list_: bool,
     as_json: bool,
     diff: str | None,
     explain: str | None,
+    shards: int | None,
     matrix: Path,
     output: Path | None,
 ) -> None:
-    if check + list_ + (diff is not None) + (explain is not None) > 1:
-        raise click.UsageError("--check, --list, --diff and --explain do different things; use one of them")
-    if as_json and not list_ and diff is None:
-        raise click.UsageError("--json belongs to --list and --diff")
+    if check + list_ + (diff is not None) + (explain is not None) + (shards is not None) > 1:
+        raise click.UsageError("--check, --list, --diff, --explain and --shards do different things; use one of them")
+    if as_json and not list_ and diff is None and shards is None:
+        raise click.UsageError("--json belongs to --list, --diff and --shards")
     if output and (list_ or diff is not None or explain is not None):
-        raise click.UsageError("--output belongs to writing and --check")
+        raise click.UsageError("--output belongs to writing, --check and --shards")
     from rosml import expand
 
     catalogue = expand.load(matrix, ROOT)
@@ -73,6 +81,16 @@ def main(
         from rosml.explain import explain as sentence
 
         click.echo(sentence(catalogue, explain))
+    elif shards is not None:
+        from rosml import plan
+
+        planned = plan.plan(catalogue, shards, include=lambda image: image.locked)
+        if output:
+            write({output: plan.as_json(planned)})
+        elif as_json:
+            click.echo(plan.as_json(planned), nl=False)
+        else:
+            plan.print_table(planned)
     else:
         from rosml import bake
 

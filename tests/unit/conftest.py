@@ -21,8 +21,8 @@ registry: localhost:5000
 source: https://example.org/images
 default: {{target: alpha-core-torch-cu1, group: [alpha-core]}}
 architectures:
-  amd64: {{platform: linux/amd64, wheels: x86_64-manylinux_2_28, triplet: x86_64-linux-gnu}}
-  arm64: {{platform: linux/arm64, wheels: aarch64-manylinux_2_28, triplet: aarch64-linux-gnu}}
+  amd64: {{platform: linux/amd64, wheels: x86_64-manylinux_2_28, triplet: x86_64-linux-gnu, runner: amd}}
+  arm64: {{platform: linux/arm64, wheels: aarch64-manylinux_2_28, triplet: aarch64-linux-gnu, runner: arm}}
 operating_systems:
   ubuntu-24.04:
     image: docker.io/library/ubuntu:24.04
@@ -93,6 +93,7 @@ disk:
       common: {{unpacked: 300, compressed: 30}}
       torch: {{unpacked: 500, compressed: 50}}
       tensorflow: {{unpacked: 500, compressed: 50}}
+rates: {{packages: 10, payloads: 100, test: 5}}
 """
 
 Parse = Callable[[str], expand.Catalogue]

@@ -189,6 +189,7 @@ EXITS: dict[str, tuple[list[str], int, str]] = {
     "difference and list": (["--diff", "HEAD", "--list"], 2, "use one of them"),
     "output of a difference": (["--diff", "HEAD", "--output", "x"], 2, "belongs to writing"),
     "same matrix": (["--diff", str(ROOT / "matrix.yaml")], 0, "0 added, 0 removed, 0 changed, 485 same"),
+    "plan and list": (["--shards", "2", "--list"], 2, "use one of them"),
     "output of a list": (["--list", "--output", "x"], 2, "belongs to writing"),
     "unknown option": (["--chek"], 2, "--check"),
     "no such matrix": (["--matrix", "/nowhere/matrix.yaml"], 2, "no such file"),

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import datetime
 import json
+import os
 import re
+import resource
+import tempfile
+import time
+import tracemalloc
+from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,22 +20,56 @@ from conftest import ROOT, SMALL, changed, parse
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rosml import bake, expand, model, schema, source
+from rosml import bake, expand, model, references, schema, source, synthetic
 from rosml.errors import RosmlError
 from rosml.problems import InputError
 
 REAL = (ROOT / "matrix.yaml").read_text(encoding="utf-8")
-QUICK = settings(max_examples=100, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
+
+# `quick` runs with every change: the same 100 examples of each property, in seconds. `thorough` looks for what nobody
+# thought of, 10,000 other ones each time, in about an hour:
+#   HYPOTHESIS_PROFILE=thorough uv run pytest tests/unit/test_matrix.py
+settings.register_profile(
+    "quick", max_examples=100, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
+)
+settings.register_profile("thorough", settings.get_profile("quick"), max_examples=10_000, derandomize=False)
+PROFILE = settings.get_profile(os.environ.get("HYPOTHESIS_PROFILE", "quick"))
+
+SECONDS, SECONDS_FOR_IMAGE = 1.0, 0.0005
+"""Processor time that any file may take, and each image of a valid one."""
+
+MEGABYTES, MEGABYTES_FOR_IMAGE = 100, 0.02
+"""What it may add to the most memory that this process ever had."""
 
 
 def outcome(content: bytes) -> expand.Catalogue | None:
-    """The catalogue, or None if the matrix is refused; any other exception is a bug."""
+    """The catalogue, or None if the matrix is refused; in bounded time and memory. Any other exception is a bug."""
+    for last in (False, True):
+        memory, start = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.thread_time()
+        catalogue = judged(content)
+        seconds = time.thread_time() - start
+        megabytes = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory) / 1024
+        images = len(catalogue.images) if catalogue else 0
+        assert megabytes < MEGABYTES + MEGABYTES_FOR_IMAGE * images
+        if seconds < SECONDS + SECONDS_FOR_IMAGE * images:
+            break
+        assert not last, f"{seconds:.1f} s for {len(content)} bytes"  # twice: a busy machine is no bug
+    return catalogue
+
+
+def judged(content: bytes) -> expand.Catalogue | None:
+    """As the command reads it, from a file, whose size is limited."""
     try:
-        catalogue = expand.catalogue(source.parse(content))
+        with tempfile.NamedTemporaryFile() as file:
+            file.write(content)
+            file.flush()
+            catalogue = expand.load(Path(file.name))
     except RosmlError as error:
         assert error.exit_code == 2
         assert error.message
         assert "Traceback" not in error.message
+        assert len(error.message) < 60_000
+        assert all(len(line) < 1_200 for line in error.message.split("\n"))
         if isinstance(error, InputError):
             lines = content.count(b"\n") + content.count(b"\r") + 2
             assert all(1 <= problem.line <= lines and problem.column >= 1 for problem in error.problems)
@@ -37,14 +78,14 @@ def outcome(content: bytes) -> expand.Catalogue | None:
     return catalogue
 
 
-@QUICK
+@PROFILE
 @given(st.integers(0, len(REAL) - 1), st.integers(0, 40), st.text(max_size=12))
 def test_any_edit_of_the_text(start: int, length: int, new: str) -> None:
     text = REAL[:start] + new + REAL[start + length :]
     outcome(text.encode("utf-8", errors="surrogatepass"))
 
 
-@QUICK
+@PROFILE
 @given(st.binary(max_size=200))
 def test_any_bytes(content: bytes) -> None:
     outcome(content)
@@ -71,7 +112,7 @@ def paths(data: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
 PATHS = paths(yaml.safe_load(REAL))[1:]
 
 
-@QUICK
+@PROFILE
 @given(
     st.lists(st.tuples(st.sampled_from(PATHS), st.sampled_from(["replace", "remove", "rename"]), VALUES), max_size=3)
 )
@@ -92,6 +133,145 @@ def test_any_edit_of_the_data(edits: list[tuple[tuple[Any, ...], str, Any]]) -> 
             if kind == "rename":
                 owner[str(value)] = old
     outcome(yaml.safe_dump(data, allow_unicode=True).encode("utf-8", errors="surrogatepass"))
+
+
+# ---- YAML at its worst, within a matrix ------------------------------------------------------------------------------
+
+
+def spans(node: yaml.Node | None) -> Iterator[tuple[int, int]]:
+    """Where each key and each value stands in the text."""
+    assert node
+    yield node.start_mark.index, node.end_mark.index
+    for inner in node.value if isinstance(node, yaml.CollectionNode) else ():
+        for item in inner if isinstance(inner, tuple) else (inner,):
+            yield from spans(item)
+
+
+SPANS = sorted(set(spans(yaml.compose(REAL))))
+MANY = st.sampled_from([1, 2, 17, 300, 5_000, 20_000, 100_000])
+NAMES = st.sampled_from([REAL[start:end] for start, end in SPANS if end - start < 40])
+
+
+def bomb(levels: int) -> str:
+    """Nine times nine times nine … of one word, in a line."""
+    return "[&a0 lol" + "".join(f", &a{n + 1} [{', '.join([f'*a{n}'] * 9)}]" for n in range(levels)) + "]"
+
+
+HOSTILE = st.one_of(
+    NAMES,
+    st.builds("{}".format, st.integers()),
+    st.builds(
+        lambda n, text: text * n, MANY, st.sampled_from(["9", "1:", "0x", ".", "a", "a-", "ros ", "{", "'", "- "])
+    ),
+    st.builds(lambda n, item: f"[{','.join([item] * n)}]", MANY, NAMES | st.sampled_from(["1", "a", "[]", "{}"])),
+    st.builds(lambda n: f"[{','.join(f'x{i}' for i in range(n))}]", MANY),
+    st.builds(lambda n, item: "{" + ",".join(f"x{i}: {item}" for i in range(n)) + "}", MANY, NAMES),
+    st.builds(lambda n, item: "{" + ",".join([f"x: {item}"] * n) + "}", MANY, NAMES),
+    st.builds(lambda n: "[" * n + "]" * n, MANY),
+    st.builds(lambda n: "{a: " * n + "}" * n, MANY),
+    st.builds(bomb, st.integers(0, 60)),
+    st.sampled_from(
+        [
+            *("&a [*a]", "*a", "&a x", "{<<: *a}", "{<<: {a: 1}}", "{<<: [*a, *b]}", "{? [a]: b}", "{? {a: b}: c}"),
+            *("!!python/object/apply:os.system [x]", "!!binary x", "!!set {a}", "!!omap [a: 1]", "! x", "!<x> y"),
+            *("1e999", "-.inf", ".nan", "0o17", "1_000", "2028-02-30", "0001-01-01", "2028-06-30T25:61:00Z", "~", "="),
+            *("|\n  x", ">-\n  x", "\n---\n", "\n...\n", "%YAML 9.9\n", "\t", "\u2028", "\ufeff", "#", "@", "`", "?"),
+        ]
+    ),
+)
+
+
+@PROFILE
+@given(st.lists(st.tuples(st.sampled_from(SPANS), HOSTILE, st.sampled_from(["replace", "before"])), max_size=3))
+def test_any_hostile_yaml(edits: list[tuple[tuple[int, int], str, str]]) -> None:
+    text = REAL
+    for (start, end), new, kind in sorted(edits, reverse=True):  # from the end, so that places stay
+        text = text[:start] + new + text[end if kind == "replace" else start :]
+    outcome(text.encode())
+
+
+@PROFILE
+@given(st.lists(st.tuples(*[st.integers(0, REAL.count("\n") - 1)] * 2, st.integers(1, 5)), min_size=1, max_size=3))
+def test_any_lines_twice(copies: list[tuple[int, int, int]]) -> None:
+    lines = REAL.splitlines(keepends=True)
+    for start, to, count in copies:
+        lines[to:to] = lines[start : start + count]
+    outcome("".join(lines).encode())
+
+
+SECTIONS = ("architectures", "operating_systems", "components", "frameworks", "stacks", "distributions")
+FORECASTS = {
+    "components": ("  components:\n", "{unpacked: 1, compressed: 1}"),
+    "stacks": ("  parts:\n", json.dumps(yaml.safe_load(REAL)["disk"]["parts"]["cu128"])),
+}
+
+
+@PROFILE
+@given(st.lists(st.tuples(st.sampled_from(SECTIONS), st.integers(0, 9), MANY, st.booleans()), max_size=2))
+def test_any_number_of_rows(edits: list[tuple[str, int, int, bool]]) -> None:
+    """Rows like those that are there, under new names or all under the same."""
+    data, text = yaml.safe_load(REAL), REAL
+    for section, which, count, same in edits:
+        row = list(data[section].values())[which % len(data[section])]
+        shown = json.dumps({key: value for key, value in row.items() if key != "eol"})
+        added = [f"{section[0]}{0 if same else n}" for n in range(min(count, 3_000))]
+        head = re.findall(rf"^{section}:.*\n", text, re.MULTILINE)[0]
+        text = text.replace(head, head + "".join(f"  {name}: {shown}\n" for name in added))
+        if section in FORECASTS:
+            head, forecast = FORECASTS[section]
+            text = text.replace(head, head + "".join(f"    {name}: {forecast}\n" for name in dict.fromkeys(added)))
+    outcome(text.encode())
+
+
+@PROFILE
+@given(st.lists(st.integers(-1, 40), min_size=1, max_size=40), st.booleans())
+def test_any_components_on_one_another(below: list[int], orderly: bool) -> None:
+    """-1 builds on nothing, a number without a component is unknown; chains, trees, cycles. In an orderly file each
+    builds on one of the three before it.
+    """
+    if orderly:
+        below = [max(-1, n - 1 - link % 3) if link >= 0 else -1 for n, link in enumerate(below)]
+    text = SMALL.replace("components: [core", f"components: [{', '.join(f'c{n}' for n in range(len(below)))}, core")
+    rows = "".join(f"  c{n}: {{{f'builds_on: c{link}' if link >= 0 else ''}}}\n" for n, link in enumerate(below))
+    text = changed("\ncomponents:\n", f"\ncomponents:\n{rows}", text)
+    sizes = "".join(f"    c{n}: {{unpacked: 1, compressed: 1}}\n" for n in range(len(below)))
+    lengths = [len(list(links(below, start))) for start in range(len(below))]
+    possible = max(lengths) <= references.MAX_CHAIN and max(below) < len(below)
+    found = outcome(changed("  components:\n    core", f"  components:\n{sizes}    core", text).encode())
+    assert (found is not None) == possible
+    for start, length in enumerate(lengths) if found else ():
+        assert found and len(found.by_target[f"alpha-c{start}"].tests) == 2 + length
+
+
+def links(below: list[int], start: int) -> Iterator[int]:
+    """What stands on one another below a component; far too long where there is a cycle."""
+    for _ in range(100):
+        yield start
+        if not 0 <= (start := below[start]) < len(below):
+            return
+
+
+LARGE = {
+    "2,000 images": synthetic.matrix(2_000),
+    "a bomb": REAL.replace("group: [bookworm-core]", f"group: {bomb(60)}"),
+    "100,000 items": REAL.replace("group: [bookworm-core]", f"group: [{'x,' * 50_000}x]"),
+    "a long number": REAL.replace("unpacked: 160", f"unpacked: {'9' * 100_000}"),
+    "deep": REAL.replace("group: [bookworm-core]", f"group: {'[' * 50_000}"),
+    "keys": "".join(f"k{n}: 1\n" for n in range(12_000)),
+    "a long chain": "components: {" + ",".join(f"a{n}: {{builds_on: a{n + 1}}}" for n in range(4_000)) + "}",
+}
+
+
+@pytest.mark.parametrize("name", LARGE)
+def test_memory(name: str) -> None:
+    """What Python itself allocates, whatever this process needed before; libyaml's nodes are Python's as well."""
+    tracemalloc.start()
+    try:
+        judged(LARGE[name].encode())
+        peak = tracemalloc.get_traced_memory()[1] / 1_000_000
+    finally:
+        tracemalloc.stop()
+    assert peak < 100
 
 
 def test_the_real_matrix_is_accepted() -> None:
@@ -210,7 +390,7 @@ def tupled(data: Any) -> Any:
 SIMPLE = st.none() | st.booleans() | st.integers(-2, 2) | st.sampled_from(["core", "3.11", "a b", "x" * 200, ""])
 
 
-@settings(QUICK, max_examples=150)
+@settings(PROFILE, max_examples=PROFILE.max_examples * 3 // 2)
 @given(st.sampled_from(PATHS), st.sampled_from(["replace", "remove", "rename", "add"]), SIMPLE)
 def test_schema_and_model_judge_alike(path: tuple[Any, ...], kind: str, value: Any) -> None:
     data = yaml.safe_load(REAL)

@@ -428,7 +428,34 @@ def test_too_many_combinations() -> None:
     forecasts = "".join(f"    s{n}: {{common: {{unpacked: 1, compressed: 1}}}}\n" for n in range(100))
     with pytest.raises(InputError) as caught:
         parse(changed("  parts:\n", f"  parts:\n{forecasts}", text))
-    assert str(caught.value) == "matrix.yaml:1:1: 411045 combinations to look at, more than 200000; remove rows"
+    assert str(caught.value) == "matrix.yaml:1:1: 411045 combinations to look at, more than 50000; remove rows"
+
+
+def test_too_many_components_on_one_another() -> None:
+    rows = "".join(f"  c{n}: {{{f'builds_on: c{n - 1}' if n else ''}}}\n" for n in range(33))
+    text = changed("\ncomponents:\n", f"\ncomponents:\n{rows}")
+    sizes = "".join(f"    c{n}: {{unpacked: 1, compressed: 1}}\n" for n in range(33))
+    text = changed("  components:\n    core", f"  components:\n{sizes}    core", text)
+    with pytest.raises(InputError) as caught:
+        parse(text)
+    message = "components.c32.builds_on: more than 32 components on one another, with what it builds on; remove some"
+    assert str(caught.value) == f"matrix.yaml:56:9: {message}"
+
+
+def test_too_many_architectures() -> None:
+    rows = "".join(f"  a{n}: {{platform: linux/a{n}, wheels: x, triplet: x}}\n" for n in range(15))
+    with pytest.raises(InputError) as caught:
+        parse(changed("\narchitectures:\n", f"\narchitectures:\n{rows}"))
+    assert str(caught.value) == "matrix.yaml:5:1: architectures: 17, more than 16; remove some"
+
+
+def test_long_values_are_cut_in_the_middle() -> None:
+    with pytest.raises(InputError) as caught:
+        parse(changed("os: {unpacked: 100,", f"os: {{unpacked: {'9' * 20_000},"))
+    message = str(caught.value)
+    assert message.startswith("matrix.yaml:62:8: disk.os.unpacked: YAML reads 999")
+    assert "…" in message
+    assert len(message) < 600
 
 
 def test_long_lists_of_problems_are_cut() -> None:

@@ -1,0 +1,92 @@
+"""The generator's speed, with generous bounds, and what `make bench` says when it is too slow."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+
+import pytest
+from conftest import parse
+
+from rosml import bake, command, source, synthetic
+from rosml.errors import RosmlError
+from scripts import bench
+from scripts.bench import Measured
+
+FINE = [Measured(1_000, 0.2), Measured(10_000, 2.0)]
+
+
+@pytest.mark.parametrize("images", [1, 500, 10_000])
+def test_synthetic_matrices_are_valid(images: int) -> None:
+    text = synthetic.matrix(images)
+    assert len(text) < source.MAX_BYTES
+    assert images <= len(parse(text).images) < images + synthetic.IMAGES
+
+
+def cpu_seconds(images: int) -> float:
+    """Time of this process alone, the least of three: a busy machine must not fail the test."""
+    text, times = synthetic.matrix(images), []
+    for _ in range(3):
+        start = time.process_time()
+        bake.render(parse(text))
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+def test_time_grows_with_the_images_and_not_with_their_square() -> None:
+    """Eight times the images take eight times as long; with their square it would be 64 times."""
+    assert cpu_seconds(4_000) < 20 * cpu_seconds(500)
+
+
+def test_within_the_limits() -> None:
+    assert bench.missed(0.49, FINE) == []
+
+
+@pytest.mark.parametrize(
+    ("real", "sizes", "message"),
+    [
+        (0.5, FINE, "the real matrix takes 0.50 s, and the limit is 0.5 s"),
+        (0.1, [Measured(1_000, 0.3), Measured(10_000, 3.0)], "10000 images take 3.00 s, and the limit is 3.0 s"),
+        (0.1, [Measured(1_000, 0.1), Measured(10_000, 1.6)], "160 µs among 10000 and 100 µs among 1000"),
+    ],
+)
+def test_a_limit_is_missed(real: float, sizes: list[Measured], message: str) -> None:
+    (found,) = bench.missed(real, sizes)
+    assert message in found
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A bench of a moment."""
+    monkeypatch.setattr(bench, "SIZES", (96, 192))
+    monkeypatch.setattr(bench, "ROUNDS", 1)
+    monkeypatch.setattr(bench, "RUNS", 1)
+    for limit in ("REAL_SECONDS", "LARGEST_SECONDS", "GROWTH"):
+        monkeypatch.setattr(bench, limit, 1_000.0)
+
+
+@pytest.mark.usefixtures("quick")
+def test_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(bench.main, arguments=["--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found.keys() == {"real_seconds", "sizes", "growth"}
+    assert [size["images"] for size in found["sizes"]] == [96, 192]
+    assert command.run(bench.main, arguments=[]) == 0
+    assert "192 images" in capsys.readouterr().out
+
+
+@pytest.mark.usefixtures("quick")
+def test_too_slow(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(bench, "LARGEST_SECONDS", 0.0)
+    assert command.run(bench.main, arguments=[]) == 1
+    done = capsys.readouterr()
+    assert "192 images" in done.out
+    assert "too slow: 192 images take" in done.err
+    assert "cProfile" in done.err
+
+
+def test_a_run_that_fails_is_no_measurement(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "executable", "false")
+    with pytest.raises(RosmlError, match="--check failed"):
+        bench.whole_run()
