@@ -109,22 +109,21 @@ def rows(difference: Difference) -> Iterator[tuple[str, str, str]]:
 
 def print_table(difference: Difference) -> None:
     """Prints it in few lines, whatever the number of images."""
-    from rich.console import Console  # slow to import, and only needed here
-    from rich.table import Table
+    from rich.table import Table  # slow to import, and only needed here
     from rich.text import Text
+
+    from rosml.listing import console
 
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
     for column in ("images are", "because of", "images"):
         table.add_column(column, overflow="fold")
     for row in rows(difference):
         table.add_row(*map(Text, row))
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=200)
+    out = console()
     if table.row_count:
-        console.print(table)
+        out.print(table)
     counts = [f"{len(getattr(difference, name))} {name}" for name in ("added", "removed", "changed")]
-    console.print(", ".join([*counts, f"{difference.same} same"]), style="dim")
+    out.print(", ".join([*counts, f"{difference.same} same"]), style="dim")
 
 
 def _ordered(changes: Iterable[Change]) -> tuple[Change, ...]:
