@@ -17,7 +17,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosml import base_images, builder, forecast, names, registry, verify
+from rosml import base_images, builder, forecast, names, registry, results, verify
 from rosml.errors import RosmlError
 from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
 from rosml.problems import listed
@@ -247,7 +247,7 @@ class Publisher:
         result.builder = builder_command(self.services)
 
     def _remember(self, result: Result) -> None:
-        folder = self.services.state / "results"
+        folder = results.folder(self.services.state, self.namespace)
         folder.mkdir(parents=True, exist_ok=True)
         (folder / f"{result.target}.json").write_text(json.dumps(result.to_json(), indent=2) + "\n")
 

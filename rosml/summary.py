@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from rosml.publish import Result
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # `publish` needs `results`, which needs the units from here
+    from rosml.publish import Result
 
 
 def size(count: int) -> str:

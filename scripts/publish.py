@@ -60,6 +60,33 @@ def image(target: str, matrix: Path, namespace: str, check: bool, as_json: bool)
     click.echo(json.dumps(result.to_json(), indent=2) if as_json else text(result))
 
 
+@cli.command()
+@click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
+@click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
+@click.option("--json", "as_json", is_flag=True, help="print the records as JSON on standard output")
+@click.option("--markdown", is_flag=True, help="print the table as Markdown, for docs/built.md")
+def results(matrix: Path, namespace: str, as_json: bool, markdown: bool) -> None:
+    """Lists what was published from this checkout: sizes, tests, times.
+
+    \b
+    Examples:
+      uv run scripts/publish.py results
+      uv run scripts/publish.py results --json
+    """
+    from rosml import expand
+    from rosml import results as found
+
+    if as_json and markdown:
+        raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
+    records = found.read(ROOT / ".state", namespace, expand.load(matrix, ROOT))
+    if as_json:
+        click.echo(json.dumps(records, indent=2))
+    elif markdown:
+        click.echo(found.markdown(records), nl=False)
+    else:
+        found.print_table(records)
+
+
 if __name__ == "__main__":
     kept = "interrupted: no tag was moved; what was finished is kept, the next call carries on"
     sys.exit(command.run(cli, kept))

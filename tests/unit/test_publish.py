@@ -162,7 +162,7 @@ def test_publish(stage: Stage) -> None:
     assert result.reused == ["ROS packages"]
     assert result.base == f"docker.io/library/ubuntu:24.04@sha256:{'1' * 64} (the official image)"
     assert list(result.seconds) == ["base image", "build and push", "structure tests", "index and tags"]
-    assert json.loads((stage.folder / f".state/results/{TARGET}.json").read_text()) == result.to_json()
+    assert json.loads((stage.folder / f".state/results/rosml/{TARGET}.json").read_text()) == result.to_json()
     assert stage.said == [
         "base image",
         f"build {TARGET} and push it by digest",
