@@ -43,7 +43,7 @@ bench: .python ## how fast the generator is: the real matrix, and up to 10,000 i
 list: .python ## every image that can be built
 	@$(RUN) scripts/generate_bake.py --list
 
-explain: .python ## why an image exists, or why not: make explain TARGET=bookworm-core-torch-cpu
+explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot
 	@$(RUN) scripts/generate_bake.py --explain "$$TARGET"
 
 generate: .python ## docker-bake.hcl and matrix.schema.json anew, after a change of matrix.yaml

@@ -159,6 +159,10 @@ class Release(Facts):
         description="stack -> architecture -> Python -> published digest of the wheel, where only PyTorch's own index"
         " has wheels; a Python without a digest has no lock before `make locks` could ask that index",
     )
+    cxx11_abi: bool = Field(
+        default=True,
+        description="whether its C++ libraries have the string ABI of ROS's, so that a program can link both",
+    )
     requires: tuple[Requirement, ...] = Field(
         default=(), description="requirements of the wheels that are elsewhere, as their metadata says"
     )

@@ -1,9 +1,13 @@
-"""The table of images in README.md, rendered from the catalogue between two markers."""
+"""The tables of images in README.md, rendered from the catalogue between two markers."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from rosml import rules
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
+from rosml.problems import listed
 
 BEGIN = "<!-- images: written by scripts/generate_bake.py -->"
 END = "<!-- /images -->"
@@ -18,7 +22,7 @@ _CONTENT = {
 
 
 def render(readme: str, catalogue: Catalogue) -> str:
-    """The README with the table of this catalogue.
+    """The README with the tables of this catalogue.
 
     Raises:
         RosmlError: the markers are missing.
@@ -29,22 +33,57 @@ def render(readme: str, catalogue: Catalogue) -> str:
         raise RosmlError(
             f"README.md: the markers {BEGIN} and {END} are missing", "put them back where the table belongs"
         )
-    return f"{head}{BEGIN}\n{table(catalogue)}{END}{tail}"
+    return f"{head}{BEGIN}\n{tables(catalogue)}{END}{tail}"
 
 
-def table(catalogue: Catalogue) -> str:
-    """One row for each distribution, framework and stack; its components in one cell."""
-    lines = ["| image | content | components | platforms |", "| --- | --- | --- | --- |"]
-    rows: dict[tuple[str, str, str | None], list[Image]] = {}
+def tables(catalogue: Catalogue) -> str:
+    """Distributions with their components; then what images carry, and on which distributions."""
+    lines = ["| distribution | ROS | system, Python | components | end of life |", "| --- | --- | --- | --- | --- |"]
+    lines += _distributions(catalogue)
+    lines += ["", "| image | content | distributions | platforms |", "| --- | --- | --- | --- |", *_contents(catalogue)]
+    return "\n".join(lines) + "\n"
+
+
+def _distributions(catalogue: Catalogue) -> Iterator[str]:
+    matrix = catalogue.matrix
+    for name, distribution in matrix.distributions.items():
+        python = matrix.operating_systems[distribution.os].python
+        eol = f"{distribution.eol}{' (LTS)' if distribution.lts else ''}" if distribution.eol else "rolling"
+        components = ", ".join(distribution.components)
+        yield f"| `{name}` | {distribution.ros} | {distribution.os}, {python} | {components} | {eol} |"
+
+
+def _contents(catalogue: Catalogue) -> Iterator[str]:
+    rows: dict[tuple[str, str | None], list[Image]] = {}
     for image in catalogue.images:
-        rows.setdefault((image.distribution, image.framework, image.stack), []).append(image)
+        rows.setdefault((image.framework, image.stack), []).append(image)
     for images in rows.values():
         first = images[0]
-        tag = "-".join(filter(None, [first.distribution, "<component>", first.stack]))
-        versions = ", ".join(f"{name} {version}" for name, version in first.versions.items() if name != "nccl")
-        content = _CONTENT.get(first.framework, first.framework) + (f" ({versions})" if versions else "")
-        components = ", ".join(image.component for image in images)
-        platforms = ", ".join(sorted({platform for image in images for platform in image.platforms}))
-        content += "" if first.locked else "; not built yet: no lock"
-        lines.append(f"| `{first.repository}:{tag}` | {content} | {components} | {platforms} |")
-    return "\n".join(lines) + "\n"
+        tag = "-".join(filter(None, ["<distribution>-<component>", first.stack]))
+        locked = dict.fromkeys(image.distribution for image in images if image.locked)
+        others = dict.fromkeys(image.distribution for image in images if not image.locked)
+        where = ", ".join(locked) if len(locked) < len(catalogue.matrix.distributions) else "all"
+        if others:
+            where = (
+                f"{where}; without a lock yet: {', '.join(others)}"
+                if locked
+                else f"without a lock yet: {', '.join(others)}"
+            )
+        platforms = ", ".join(first.platforms)
+        yield f"| `{first.repository}:{tag}` | {_content(catalogue, first)} | {where} | {platforms} |"
+
+
+def _content(catalogue: Catalogue, image: Image) -> str:
+    versions = listed([f"{name} {version}" for name, version in image.versions.items() if name != "nccl"])
+    return (
+        _CONTENT.get(image.framework, image.framework) + _abi(catalogue, image) + (f": {versions}" if versions else "")
+    )
+
+
+def _abi(catalogue: Catalogue, image: Image) -> str:
+    """Says which images' C++ libraries cannot be linked together with ROS's."""
+    matrix = catalogue.matrix
+    for family in rules.families(matrix.frameworks[image.framework]):
+        if not matrix.releases.of(family)[image.versions[family]].cxx11_abi:
+            return " (old C++ ABI on amd64: not in one program with ROS's libraries)"
+    return ""

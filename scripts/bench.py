@@ -93,7 +93,7 @@ def measured(images: int) -> Measured:
         start = time.perf_counter()
         catalogue = expand.catalogue(source.parse(text))
         bake.render(catalogue)
-        readme.table(catalogue)
+        readme.tables(catalogue)
         seconds.append(time.perf_counter() - start)
     return Measured(len(catalogue.images), min(seconds))
 

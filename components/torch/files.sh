@@ -20,10 +20,13 @@ if [[ ${ACCELERATOR:?} == cuda && -d $bundled ]]; then
   done
 fi
 
+# The string ABI as the wheel's own package says: 0 in old wheels for amd64.
+abi=$(sed -n 's/.*_GLIBCXX_USE_CXX11_ABI=\([01]\).*/\1/p' "$OUT$SITE/torch/share/cmake/Torch/TorchConfig.cmake" | head -n 1)
 version=$(sed -n "s/^__version__ = '\([0-9.]*\).*'/\1/p" "$OUT$SITE/torch/version.py")
 cmake=$OUT/usr/local/lib/cmake/Torch
 mkdir -p "$cmake"
 for template in "$here"/cmake/*.in; do
   sed -e "s|@TORCH_ROOT@|$SITE/torch|g" -e "s|@TORCH_VERSION@|$version|g" -e "s|@TRIPLET@|$TRIPLET|g" \
+    -e "s|@CXX11_ABI@|${abi:-1}|g" \
     "$template" >"$cmake/$(basename "$template" .in)"
 done
