@@ -1,6 +1,8 @@
 # The few commands a newcomer needs. `make` alone lists them.
 # The image to build or explain; `make image` without it builds matrix.yaml's default.target.
 TARGET ?=
+# What `make diff` compares with: a git revision, or another matrix file.
+REV ?= HEAD
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -11,14 +13,14 @@ export PATH := $(CURDIR)/.state/bin:$(PATH)
 export UV_COMPILE_BYTECODE := 1
 export UV_CACHE_DIR ?= $(CURDIR)/.state/uv
 export HYPOTHESIS_STORAGE_DIRECTORY ?= $(CURDIR)/.state/cache/hypothesis
-export TARGET
+export TARGET REV
 # A ROS workspace sets them; they would change what our Python imports.
 unexport PYTHONPATH PYTHONHOME
 
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 
-.PHONY: help image test lint unit bench list explain generate locks up down clean status
+.PHONY: help image test lint unit bench list explain generate diff locks up down clean status
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' Makefile
@@ -49,8 +51,11 @@ explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-r
 generate: .python ## docker-bake.hcl and matrix.schema.json anew, after a change of matrix.yaml
 	@$(RUN) scripts/generate_bake.py
 
-locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml
-	@$(RUN) scripts/lock.py
+diff: .python ## which images a change builds anew, and why: make diff REV=HEAD~1
+	@$(RUN) scripts/generate_bake.py --diff "$$REV"
+
+locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml; UPGRADE=1 moves versions
+	@$(RUN) scripts/lock.py $(if $(UPGRADE),--upgrade)
 
 up: ## set up: tools, local registry, builder (the commands above do it by themselves)
 	@$(BOOTSTRAP) up

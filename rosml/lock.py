@@ -14,10 +14,12 @@ from __future__ import annotations
 import re
 import subprocess
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping
-from concurrent.futures import ThreadPoolExecutor
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import NamedTuple
 
 from rosml import names
 from rosml.errors import RosmlError
@@ -306,7 +308,13 @@ class Locks:
     left_out: Mapping[str, str]
 
 
-def lock(catalogue: Catalogue, root: Path, uv: str = "uv", upgrade: bool = False) -> Locks:
+def lock(
+    catalogue: Catalogue,
+    root: Path,
+    uv: str = "uv",
+    upgrade: bool = False,
+    say: Callable[[str], None] = lambda line: None,
+) -> Locks:
     """Resolves everything; writes nothing.
 
     What only PyTorch's own index knows is left out where that does not answer. Locks that were made where it did stay
@@ -317,6 +325,7 @@ def lock(catalogue: Catalogue, root: Path, uv: str = "uv", upgrade: bool = False
         root: the project's root, where earlier locks are.
         uv: the command to resolve with.
         upgrade: move to the newest versions that fit; otherwise an earlier lock's versions stay where they fit.
+        say: told what was resolved, a line at a time: all of it takes minutes.
 
     Raises:
         RosmlError: something does not resolve, or two Python versions of a stack would need different versions of a
@@ -324,7 +333,14 @@ def lock(catalogue: Catalogue, root: Path, uv: str = "uv", upgrade: bool = False
     """
     wanted = list(requests(catalogue))
     with ThreadPoolExecutor(WORKERS) as pool:  # mostly waits for the indexes
-        outcomes = list(pool.map(lambda request: _outcome(request, root, uv, upgrade), wanted))
+        futures = [pool.submit(_outcome, request, root, uv, upgrade) for request in wanted]
+        try:
+            for number, future in enumerate(as_completed(futures), 1):
+                say(f"[{number} of {len(wanted)}] {future.result().request}: resolved")
+        except BaseException:  # also Ctrl-C: what has not begun is not worth waiting for
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+        outcomes = [future.result() for future in futures]
     parts: dict[str, dict[str, Pin]] = {}
     headers: dict[str, tuple[Request, str]] = {}
     texts: dict[str, str] = {}
@@ -422,6 +438,26 @@ def _of_generation(name: str, major: str) -> bool:
     if suffix:
         return suffix[1] == major
     return major.isdecimal() and int(major) > 12
+
+
+class Move(NamedTuple):
+    """A package that moved in a stack from one version to another; empty where it was, or is, not there."""
+
+    stack: str
+    package: str
+    old: str
+    new: str
+
+
+def moves(old: Mapping[str, str], new: Mapping[str, str]) -> Counter[Move]:
+    """What moved between texts of locks, by path, and in how many of them."""
+    counted: Counter[Move] = Counter()
+    for path, text in new.items():
+        before, after = versions(old.get(path, "")), versions(text)
+        for name in before.keys() | after.keys():
+            if before.get(name) != after.get(name):
+                counted[Move(path.split("/")[1], name, before.get(name, ""), after.get(name, ""))] += 1
+    return counted
 
 
 def versions(text: str) -> dict[str, str]:

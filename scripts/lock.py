@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
@@ -12,6 +14,9 @@ import click
 
 from rosml import ROOT, command, files
 from rosml.errors import RosmlError
+
+if TYPE_CHECKING:
+    from rosml.lock import Move
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -28,34 +33,42 @@ def main(upgrade: bool, check: bool, matrix: Path) -> None:
       uv run scripts/lock.py              after a change in matrix.yaml
       uv run scripts/lock.py --upgrade    take new releases of the dependencies
     """
-    from rosml import expand, source
-    from rosml.lock import lock, versions
+    from rosml import expand, names, source
+    from rosml.lock import lock, moves
 
-    locks = lock(expand.catalogue(source.read(matrix)), ROOT, upgrade=upgrade)
-    wanted = locks.texts
-    stale = []
-    for path, text in sorted(wanted.items()):
-        file = ROOT / path
-        old = versions(file.read_text()) if file.exists() else {}
-        new = versions(text)
-        if file.exists() and file.read_text() == text:
-            continue
-        stale.append(path)
+    locks = lock(
+        expand.catalogue(source.read(matrix)), ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True)
+    )
+    there = names.locks(ROOT)
+    earlier = {path: (ROOT / path).read_text() for path in there & locks.texts.keys()}
+    stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
+    for path in stale:
         click.echo(f"{path}: {'would change' if check else 'written'}")
-        for name in sorted(old.keys() | new.keys()):
-            if old.get(name) != new.get(name):
-                click.echo(f"  {name:32} {old.get(name, '-'):>16} -> {new.get(name, '-')}")
         if not check:
-            file.parent.mkdir(parents=True, exist_ok=True)
-            files.write(file, text)
-    left = {str(file.relative_to(ROOT)) for file in (ROOT / "locks").rglob("*.txt")} - wanted.keys()
-    for path in sorted(left):
+            (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
+            files.write(ROOT / path, locks.texts[path])
+    print_moves(moves(earlier, {path: locks.texts[path] for path in stale if path in earlier}))
+    for path in sorted(there - locks.texts.keys()):
         click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it")
     for request, reason in locks.left_out.items():
         click.echo(f"{request}: locks stay as they are: {reason}", err=True)
-    click.echo(f"{len(wanted)} locks, {len(stale)} {'stale' if check else 'changed'}")
+    click.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}")
     if check and stale:
         raise RosmlError(f"{len(stale)} locks are stale", "run 'make locks' and commit the result")
+
+
+def print_moves(moved: Mapping[Move, int]) -> None:
+    """A table of old and new versions."""
+    if not moved:
+        return
+    from rich.table import Table  # slow to import, and only needed here
+
+    from rosml.listing import console
+
+    table = Table("stack", "package", "old", "new", "locks", box=None, header_style="bold", pad_edge=False)
+    for move, count in sorted(moved.items()):
+        table.add_row(move.stack, move.package, move.old or "-", move.new or "-", str(count))
+    console().print(table)
 
 
 if __name__ == "__main__":
