@@ -149,3 +149,26 @@ def test_make_lists_its_commands() -> None:
     assert outcome.code == 0
     for command in ("image", "test", "list", "up", "down", "clean"):
         assert f"{command} " in outcome.out
+
+
+def test_the_root_of_a_build_step_is_the_builders_alone(
+    published: Callable[[str], Published], services: Services, tmp_path: Path
+) -> None:
+    """A search or an indexer that walks through the checkout must not hold a build step's root open: unmounting it
+    would fail then, and what the builder removes next would be the step's result."""
+    image = published(TARGET)
+    (tmp_path / "Dockerfile").write_text(
+        f"FROM {image.result['reference']}\nRUN echo $(date) is running && sleep 60 # {time.time_ns()}\n"
+    )
+    arguments = ["build", "--progress", "plain", "--output", "type=cacheonly", str(tmp_path)]
+    process = subprocess.Popen(
+        [*services.buildx, *arguments], env=services.environment(), stderr=subprocess.PIPE, text=True
+    )
+    try:
+        assert process.stderr
+        assert any("is running" in line and "RUN" not in line for line in process.stderr), "the step did not start"
+        mounts = Path("/proc/self/mounts").read_text().splitlines()
+        assert not [line for line in mounts if f" {services.state / 'buildkit'}/" in line]
+    finally:
+        process.terminate()
+        process.wait(30)

@@ -28,6 +28,7 @@ class Daemon:
         argv: its command line; it names a file of this checkout, so no other checkout has the same.
         config: the file it reads when it starts. A change means a restart.
         env: its environment.
+        launcher: a command that prepares the process and then becomes the service, with its arguments.
     """
 
     state: State
@@ -35,6 +36,7 @@ class Daemon:
     argv: tuple[str, ...]
     config: Path
     env: Mapping[str, str]
+    launcher: tuple[str, ...] = ()
 
     @property
     def pid_file(self) -> Path:
@@ -65,7 +67,7 @@ class Daemon:
         with self.log.open("ab") as stream, uninterrupted():
             try:
                 process = subprocess.Popen(
-                    self.argv,
+                    (*self.launcher, *self.argv),
                     stdin=subprocess.DEVNULL,
                     stdout=stream,
                     stderr=subprocess.STDOUT,
@@ -74,7 +76,7 @@ class Daemon:
                     start_new_session=True,
                 )
             except OSError as error:
-                raise Failure(f"{self.name}: cannot run {self.argv[0]}: {error.strerror}") from None
+                raise Failure(f"{self.name}: cannot run {(*self.launcher, *self.argv)[0]}: {error.strerror}") from None
             record = {"pid": process.pid, "config": fingerprint(self.config)}
             write_atomically(self.pid_file, json.dumps(record) + "\n")
             # The kernel reports the start as done a little before the new command line can be read.

@@ -161,7 +161,10 @@ def buildkit_daemon(state: State, program: str) -> Daemon:
     temporary = state.folder / "tmp"
     temporary.mkdir(parents=True, exist_ok=True)
     env["TMPDIR"] = str(temporary)
-    return Daemon(state, "buildkitd", (program, "--config", str(config)), config, env)
+    # Its mounts are its own. If the whole machine saw them, a search or an indexer that walks through the checkout could
+    # hold the root of a build step open: unmounting fails then, and what buildkitd removes next is that step's result.
+    launcher = ("unshare", "--mount", "--propagation", "slave")
+    return Daemon(state, "buildkitd", (program, "--config", str(config)), config, env, launcher)
 
 
 def buildx_environment(state: State, kind: str) -> dict[str, str]:
