@@ -11,7 +11,8 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
+from pydantic_core import PydanticKnownError
 
 Part = Literal["cuda", "common", "torch", "tensorflow"]
 Family = Literal["torch", "tensorflow"]
@@ -74,6 +75,13 @@ Target = Annotated[str, Field(pattern=NAME, max_length=128)]
 Names = Annotated[tuple[Name, ...], Field(min_length=1)]
 Megabytes = Annotated[int, Field(ge=0, le=1_000_000)]
 Rate = Annotated[int, Field(ge=1, le=10_000)]
+
+
+def _only_whole(value: Any) -> Any:
+    """`true` and `1.0` equal 1, so a literal number would accept them."""
+    if isinstance(value, (bool, float)):
+        raise PydanticKnownError("int_type")
+    return value
 
 
 def _requirement_kind(value: Any) -> str:
@@ -226,7 +234,7 @@ class Distribution(Facts):
     """A ROS distribution on an operating system."""
 
     os: OsName = Field(description="a name from operating_systems")
-    ros: Literal[1, 2] = Field(description="ROS 1 or ROS 2")
+    ros: Annotated[Literal[1, 2], BeforeValidator(_only_whole)] = Field(description="ROS 1 or ROS 2")
     ros_distro: Word | None = Field(
         default=None, description="value of ROS_DISTRO; the distribution's own name if left out"
     )
@@ -285,7 +293,7 @@ class Rates(Facts):
 class Matrix(Facts):
     """The one source of truth: what exists, as positive facts. Combinations that the facts allow are built."""
 
-    version: Literal[1] = Field(description="version of this file's format")
+    version: Annotated[Literal[1], BeforeValidator(_only_whole)] = Field(description="version of this file's format")
     registry: Annotated[str, Field(pattern=REFERENCE)] = Field(
         description="where images live, unless the variable REGISTRY says otherwise"
     )

@@ -230,11 +230,11 @@ def test_ten_thousand_images_in_three_seconds() -> None:
     small = expand.catalogue(source.parse(SMALL.encode())).matrix
     rows = {f"d{n}": small.distributions["alpha"] for n in range(560)}
     big = model.Matrix.model_construct(**{**dict(small), "distributions": rows})
-    start = time.perf_counter()
+    start = time.process_time()  # a busy machine must not fail the test
     catalogue = expand.expand(big)
     bake.render(catalogue)
     assert len(catalogue.images) == 10_080
-    assert time.perf_counter() - start < 3
+    assert time.process_time() - start < 3
 
 
 # ---- buildx ----------------------------------------------------------------------------------------------------------

@@ -57,6 +57,16 @@ WRONG = {
         "  on:",
         '46:3: distributions.on: YAML reads the key on as true or false; write it in quotes: "on"',
     ),
+    "true for one": (
+        "version: 1",
+        "version: true",
+        "1:1: version: expected a whole number, found true",
+    ),
+    "a number with a point": (
+        "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]",
+        "    ros: 2.0\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]",
+        "56:5: distributions.omega.ros: expected a whole number, found the number 2.0",
+    ),
     "version of one number": (
         "torch: 2.10.0, tensorflow",
         "torch: v2, tensorflow",
