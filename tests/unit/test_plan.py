@@ -44,13 +44,13 @@ def test_a_shard(small: Catalogue) -> None:
     payloads = (1000 + 100) + (300 + 30) + (2000 + 200) + (1500 + 150)
     assert first.disk_mb == (100 + 2 * 10) + 3 * (20 + 2 * 2) + 2 * payloads + forecast.RESERVE_MB
     assert first.seconds == (100 + 3 * 20) // 10 + (1000 + 300 + 2000 + 1500) // 100 + 12 * 5 == 124
-    assert [shard.seconds for shard in shards] == [124, 77, 99, 62]
+    assert [shard.seconds for shard in shards] == [124, 77, 74, 42]
 
 
 def test_what_a_shard_has_already_costs_nothing(small: Catalogue) -> None:
     """Both distributions need CUDA, which is assembled once: 10 s, and 2 * 1100 MB; their Pythons differ."""
     apart, together = plan.plan(small, 4).shards, plan.plan(small, 2).shards
-    assert [shard.seconds for shard in together] == [124 + 77 - 10, 99 + 62 - 10]
+    assert [shard.seconds for shard in together] == [124 + 77 - 10, 74 + 42]
     assert together[0].payloads.count("cuda-cu1") == 1
     saved = apart[0].disk_mb + apart[1].disk_mb - together[0].disk_mb
     assert saved == 2 * 1000 + 2 * 100 + forecast.RESERVE_MB
@@ -184,10 +184,23 @@ def test_rates_that_are_none(rate: str) -> None:
 
 
 @pytest.fixture
-def small_file(tmp_path: Path) -> Path:
+def small_file(tmp_path: Path, small: Catalogue, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A checkout with the small matrix and all of its locks: what has none is in no plan."""
+    monkeypatch.setattr(generate_bake, "ROOT", tmp_path)
+    for lock in {lock for payload in small.payloads for lock in payload.locks}:
+        (tmp_path / lock).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / lock).touch()
     file = tmp_path / "matrix.yaml"
     file.write_text(SMALL)
     return file
+
+
+def test_what_has_no_lock_is_in_no_plan(small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (small_file.parent / "locks/cu1/amd64/3.12/torch.txt").unlink()
+    assert run("--matrix", small_file, "--shards", "3", "--json") == 0
+    targets = {target for shard in json.loads(capsys.readouterr().out)["shards"] for target in shard["targets"]}
+    assert "alpha-core-torch-cu1" not in targets
+    assert {"alpha-core", "alpha-core-torch-cpu", "omega-core-torch-cu1"} <= targets
 
 
 def run(*arguments: str | Path) -> int:
