@@ -230,7 +230,7 @@ def test_table(small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run("--matrix", small_file, "--shards", "9") == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[1].split() == ["amd64-1", "amd", "alpha", "12", "4", "2", "0.5", "12.8"]
-    assert lines[5] == "estimates: 2 minutes until all is built, 6 minutes of machines"
+    assert lines[5] == "estimates: 2 minutes until all is built, 5 minutes of machines"
     assert lines[6].startswith("4 shards instead of 9:")
 
 
