@@ -18,6 +18,9 @@ from rosml.services import Services
 
 # What BuildKit prints when something outside the build is wrong, and what helps.
 _REMEDIES = (
+    ("Hash mismatch", "a download is not what the lock says: run 'make locks' if that is intended"),
+    ("all requirements must have their versions pinned", "a lock is damaged: run 'make locks'"),
+    ("failed to calculate checksum of ref", "a file of the build is missing; if it is a lock: run 'make locks'"),
     (
         "no space left on device",
         "free some disk space (make down; make clean removes all that was made), then run it again",
@@ -35,7 +38,6 @@ _REMEDIES = (
         "500 Internal Server Error",
         "the local registry's storage is damaged: make down; rm -r .state/registry; run it again",
     ),
-    ("Hash mismatch", "a download is not what the lock says: run 'make locks' if that is intended"),
 )
 _CANCEL_SECONDS = 15.0
 
@@ -139,7 +141,8 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
     """The error for a build that failed: the step, its last lines, the log, and the remedy if the reason is known."""
     step = progress.failed()
     lines = list(step.tail) if step else []
-    text = "\n".join([*lines, step.error if step else "", *progress.other])
+    # uv names every hash that it would have accepted: the reason may stand far above the last lines.
+    text = "\n".join([*lines, step.error if step else "", *progress.other, *_end(log)])
     remedy = next((remedy for sign, remedy in _REMEDIES if sign.lower() in text.lower()), "")
     message = f"building {bake.target} failed"
     if step:
@@ -149,6 +152,14 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
         lines = list(progress.other) or [f"buildx ended with exit code {code}"]
     message += "".join(f"\n    {line}" for line in lines)
     return RosmlError(f"{message}\n  the whole log: {log}", remedy)
+
+
+def _end(log: Path, lines: int = 200) -> list[str]:
+    """The last lines of a log."""
+    try:
+        return log.read_text(errors="replace").splitlines()[-lines:]
+    except OSError:
+        return []
 
 
 def _stop(process: subprocess.Popen[str]) -> None:

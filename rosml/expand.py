@@ -141,13 +141,18 @@ class Catalogue:
         return {name: tuple(targets) for name, targets in members.items() if targets}
 
     def image(self, target: str) -> Image:
-        """The image of a target.
+        """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`.
 
         Raises:
             RosmlError: there is none (exit code 2); names near ones, or says why the facts rule it out.
         """
         if target in self.by_target:
             return self.by_target[target]
+        if ":" in target:
+            tag = target.rpartition("/")[2]
+            for image in self.images:
+                if tag in image.tags:
+                    return image
         from rosml.explain import why_not  # imports this module
 
         reason = why_not(self, target) or unknown("image", target, self.by_target)

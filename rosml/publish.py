@@ -141,6 +141,7 @@ class Publisher:
             TestsFailed: the structure tests failed; tags are where they were.
         """
         image = self.catalogue.image(target)
+        target = image.target  # a tag is a name as well
         require_buildable(image)
         self.services.require_registry()
         self.services.require_builder()

@@ -203,6 +203,15 @@ def test_remedies(tmp_path: Path, bake: Bake, reason: str, remedy: str, where: s
     assert bool(error.remedy) == bool(remedy)
 
 
+def test_the_reason_may_stand_far_above_the_last_lines(tmp_path: Path, bake: Bake) -> None:
+    log = tmp_path / "x.log"
+    log.write_text("Hash mismatch for `torch==2.10.0`\n" + "  sha256:00\n" * 100)
+    progress = BuildProgress()
+    progress.feed(vertex(completed=f"{DAY}12Z", error="exit code: 1"))
+    progress.steps[NAME].tail.append("  sha256:00")
+    assert "make locks" in builder.failure(bake, progress, log, 1).remedy
+
+
 def test_a_service_that_is_down_is_the_reason(tmp_path: Path, registry: str, bake: Bake) -> None:
     with pytest.raises(RosmlError, match=r"registry at 127\.0\.0\.1:1 does not answer") as caught:
         builder.run(having(tmp_path, "127.0.0.1:1", says("ERROR: whatever", code=1)), bake)

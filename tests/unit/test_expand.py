@@ -283,6 +283,16 @@ def test_unknown_names(small: Catalogue) -> None:
         assert "make list" in caught.value.remedy
 
 
+@pytest.mark.parametrize("name", ["ros:alpha-base", "localhost:5000/ros:alpha", "https://x.org/y/ros:latest"])
+def test_a_tag_is_a_name_as_well(small: Catalogue, name: str) -> None:
+    assert small.image(name).target == "alpha-base"
+
+
+def test_a_tag_that_nothing_has(small: Catalogue) -> None:
+    with pytest.raises(RosmlError, match="no image named 'ros:beta'"):
+        small.image("ros:beta")
+
+
 def test_asking_for_what_cannot_be_gives_the_reason(small: Catalogue) -> None:
     with pytest.raises(RosmlError, match="has no robot metapackage"):
         small.image("alpha-robot")
