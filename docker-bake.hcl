@@ -2117,13 +2117,13 @@ target "_cuda-cu130-ubuntu-20-04" {
     ACCELERATOR   = "cuda"
     CUDA_ROOT     = root("cuda-cu130")
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "cuda"
     "io.rosml.stack"     = "cu130"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
@@ -2917,13 +2917,13 @@ target "_cuda-cu130-ubuntu-22-04" {
     ACCELERATOR   = "cuda"
     CUDA_ROOT     = root("cuda-cu130")
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "cuda"
     "io.rosml.stack"     = "cu130"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
@@ -3177,63 +3177,63 @@ target "_torch-cu130-ubuntu-22-04" {
     CUDA_ROOT     = root("cuda-cu130")
     COMMON_ROOT   = root("common-cu130-py310")
     TORCH_ROOT    = root("torch-cu130-py310")
-    TORCH_VERSION = "2.14.1"
+    TORCH_VERSION = "2.12.1"
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "torch"
     "io.rosml.stack"     = "cu130"
-    "io.rosml.torch"     = "2.14.1"
+    "io.rosml.torch"     = "2.12.1"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
 target "humble-core-torch-cu130" {
   inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:humble-core-cu130", "${REGISTRY}/ros-torch:humble-core-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:humble-core-cu130", "${REGISTRY}/ros-torch:humble-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
     "org.opencontainers.image.title"       = "humble-core-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (humble), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "humble-core-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 core (humble), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-core-cu130-torch2.12.1"
     "io.rosml.component"                   = "core"
   }
 }
 
 target "humble-base-torch-cu130" {
   inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:humble-base-cu130", "${REGISTRY}/ros-torch:humble-base-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:humble-base-cu130", "${REGISTRY}/ros-torch:humble-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "humble-base") }
   labels = {
     "org.opencontainers.image.title"       = "humble-base-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 base (humble), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "humble-base-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 base (humble), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-base-cu130-torch2.12.1"
     "io.rosml.component"                   = "base"
   }
 }
 
 target "humble-perception-torch-cu130" {
   inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:humble-perception-cu130", "${REGISTRY}/ros-torch:humble-perception-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:humble-perception-cu130", "${REGISTRY}/ros-torch:humble-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
     "org.opencontainers.image.title"       = "humble-perception-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 perception (humble), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "humble-perception-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 perception (humble), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-perception-cu130-torch2.12.1"
     "io.rosml.component"                   = "perception"
   }
 }
 
 target "humble-desktop-torch-cu130" {
   inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:humble-desktop-cu130", "${REGISTRY}/ros-torch:humble-desktop-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:humble-desktop-cu130", "${REGISTRY}/ros-torch:humble-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "humble-desktop-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop (humble), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "humble-desktop-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop (humble), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-desktop-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop"
   }
 }
@@ -3242,13 +3242,13 @@ target "humble-desktop-full-torch-cu130" {
   inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-torch:humble-desktop-full-cu130",
-    "${REGISTRY}/ros-torch:humble-desktop-full-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:humble-desktop-full-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "humble-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "humble-desktop-full-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop-full (humble), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "humble-desktop-full-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop-full (humble), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "humble-desktop-full-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop-full"
   }
 }
@@ -3940,60 +3940,60 @@ target "iron-desktop-full-torch-cu128" {
 
 target "iron-core-torch-cu130" {
   inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:iron-core-cu130", "${REGISTRY}/ros-torch:iron-core-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:iron-core-cu130", "${REGISTRY}/ros-torch:iron-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
     "org.opencontainers.image.title"       = "iron-core-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (iron), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "iron-core-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 core (iron), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "iron-core-cu130-torch2.12.1"
     "io.rosml.component"                   = "core"
   }
 }
 
 target "iron-base-torch-cu130" {
   inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:iron-base-cu130", "${REGISTRY}/ros-torch:iron-base-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:iron-base-cu130", "${REGISTRY}/ros-torch:iron-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-base") }
   labels = {
     "org.opencontainers.image.title"       = "iron-base-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 base (iron), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "iron-base-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 base (iron), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "iron-base-cu130-torch2.12.1"
     "io.rosml.component"                   = "base"
   }
 }
 
 target "iron-perception-torch-cu130" {
   inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:iron-perception-cu130", "${REGISTRY}/ros-torch:iron-perception-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:iron-perception-cu130", "${REGISTRY}/ros-torch:iron-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
     "org.opencontainers.image.title"       = "iron-perception-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 perception (iron), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "iron-perception-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 perception (iron), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "iron-perception-cu130-torch2.12.1"
     "io.rosml.component"                   = "perception"
   }
 }
 
 target "iron-desktop-torch-cu130" {
   inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:iron-desktop-cu130", "${REGISTRY}/ros-torch:iron-desktop-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:iron-desktop-cu130", "${REGISTRY}/ros-torch:iron-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "iron-desktop-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop (iron), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "iron-desktop-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop (iron), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "iron-desktop-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop"
   }
 }
 
 target "iron-desktop-full-torch-cu130" {
   inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
-  tags     = ["${REGISTRY}/ros-torch:iron-desktop-full-cu130", "${REGISTRY}/ros-torch:iron-desktop-full-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:iron-desktop-full-cu130", "${REGISTRY}/ros-torch:iron-desktop-full-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "iron-desktop-full-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop-full (iron), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "iron-desktop-full-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop-full (iron), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "iron-desktop-full-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop-full"
   }
 }
@@ -4399,13 +4399,13 @@ target "_cuda-cu130-ubuntu-24-04" {
     ACCELERATOR   = "cuda"
     CUDA_ROOT     = root("cuda-cu130")
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "cuda"
     "io.rosml.stack"     = "cu130"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
@@ -4653,63 +4653,63 @@ target "_torch-cu130-ubuntu-24-04" {
     CUDA_ROOT     = root("cuda-cu130")
     COMMON_ROOT   = root("common-cu130-py312")
     TORCH_ROOT    = root("torch-cu130-py312")
-    TORCH_VERSION = "2.14.1"
+    TORCH_VERSION = "2.12.1"
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "torch"
     "io.rosml.stack"     = "cu130"
-    "io.rosml.torch"     = "2.14.1"
+    "io.rosml.torch"     = "2.12.1"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
 target "jazzy-core-torch-cu130" {
   inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
-  tags     = ["${REGISTRY}/ros-torch:jazzy-core-cu130", "${REGISTRY}/ros-torch:jazzy-core-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:jazzy-core-cu130", "${REGISTRY}/ros-torch:jazzy-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-core-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "jazzy-core-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-core-cu130-torch2.12.1"
     "io.rosml.component"                   = "core"
   }
 }
 
 target "jazzy-base-torch-cu130" {
   inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
-  tags     = ["${REGISTRY}/ros-torch:jazzy-base-cu130", "${REGISTRY}/ros-torch:jazzy-base-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:jazzy-base-cu130", "${REGISTRY}/ros-torch:jazzy-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "jazzy-base") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-base-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 base (jazzy), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "jazzy-base-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 base (jazzy), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-base-cu130-torch2.12.1"
     "io.rosml.component"                   = "base"
   }
 }
 
 target "jazzy-perception-torch-cu130" {
   inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
-  tags     = ["${REGISTRY}/ros-torch:jazzy-perception-cu130", "${REGISTRY}/ros-torch:jazzy-perception-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:jazzy-perception-cu130", "${REGISTRY}/ros-torch:jazzy-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-perception-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 perception (jazzy), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "jazzy-perception-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 perception (jazzy), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-perception-cu130-torch2.12.1"
     "io.rosml.component"                   = "perception"
   }
 }
 
 target "jazzy-desktop-torch-cu130" {
   inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
-  tags     = ["${REGISTRY}/ros-torch:jazzy-desktop-cu130", "${REGISTRY}/ros-torch:jazzy-desktop-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:jazzy-desktop-cu130", "${REGISTRY}/ros-torch:jazzy-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-desktop-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop (jazzy), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "jazzy-desktop-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop (jazzy), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-desktop-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop"
   }
 }
@@ -4718,13 +4718,13 @@ target "jazzy-desktop-full-torch-cu130" {
   inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-torch:jazzy-desktop-full-cu130",
-    "${REGISTRY}/ros-torch:jazzy-desktop-full-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:jazzy-desktop-full-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "jazzy-desktop-full-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop-full (jazzy), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "jazzy-desktop-full-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop-full (jazzy), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-desktop-full-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop-full"
   }
 }
@@ -5422,48 +5422,48 @@ target "kilted-desktop-full-torch-cu128" {
 
 target "kilted-core-torch-cu130" {
   inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
-  tags     = ["${REGISTRY}/ros-torch:kilted-core-cu130", "${REGISTRY}/ros-torch:kilted-core-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:kilted-core-cu130", "${REGISTRY}/ros-torch:kilted-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-core-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (kilted), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "kilted-core-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 core (kilted), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "kilted-core-cu130-torch2.12.1"
     "io.rosml.component"                   = "core"
   }
 }
 
 target "kilted-base-torch-cu130" {
   inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
-  tags     = ["${REGISTRY}/ros-torch:kilted-base-cu130", "${REGISTRY}/ros-torch:kilted-base-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:kilted-base-cu130", "${REGISTRY}/ros-torch:kilted-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "kilted-base") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-base-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 base (kilted), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "kilted-base-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 base (kilted), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "kilted-base-cu130-torch2.12.1"
     "io.rosml.component"                   = "base"
   }
 }
 
 target "kilted-perception-torch-cu130" {
   inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
-  tags     = ["${REGISTRY}/ros-torch:kilted-perception-cu130", "${REGISTRY}/ros-torch:kilted-perception-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:kilted-perception-cu130", "${REGISTRY}/ros-torch:kilted-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-perception-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 perception (kilted), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "kilted-perception-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 perception (kilted), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "kilted-perception-cu130-torch2.12.1"
     "io.rosml.component"                   = "perception"
   }
 }
 
 target "kilted-desktop-torch-cu130" {
   inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
-  tags     = ["${REGISTRY}/ros-torch:kilted-desktop-cu130", "${REGISTRY}/ros-torch:kilted-desktop-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:kilted-desktop-cu130", "${REGISTRY}/ros-torch:kilted-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-desktop-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop (kilted), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "kilted-desktop-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop (kilted), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "kilted-desktop-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop"
   }
 }
@@ -5472,13 +5472,13 @@ target "kilted-desktop-full-torch-cu130" {
   inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-torch:kilted-desktop-full-cu130",
-    "${REGISTRY}/ros-torch:kilted-desktop-full-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:kilted-desktop-full-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "kilted-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "kilted-desktop-full-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop-full (kilted), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "kilted-desktop-full-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop-full (kilted), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "kilted-desktop-full-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop-full"
   }
 }
@@ -5894,13 +5894,13 @@ target "_cuda-cu130-ubuntu-26-04" {
     ACCELERATOR   = "cuda"
     CUDA_ROOT     = root("cuda-cu130")
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "cuda"
     "io.rosml.stack"     = "cu130"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
@@ -6158,39 +6158,39 @@ target "_torch-cu130-ubuntu-26-04" {
     CUDA_ROOT     = root("cuda-cu130")
     COMMON_ROOT   = root("common-cu130-py314")
     TORCH_ROOT    = root("torch-cu130-py314")
-    TORCH_VERSION = "2.14.1"
+    TORCH_VERSION = "2.12.1"
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "torch"
     "io.rosml.stack"     = "cu130"
-    "io.rosml.torch"     = "2.14.1"
+    "io.rosml.torch"     = "2.12.1"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
 target "lyrical-core-torch-cu130" {
   inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
-  tags     = ["${REGISTRY}/ros-torch:lyrical-core-cu130", "${REGISTRY}/ros-torch:lyrical-core-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:lyrical-core-cu130", "${REGISTRY}/ros-torch:lyrical-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "lyrical-core") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-core-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-core-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 core (lyrical), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-core-cu130-torch2.12.1"
     "io.rosml.component"                   = "core"
   }
 }
 
 target "lyrical-base-torch-cu130" {
   inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
-  tags     = ["${REGISTRY}/ros-torch:lyrical-base-cu130", "${REGISTRY}/ros-torch:lyrical-base-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:lyrical-base-cu130", "${REGISTRY}/ros-torch:lyrical-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "lyrical-base") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-base-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 base (lyrical), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-base-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 base (lyrical), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-base-cu130-torch2.12.1"
     "io.rosml.component"                   = "base"
   }
 }
@@ -6199,25 +6199,25 @@ target "lyrical-perception-torch-cu130" {
   inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:lyrical-perception-cu130",
-    "${REGISTRY}/ros-torch:lyrical-perception-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:lyrical-perception-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "lyrical-perception") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-perception-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 perception (lyrical), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-perception-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 perception (lyrical), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-perception-cu130-torch2.12.1"
     "io.rosml.component"                   = "perception"
   }
 }
 
 target "lyrical-desktop-torch-cu130" {
   inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
-  tags     = ["${REGISTRY}/ros-torch:lyrical-desktop-cu130", "${REGISTRY}/ros-torch:lyrical-desktop-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:lyrical-desktop-cu130", "${REGISTRY}/ros-torch:lyrical-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "lyrical-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-desktop-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop (lyrical), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-desktop-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop (lyrical), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-desktop-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop"
   }
 }
@@ -6226,13 +6226,13 @@ target "lyrical-desktop-full-torch-cu130" {
   inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:lyrical-desktop-full-cu130",
-    "${REGISTRY}/ros-torch:lyrical-desktop-full-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:lyrical-desktop-full-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "lyrical-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "lyrical-desktop-full-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop-full (lyrical), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "lyrical-desktop-full-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop-full (lyrical), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "lyrical-desktop-full-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop-full"
   }
 }
@@ -6590,24 +6590,24 @@ target "rolling-desktop-full-torch-cu128" {
 
 target "rolling-core-torch-cu130" {
   inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
-  tags     = ["${REGISTRY}/ros-torch:rolling-core-cu130", "${REGISTRY}/ros-torch:rolling-core-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:rolling-core-cu130", "${REGISTRY}/ros-torch:rolling-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "rolling-core") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-core-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 core (rolling), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "rolling-core-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 core (rolling), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "rolling-core-cu130-torch2.12.1"
     "io.rosml.component"                   = "core"
   }
 }
 
 target "rolling-base-torch-cu130" {
   inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
-  tags     = ["${REGISTRY}/ros-torch:rolling-base-cu130", "${REGISTRY}/ros-torch:rolling-base-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:rolling-base-cu130", "${REGISTRY}/ros-torch:rolling-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "rolling-base") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-base-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 base (rolling), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "rolling-base-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 base (rolling), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "rolling-base-cu130-torch2.12.1"
     "io.rosml.component"                   = "base"
   }
 }
@@ -6616,25 +6616,25 @@ target "rolling-perception-torch-cu130" {
   inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:rolling-perception-cu130",
-    "${REGISTRY}/ros-torch:rolling-perception-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:rolling-perception-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "rolling-perception") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-perception-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 perception (rolling), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "rolling-perception-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 perception (rolling), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "rolling-perception-cu130-torch2.12.1"
     "io.rosml.component"                   = "perception"
   }
 }
 
 target "rolling-desktop-torch-cu130" {
   inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
-  tags     = ["${REGISTRY}/ros-torch:rolling-desktop-cu130", "${REGISTRY}/ros-torch:rolling-desktop-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:rolling-desktop-cu130", "${REGISTRY}/ros-torch:rolling-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "rolling-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-desktop-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop (rolling), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "rolling-desktop-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop (rolling), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "rolling-desktop-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop"
   }
 }
@@ -6643,13 +6643,13 @@ target "rolling-desktop-full-torch-cu130" {
   inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:rolling-desktop-full-cu130",
-    "${REGISTRY}/ros-torch:rolling-desktop-full-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:rolling-desktop-full-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "rolling-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "rolling-desktop-full-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 2 desktop-full (rolling), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "rolling-desktop-full-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 2 desktop-full (rolling), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "rolling-desktop-full-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop-full"
   }
 }
@@ -6830,13 +6830,13 @@ target "_cuda-cu130-bookworm" {
     ACCELERATOR   = "cuda"
     CUDA_ROOT     = root("cuda-cu130")
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "cuda"
     "io.rosml.stack"     = "cu130"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
@@ -7135,51 +7135,51 @@ target "_torch-cu130-bookworm" {
     CUDA_ROOT     = root("cuda-cu130")
     COMMON_ROOT   = root("common-cu130-py311")
     TORCH_ROOT    = root("torch-cu130-py311")
-    TORCH_VERSION = "2.14.1"
+    TORCH_VERSION = "2.12.1"
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "torch"
     "io.rosml.stack"     = "cu130"
-    "io.rosml.torch"     = "2.14.1"
+    "io.rosml.torch"     = "2.12.1"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
 target "bookworm-core-torch-cu130" {
   inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
-  tags     = ["${REGISTRY}/ros-torch:bookworm-core-cu130", "${REGISTRY}/ros-torch:bookworm-core-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:bookworm-core-cu130", "${REGISTRY}/ros-torch:bookworm-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-core-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 core (bookworm), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "bookworm-core-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 core (bookworm), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "bookworm-core-cu130-torch2.12.1"
     "io.rosml.component"                   = "core"
   }
 }
 
 target "bookworm-base-torch-cu130" {
   inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
-  tags     = ["${REGISTRY}/ros-torch:bookworm-base-cu130", "${REGISTRY}/ros-torch:bookworm-base-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:bookworm-base-cu130", "${REGISTRY}/ros-torch:bookworm-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "bookworm-base") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-base-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 base (bookworm), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "bookworm-base-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 base (bookworm), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "bookworm-base-cu130-torch2.12.1"
     "io.rosml.component"                   = "base"
   }
 }
 
 target "bookworm-robot-torch-cu130" {
   inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
-  tags     = ["${REGISTRY}/ros-torch:bookworm-robot-cu130", "${REGISTRY}/ros-torch:bookworm-robot-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:bookworm-robot-cu130", "${REGISTRY}/ros-torch:bookworm-robot-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-robot-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 robot (bookworm), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "bookworm-robot-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 robot (bookworm), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "bookworm-robot-cu130-torch2.12.1"
     "io.rosml.component"                   = "robot"
   }
 }
@@ -7188,25 +7188,25 @@ target "bookworm-perception-torch-cu130" {
   inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
   tags = [
     "${REGISTRY}/ros-torch:bookworm-perception-cu130",
-    "${REGISTRY}/ros-torch:bookworm-perception-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:bookworm-perception-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "bookworm-perception") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-perception-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 perception (bookworm), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "bookworm-perception-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 perception (bookworm), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "bookworm-perception-cu130-torch2.12.1"
     "io.rosml.component"                   = "perception"
   }
 }
 
 target "bookworm-desktop-torch-cu130" {
   inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
-  tags     = ["${REGISTRY}/ros-torch:bookworm-desktop-cu130", "${REGISTRY}/ros-torch:bookworm-desktop-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:bookworm-desktop-cu130", "${REGISTRY}/ros-torch:bookworm-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-desktop-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 desktop (bookworm), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "bookworm-desktop-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 desktop (bookworm), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "bookworm-desktop-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop"
   }
 }
@@ -7215,13 +7215,13 @@ target "bookworm-desktop-full-torch-cu130" {
   inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
   tags = [
     "${REGISTRY}/ros-torch:bookworm-desktop-full-cu130",
-    "${REGISTRY}/ros-torch:bookworm-desktop-full-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:bookworm-desktop-full-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "bookworm-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-desktop-full-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 desktop-full (bookworm), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "bookworm-desktop-full-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 desktop-full (bookworm), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "bookworm-desktop-full-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop-full"
   }
 }
@@ -7846,13 +7846,13 @@ target "_cuda-cu130-trixie" {
     ACCELERATOR   = "cuda"
     CUDA_ROOT     = root("cuda-cu130")
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "cuda"
     "io.rosml.stack"     = "cu130"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
@@ -8142,75 +8142,75 @@ target "_torch-cu130-trixie" {
     CUDA_ROOT     = root("cuda-cu130")
     COMMON_ROOT   = root("common-cu130-py313")
     TORCH_ROOT    = root("torch-cu130-py313")
-    TORCH_VERSION = "2.14.1"
+    TORCH_VERSION = "2.12.1"
     CUDA_VERSION  = "13.0.96"
-    CUDNN_VERSION = "9.24.0.43"
+    CUDNN_VERSION = "9.20.0.48"
   }
   labels = {
     "io.rosml.framework" = "torch"
     "io.rosml.stack"     = "cu130"
-    "io.rosml.torch"     = "2.14.1"
+    "io.rosml.torch"     = "2.12.1"
     "io.rosml.cuda"      = "13.0.96"
-    "io.rosml.cudnn"     = "9.24.0.43"
+    "io.rosml.cudnn"     = "9.20.0.48"
   }
 }
 
 target "trixie-core-torch-cu130" {
   inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
-  tags     = ["${REGISTRY}/ros-torch:trixie-core-cu130", "${REGISTRY}/ros-torch:trixie-core-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:trixie-core-cu130", "${REGISTRY}/ros-torch:trixie-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-core-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 core (trixie), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "trixie-core-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 core (trixie), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "trixie-core-cu130-torch2.12.1"
     "io.rosml.component"                   = "core"
   }
 }
 
 target "trixie-base-torch-cu130" {
   inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
-  tags     = ["${REGISTRY}/ros-torch:trixie-base-cu130", "${REGISTRY}/ros-torch:trixie-base-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:trixie-base-cu130", "${REGISTRY}/ros-torch:trixie-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-base") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-base-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 base (trixie), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "trixie-base-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 base (trixie), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "trixie-base-cu130-torch2.12.1"
     "io.rosml.component"                   = "base"
   }
 }
 
 target "trixie-robot-torch-cu130" {
   inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
-  tags     = ["${REGISTRY}/ros-torch:trixie-robot-cu130", "${REGISTRY}/ros-torch:trixie-robot-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:trixie-robot-cu130", "${REGISTRY}/ros-torch:trixie-robot-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-robot-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 robot (trixie), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "trixie-robot-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 robot (trixie), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "trixie-robot-cu130-torch2.12.1"
     "io.rosml.component"                   = "robot"
   }
 }
 
 target "trixie-perception-torch-cu130" {
   inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
-  tags     = ["${REGISTRY}/ros-torch:trixie-perception-cu130", "${REGISTRY}/ros-torch:trixie-perception-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:trixie-perception-cu130", "${REGISTRY}/ros-torch:trixie-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-perception-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 perception (trixie), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "trixie-perception-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 perception (trixie), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "trixie-perception-cu130-torch2.12.1"
     "io.rosml.component"                   = "perception"
   }
 }
 
 target "trixie-desktop-torch-cu130" {
   inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
-  tags     = ["${REGISTRY}/ros-torch:trixie-desktop-cu130", "${REGISTRY}/ros-torch:trixie-desktop-cu130-torch2.14.1"]
+  tags     = ["${REGISTRY}/ros-torch:trixie-desktop-cu130", "${REGISTRY}/ros-torch:trixie-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-desktop-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 desktop (trixie), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "trixie-desktop-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 desktop (trixie), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "trixie-desktop-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop"
   }
 }
@@ -8219,13 +8219,13 @@ target "trixie-desktop-full-torch-cu130" {
   inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
   tags = [
     "${REGISTRY}/ros-torch:trixie-desktop-full-cu130",
-    "${REGISTRY}/ros-torch:trixie-desktop-full-cu130-torch2.14.1",
+    "${REGISTRY}/ros-torch:trixie-desktop-full-cu130-torch2.12.1",
   ]
   contexts = { ros = image("ros", "trixie-desktop-full") }
   labels = {
     "org.opencontainers.image.title"       = "trixie-desktop-full-torch-cu130"
-    "org.opencontainers.image.description" = "ROS 1 desktop-full (trixie), PyTorch 2.14.1, CUDA 13.0.96"
-    "org.opencontainers.image.version"     = "trixie-desktop-full-cu130-torch2.14.1"
+    "org.opencontainers.image.description" = "ROS 1 desktop-full (trixie), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "trixie-desktop-full-cu130-torch2.12.1"
     "io.rosml.component"                   = "desktop-full"
   }
 }
@@ -8855,7 +8855,7 @@ target "noetic-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -8865,7 +8865,7 @@ target "noetic-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -8875,7 +8875,7 @@ target "noetic-robot-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -8885,7 +8885,7 @@ target "noetic-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -8895,7 +8895,7 @@ target "noetic-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -8905,7 +8905,7 @@ target "noetic-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9215,7 +9215,7 @@ target "foxy-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "foxy-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9225,7 +9225,7 @@ target "foxy-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "foxy-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9235,7 +9235,7 @@ target "foxy-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "foxy-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda"
-    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9465,7 +9465,7 @@ target "humble-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "humble-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9475,7 +9475,7 @@ target "humble-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "humble-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9485,7 +9485,7 @@ target "humble-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "humble-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9495,7 +9495,7 @@ target "humble-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "humble-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9505,7 +9505,7 @@ target "humble-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "humble-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9615,7 +9615,7 @@ target "humble-core-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "humble-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9625,7 +9625,7 @@ target "humble-base-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "humble-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9635,7 +9635,7 @@ target "humble-perception-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "humble-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9645,7 +9645,7 @@ target "humble-desktop-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "humble-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -9655,7 +9655,7 @@ target "humble-desktop-full-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "humble-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10015,7 +10015,7 @@ target "iron-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "iron-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10025,7 +10025,7 @@ target "iron-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "iron-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10035,7 +10035,7 @@ target "iron-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "iron-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10045,7 +10045,7 @@ target "iron-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "iron-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10055,7 +10055,7 @@ target "iron-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "iron-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10165,7 +10165,7 @@ target "iron-core-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "iron-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10175,7 +10175,7 @@ target "iron-base-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "iron-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10185,7 +10185,7 @@ target "iron-perception-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "iron-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10195,7 +10195,7 @@ target "iron-desktop-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "iron-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10205,7 +10205,7 @@ target "iron-desktop-full-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "iron-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
-    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10565,7 +10565,7 @@ target "jazzy-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "jazzy-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10575,7 +10575,7 @@ target "jazzy-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "jazzy-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10585,7 +10585,7 @@ target "jazzy-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "jazzy-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10595,7 +10595,7 @@ target "jazzy-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "jazzy-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10605,7 +10605,7 @@ target "jazzy-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "jazzy-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10715,7 +10715,7 @@ target "jazzy-core-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "jazzy-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10725,7 +10725,7 @@ target "jazzy-base-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "jazzy-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10735,7 +10735,7 @@ target "jazzy-perception-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "jazzy-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10745,7 +10745,7 @@ target "jazzy-desktop-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "jazzy-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -10755,7 +10755,7 @@ target "jazzy-desktop-full-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "jazzy-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11115,7 +11115,7 @@ target "kilted-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "kilted-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11125,7 +11125,7 @@ target "kilted-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "kilted-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11135,7 +11135,7 @@ target "kilted-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "kilted-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11145,7 +11145,7 @@ target "kilted-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "kilted-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11155,7 +11155,7 @@ target "kilted-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "kilted-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11265,7 +11265,7 @@ target "kilted-core-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "kilted-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11275,7 +11275,7 @@ target "kilted-base-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "kilted-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11285,7 +11285,7 @@ target "kilted-perception-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "kilted-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11295,7 +11295,7 @@ target "kilted-desktop-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "kilted-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11305,7 +11305,7 @@ target "kilted-desktop-full-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "kilted-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
-    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11665,7 +11665,7 @@ target "lyrical-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "lyrical-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11675,7 +11675,7 @@ target "lyrical-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "lyrical-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11685,7 +11685,7 @@ target "lyrical-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "lyrical-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11695,7 +11695,7 @@ target "lyrical-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "lyrical-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11705,7 +11705,7 @@ target "lyrical-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "lyrical-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11815,7 +11815,7 @@ target "lyrical-core-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "lyrical-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11825,7 +11825,7 @@ target "lyrical-base-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "lyrical-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11835,7 +11835,7 @@ target "lyrical-perception-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "lyrical-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11845,7 +11845,7 @@ target "lyrical-desktop-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "lyrical-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -11855,7 +11855,7 @@ target "lyrical-desktop-full-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "lyrical-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12015,7 +12015,7 @@ target "rolling-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "rolling-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12025,7 +12025,7 @@ target "rolling-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "rolling-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12035,7 +12035,7 @@ target "rolling-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "rolling-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12045,7 +12045,7 @@ target "rolling-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "rolling-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12055,7 +12055,7 @@ target "rolling-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "rolling-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12165,7 +12165,7 @@ target "rolling-core-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "rolling-core-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12175,7 +12175,7 @@ target "rolling-base-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "rolling-base-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12185,7 +12185,7 @@ target "rolling-perception-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "rolling-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12195,7 +12195,7 @@ target "rolling-desktop-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "rolling-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12205,7 +12205,7 @@ target "rolling-desktop-full-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "rolling-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
-    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12385,7 +12385,7 @@ target "bookworm-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12395,7 +12395,7 @@ target "bookworm-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12405,7 +12405,7 @@ target "bookworm-robot-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12415,7 +12415,7 @@ target "bookworm-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12425,7 +12425,7 @@ target "bookworm-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12435,7 +12435,7 @@ target "bookworm-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12565,7 +12565,7 @@ target "bookworm-core-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12575,7 +12575,7 @@ target "bookworm-base-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12585,7 +12585,7 @@ target "bookworm-robot-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12595,7 +12595,7 @@ target "bookworm-perception-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12605,7 +12605,7 @@ target "bookworm-desktop-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -12615,7 +12615,7 @@ target "bookworm-desktop-full-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
-    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13045,7 +13045,7 @@ target "trixie-core-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13055,7 +13055,7 @@ target "trixie-base-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13065,7 +13065,7 @@ target "trixie-robot-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13075,7 +13075,7 @@ target "trixie-perception-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13085,7 +13085,7 @@ target "trixie-desktop-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13095,7 +13095,7 @@ target "trixie-desktop-full-cuda-cu130-test" {
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13225,7 +13225,7 @@ target "trixie-core-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13235,7 +13235,7 @@ target "trixie-base-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13245,7 +13245,7 @@ target "trixie-robot-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13255,7 +13255,7 @@ target "trixie-perception-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13265,7 +13265,7 @@ target "trixie-desktop-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 
@@ -13275,7 +13275,7 @@ target "trixie-desktop-full-torch-cu130-test" {
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu130") }
   args = {
     TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
-    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.14.1 cuda=13.0.96 cudnn=9.24.0.43 nccl=2.30.7"
+    EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
 

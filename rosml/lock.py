@@ -15,7 +15,7 @@ import re
 import subprocess
 import tempfile
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -167,23 +167,16 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
         (base / "in.txt").write_text("\n".join([*wanted, f"numpy{request.numpy}"]) + "\n")
-        (base / "constraints.txt").write_text("\n".join(request.constraints) + "\n")
-        (base / "provided.txt").write_text("\n".join(f"{n}=={v}" for n, v in sorted(request.provided.items())) + "\n")
+        # What the system has is a constraint, not an override: a release that asks for more would not work there.
+        provided = [f"{name}=={version}" for name, version in sorted(request.provided.items())]
+        (base / "constraints.txt").write_text("\n".join([*request.constraints, *provided]) + "\n")
         output = base / "out.txt"
         if previous and not upgrade:
             output.write_text(previous)
         command = [uv, "pip", "compile", "--quiet", "--generate-hashes", "--only-binary", ":all:", "--no-header"]
         command += ["--no-config", "--annotation-style", "split", "--no-emit-index-url"]
         command += ["--python-version", request.python, "--python-platform", request.wheels]
-        command += [
-            "--constraint",
-            "constraints.txt",
-            "--override",
-            "provided.txt",
-            "in.txt",
-            "--output-file",
-            "out.txt",
-        ]
+        command += ["--constraint", "constraints.txt", "in.txt", "--output-file", "out.txt"]
         if request.asks_pytorch:
             command += ["--torch-backend", "cpu"]
         for name in sorted(request.provided):
@@ -314,6 +307,7 @@ def lock(
     uv: str = "uv",
     upgrade: bool = False,
     say: Callable[[str], None] = lambda line: None,
+    stacks: Collection[str] = (),
 ) -> Locks:
     """Resolves everything; writes nothing.
 
@@ -326,12 +320,13 @@ def lock(
         uv: the command to resolve with.
         upgrade: move to the newest versions that fit; otherwise an earlier lock's versions stay where they fit.
         say: told what was resolved, a line at a time: all of it takes minutes.
+        stacks: only these; all if empty.
 
     Raises:
         RosmlError: something does not resolve, or two Python versions of a stack would need different versions of a
             part that is the same for both.
     """
-    wanted = list(requests(catalogue))
+    wanted = [request for request in requests(catalogue) if not stacks or request.stack in stacks]
     with ThreadPoolExecutor(WORKERS) as pool:  # mostly waits for the indexes
         futures = [pool.submit(_outcome, request, root, uv, upgrade) for request in wanted]
         try:

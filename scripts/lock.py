@@ -22,24 +22,29 @@ if TYPE_CHECKING:
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--upgrade", is_flag=True, help="Move to the newest versions that fit; otherwise earlier ones stay.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock would change.")
+@click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only this stack's locks; may be repeated.")
 @click.option(
     "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
 )
-def main(upgrade: bool, check: bool, matrix: Path) -> None:
+def main(upgrade: bool, check: bool, stacks: tuple[str, ...], matrix: Path) -> None:
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 
     \b
     Examples:
       uv run scripts/lock.py              after a change in matrix.yaml
       uv run scripts/lock.py --upgrade    take new releases of the dependencies
+      uv run scripts/lock.py --stack cpu  the locks of one stack
     """
     from rosml import expand, names, source
     from rosml.lock import lock, moves
+    from rosml.problems import unknown
 
-    locks = lock(
-        expand.catalogue(source.read(matrix)), ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True)
-    )
-    there = names.locks(ROOT)
+    catalogue = expand.catalogue(source.read(matrix))
+    for name in stacks:
+        if name not in catalogue.matrix.stacks:
+            raise RosmlError(unknown("stack", name, catalogue.matrix.stacks), exit_code=2)
+    locks = lock(catalogue, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
+    there = {path for path in names.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text() for path in there & locks.texts.keys()}
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
     for path in stale:

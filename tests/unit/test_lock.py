@@ -220,7 +220,7 @@ def test_committed_locks_are_what_the_matrix_asks_for(real: Catalogue) -> None:
 UV = """\
 here='{folder}'
 echo "uv $*" >>"$here/calls"
-for file in in constraints provided out; do [ ! -e $file.txt ] || cp $file.txt "$here/seen-$file.txt"; done
+for file in in constraints out; do [ ! -e $file.txt ] || cp $file.txt "$here/seen-$file.txt"; done
 while [ $# -gt 0 ]; do case $1 in --python-version) python=$2 ;; --python-platform) platform=$2 ;; esac; shift; done
 """
 # NVIDIA's packages are for amd64 only, as in the matrix of these tests.
@@ -242,15 +242,14 @@ def test_resolve(tmp_path: Path) -> None:
         "uv pip compile --quiet --generate-hashes --only-binary :all: ",
         " --no-emit-index-url ",
         " --python-version 3.12 --python-platform x86_64-manylinux_2_28 ",
-        " --constraint constraints.txt --override provided.txt in.txt --output-file out.txt",
+        " --constraint constraints.txt in.txt --output-file out.txt",
         " --no-emit-package packaging --no-emit-package setuptools",
     ):
         assert words in call
-    seen = {name: (tmp_path / f"seen-{name}.txt").read_text() for name in ("in", "constraints", "provided")}
+    seen = {name: (tmp_path / f"seen-{name}.txt").read_text() for name in ("in", "constraints")}
     assert seen == {
         "in": "torch==2.10.0\ntensorflow[and-cuda]==2.20.0\nnumpy<2\n",
-        "constraints": "keras<4\n",
-        "provided": "packaging==25.0\nsetuptools==78.1.1\n",
+        "constraints": "keras<4\npackaging==25.0\nsetuptools==78.1.1\n",
     }
     assert not (tmp_path / "seen-out.txt").exists()
 
@@ -484,6 +483,18 @@ def test_a_hash_that_changed_is_stale(checkout: Path) -> None:
     run(checkout)
     fake_uv(checkout, resolved=RESOLVED.replace("sha256:ee", "sha256:ff"))
     assert run(checkout, "--check") == 1
+
+
+def test_one_stack(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run(checkout)
+    fake_uv(checkout, resolved=RESOLVED.replace("sha256:ee", "sha256:ff"))
+    capsys.readouterr()
+    assert run(checkout, "--stack", "cpu") == 0
+    done = capsys.readouterr().out
+    assert "locks/cpu/arm64/3.12/torch.txt: written" in done
+    assert "locks/cu1/" not in done, "neither written nor called superfluous"
+    assert run(checkout, "--stack", "cp") == 2
+    assert "no stack named 'cp'; did you mean 'cpu'" in capsys.readouterr().err
 
 
 def test_locks_that_nothing_needs(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
