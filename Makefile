@@ -3,6 +3,8 @@
 TARGET ?=
 # What `make diff` compares with: a git revision, or another matrix file.
 REV ?= HEAD
+# Among how many machines `make plan` deals the images out.
+SHARDS ?= 8
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -20,7 +22,7 @@ unexport PYTHONPATH PYTHONHOME
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 
-.PHONY: help image test lint unit bench list explain generate diff locks up down clean status
+.PHONY: help image test lint unit bench list explain generate plan diff locks up down clean status
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' Makefile
@@ -36,7 +38,7 @@ test: up ## the whole suite: linters, unit tests, real builds
 lint: .python ## the linters only
 	@$(RUN) pytest tests/lint
 
-unit: .python ## the linters and the unit tests: no builder, seconds
+unit: .python ## the linters and the unit tests: no builder, two minutes
 	@$(RUN) pytest tests/lint tests/unit
 
 bench: .python ## how fast the generator is: the real matrix, and up to 10,000 images
@@ -48,8 +50,11 @@ list: .python ## every image that can be built
 explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot
 	@$(RUN) scripts/generate_bake.py --explain "$$TARGET"
 
-generate: .python ## docker-bake.hcl and matrix.schema.json anew, after a change of matrix.yaml
+generate: .python ## docker-bake.hcl, matrix.schema.json and README.md's tables anew, after a change of matrix.yaml
 	@$(RUN) scripts/generate_bake.py
+
+plan: .python ## who builds what in CI, with time, download and disk: make plan SHARDS=8
+	@$(RUN) scripts/generate_bake.py --shards "$(SHARDS)"
 
 diff: .python ## which images a change builds anew, and why: make diff REV=HEAD~1
 	@$(RUN) scripts/generate_bake.py --diff "$$REV"

@@ -65,8 +65,8 @@ _HEADER = """\
 # Generated from matrix.yaml by scripts/generate_bake.py: change matrix.yaml, then run
 #   make generate
 #
-#   docker buildx bake bookworm-core          builds an image (and what it stands on)
-#   docker buildx bake bookworm-core-test     runs its structure tests inside the build
+#   docker buildx bake {target}          builds an image (and what it stands on)
+#   docker buildx bake {target}-test     runs its structure tests inside the build
 #   docker buildx bake --print <target>       shows what would be built
 """
 
@@ -124,7 +124,7 @@ function "given" {
 
 
 def _head(catalogue: Catalogue) -> Iterator[str]:
-    yield _HEADER
+    yield _HEADER.format(target=catalogue.matrix.default.group[0])
     for variable in _variables(catalogue.matrix):
         yield _variable(*variable)
     yield _FUNCTIONS

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rosml import ROOT, names, rules
 from rosml.errors import RosmlError
-from rosml.model import ANY_PYTHON, Distribution, Framework, Matrix, Part, Size, Stack
+from rosml.model import ANY_PYTHON, FAMILIES, Distribution, Framework, Matrix, Part, Size, Stack
 from rosml.problems import SHOWN, InputError, listed, unknown
 from rosml.problems import Path as Place
 from rosml.source import Document, read
@@ -148,15 +148,17 @@ class Catalogue:
         """
         if target in self.by_target:
             return self.by_target[target]
-        if ":" in target:
-            tag = target.rpartition("/")[2]
-            for image in self.images:
-                if tag in image.tags:
-                    return image
+        if image := self.by_tag(target):
+            return image
         from rosml.explain import why_not  # imports this module
 
         reason = why_not(self, target) or unknown("image", target, self.by_target)
         raise RosmlError(reason, remedy="see all with: make list", exit_code=2)
+
+    def by_tag(self, reference: str) -> Image | None:
+        """The image that has a tag, with or without the registry before it."""
+        tag = reference.rpartition("/")[2]
+        return next((image for image in self.images if tag in image.tags), None) if ":" in tag else None
 
     def select(self, name: str) -> tuple[Image, ...]:
         """The images of a target or a group; raises as `image` does."""
@@ -180,7 +182,20 @@ def load(file: Path, root: Path = ROOT) -> Catalogue:
         RosmlError: the file cannot be read (exit code 2).
         InputError: it has problems: all that can be seen at once, each with its place (exit code 2).
     """
-    return with_locks(catalogue(read(file)), names.locks(root))
+    result = catalogue(read(file))
+    return with_locks(result, current_locks(result, root))
+
+
+def current_locks(catalogue: Catalogue, root: Path) -> frozenset[str]:
+    """The locks that are there. One of a framework counts only if it holds the release that the stack has now."""
+    present = set(names.locks(root))
+    for payload in catalogue.payloads:
+        stack = catalogue.matrix.stacks[payload.stack]
+        version = stack.release(payload.part) if payload.part in FAMILIES else None
+        for lock in present.intersection(payload.locks) if version else ():
+            if f"=={version} " not in (text := (root / lock).read_text()) and f"=={version}+" not in text:
+                present.discard(lock)
+    return frozenset(present)
 
 
 def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
@@ -197,7 +212,7 @@ def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
 
 def missing_locks(image: Image) -> str:
     """What to say of an image without a lock."""
-    return f"{image.target} cannot be built yet: there is no {listed(image.unlocked)}"
+    return f"{image.target} cannot be built yet: there is no {listed(image.unlocked)} of the stack's release"
 
 
 def catalogue(document: Document) -> Catalogue:
@@ -397,6 +412,12 @@ def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
     for payload in catalogue.payloads:
         if payload.target in owners:
             yield ("stacks", payload.stack), f"{payload.target} is a payload and an image; rename one"
+    carried = {(image.distribution, image.stack) for image in catalogue.images if len(image.parts) > 1}
+    for name, distribution in catalogue.matrix.distributions.items():
+        if (name, distribution.default_stack) not in carried and any(row == name and stack for row, stack in carried):
+            there = dict.fromkeys(stack for row, stack in carried if row == name and stack)
+            text = f"no framework exists for {name} on stack {distribution.default_stack}; there is {listed(sorted(there))}"
+            yield ("distributions", name, "default_stack"), text
     default = catalogue.matrix.default
     targets: list[tuple[Place, str]] = [(("default", "target"), default.target)]
     targets += [(("default", "group", index), name) for index, name in enumerate(default.group)]

@@ -28,13 +28,16 @@ def explain(catalogue: Catalogue, name: str) -> str:
     Raises:
         RosmlError: the name is not understood at all (exit code 2); names near ones.
     """
-    if image := catalogue.by_target.get(name.removesuffix("-test"), catalogue.by_target.get(name)):
+    if not name:
+        raise RosmlError("no image is named", remedy="name one: make explain TARGET=jazzy-robot", exit_code=2)
+    tagged = catalogue.by_tag(name)
+    if image := tagged or catalogue.by_target.get(name.removesuffix("-test"), catalogue.by_target.get(name)):
         return _image(catalogue.matrix, image)
     if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
         users = sum(payload.name in image.parts for image in catalogue.images)
         return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {users} images"
     if name in catalogue.groups:
-        return f"{name}: a group of {len(catalogue.groups[name])} targets; see them with --list"
+        return f"{name}: a group of {len(catalogue.groups[name])} targets; see them with: make list"
     if reason := why_not(catalogue, name):
         return reason
     candidates = [*catalogue.by_target, *catalogue.groups]

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from rosml.model import ANY_PYTHON
 
-RESERVED_GROUPS = ("all", "default", "payloads", "tests")
-"""Groups that do not come from an axis of the matrix."""
+RESERVED_GROUPS = ("all", "default", "latest", "payloads", "tests")
+"""Groups and tags that do not come from an axis of the matrix."""
 
 SHORT = {"torch": "torch", "tensorflow": "tf", "cuda": "cuda"}
 """How tags that spell versions out call what they count, as users know it from the predecessor."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -11,6 +12,8 @@ from hypothesis.configuration import set_hypothesis_home_dir
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and some CI leave it; tests send it to programs
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
 
 from rosml import expand, source  # noqa: E402
@@ -102,6 +105,13 @@ Parse = Callable[[str], expand.Catalogue]
 def parse(text: str) -> expand.Catalogue:
     """The catalogue of a matrix's text."""
     return expand.catalogue(source.parse(text.encode()))
+
+
+def write_locks(root: Path, catalogue: expand.Catalogue) -> None:
+    """Every lock of a catalogue, as far as it is looked at without a build."""
+    for lock in {lock for payload in catalogue.payloads for lock in payload.locks}:
+        (root / lock).parent.mkdir(parents=True, exist_ok=True)
+        (root / lock).write_text("torch==2.10.0 \\\ntensorflow==2.20.0 \\\n")
 
 
 def changed(old: str, new: str, text: str = SMALL) -> str:

@@ -2,41 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
-from conftest import ROOT, changed, parse
+from conftest import ROOT, SMALL, changed, parse, write_locks
 
 from rosml import names, rules
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue, combinations, with_locks
+from rosml.expand import Catalogue, combinations, load, with_locks
 from rosml.explain import explain, why_not
 from rosml.listing import facts
-
-
-def test_every_axis(real: Catalogue) -> None:
-    """The axes of the design, and as many images as it asks for."""
-    ubuntu = ["noetic", "foxy", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling"]
-    assert list(real.matrix.distributions) == [*ubuntu, "bookworm", "trixie"]
-    assert list(real.matrix.components) == ["core", "base", "robot", "perception", "desktop", "desktop-full"]
-    assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
-    assert list(real.matrix.stacks) == ["cu128", "cu130", "cu121", "cpu", "cpu38"]
-    assert len(real.images) == 485
-    both = [image for image in real.images if len(image.platforms) == 2]
-    assert len([tag for image in both for tag in image.tags]) > 300
-
-
-def test_every_distribution_has_every_framework_that_its_facts_allow(real: Catalogue) -> None:
-    kinds: dict[str, set[str]] = {}
-    for image in real.images:
-        kinds.setdefault(image.distribution, set()).add("-".join(filter(None, [image.framework, image.stack])))
-    cuda = {"none", "cuda-cu121", "cuda-cu128", "cuda-cu130"}
-    torch = cuda | {"torch-cu128", "torch-cu130", "torch-cpu"}
-    ml = torch | {"tensorflow-cu128", "tensorflow-cpu", "ml-cu128", "ml-cpu"}
-    for name in ("humble", "iron", "jazzy", "kilted", "bookworm", "trixie"):
-        assert kinds[name] == ml
-    for name in ("lyrical", "rolling"):  # no TensorFlow for Python 3.14
-        assert kinds[name] == torch
-    for name in ("noetic", "foxy"):  # Python 3.8; torch and TensorFlow contradict each other there
-        assert kinds[name] == cuda | {"torch-cu121", "torch-cpu38", "tensorflow-cpu38"}
 
 
 def test_image_facts(real: Catalogue) -> None:
@@ -126,15 +101,6 @@ def test_floating_tags(small: Catalogue) -> None:
     assert small.image("alpha-base-cuda-cu1").tags[1] == "ros-cuda:alpha-base-cu1-cuda12.8.90"
 
 
-def test_latest_is_the_newest_long_term_release(real: Catalogue) -> None:
-    latest = {tag: image.target for image in real.images for tag in image.tags if tag.endswith(":latest")}
-    assert latest == {
-        "ros:latest": "lyrical-base",
-        "ros-cuda:latest": "lyrical-base-cuda-cu128",
-        "ros-torch:latest": "lyrical-base-torch-cu128",
-    }
-
-
 def test_no_long_term_release_no_latest() -> None:
     without = parse(changed("    lts: true\n", ""))
     assert not [tag for image in without.images for tag in image.tags if tag.endswith(":latest")]
@@ -149,16 +115,6 @@ def test_names_and_tags_are_unique(real: Catalogue) -> None:
 def test_every_test_has_a_file(real: Catalogue) -> None:
     wanted = {test for image in real.images for test in image.tests}
     assert {test for test in wanted if not (ROOT / "tests/structure" / f"{test}.yaml").is_file()} == set()
-
-
-def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catalogue) -> None:
-    wanted = {lock for payload in real.payloads for lock in payload.locks}
-    assert {lock for lock in wanted if not (ROOT / lock).is_file()} == {
-        "locks/cpu/amd64/3.11/torch.txt",
-        "locks/cpu/amd64/3.14/common.txt",
-        "locks/cpu/amd64/3.14/torch.txt",
-        "locks/cpu38/amd64/3.8/torch.txt",
-    }
 
 
 def test_images_without_a_lock_are_in_no_group(small: Catalogue) -> None:
@@ -176,8 +132,27 @@ def test_images_without_a_lock_are_in_no_group(small: Catalogue) -> None:
     assert not grouped & {name for image in unlocked for name in (image.target, image.test_target)}
     assert "payload-torch-cu1-py312" not in grouped
     assert "payload-torch-cu1-py314" in grouped
-    assert f"there is no {torch}; run 'make locks'" in explain(catalogue, "alpha-core-torch-cu1")
+    assert f"there is no {torch} of the stack's release; run 'make locks'" in explain(catalogue, "alpha-core-torch-cu1")
     assert with_locks(small, locks) == small
+
+
+def test_a_lock_of_another_release_is_none(small: Catalogue, tmp_path: Path) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    write_locks(tmp_path, small)
+    assert all(image.locked for image in load(tmp_path / "matrix.yaml", tmp_path).images)
+    torch = tmp_path / "locks/cu1/amd64/3.12/torch.txt"
+    torch.write_text("torch==2.10.0+cpu \\\n")
+    assert load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-torch-cu1").locked
+    torch.write_text("torch==2.9.1 \\\ntorch-model-archiver==2.10.0 \\\n".replace("2.10.0", "2.10.1"))
+    assert not load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-torch-cu1").locked
+
+
+def test_a_default_stack_that_nothing_has() -> None:
+    """The wheels of that stack are for another architecture."""
+    with pytest.raises(
+        RosmlError, match=r"omega\.default_stack: no framework exists for omega on stack cpu; there is cu1"
+    ):
+        parse(SMALL.replace("architectures: [amd64, arm64]", "architectures: [amd64]"))
 
 
 def test_the_default_group_can_be_built(real: Catalogue) -> None:
@@ -218,7 +193,7 @@ REASONS = {
     "so it has no stack.",
     "alpha-base-torch": "alpha-base-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
     "alpha-base-none": "alpha-base-none is called alpha-base.",
-    "cu1": "cu1: a group of 13 targets; see them with --list",
+    "cu1": "cu1: a group of 13 targets; see them with: make list",
     "payload-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
 }
 
@@ -226,22 +201,6 @@ REASONS = {
 @pytest.mark.parametrize("name", REASONS)
 def test_reasons(small: Catalogue, name: str) -> None:
     assert explain(small, name) == REASONS[name]
-
-
-REAL_REASONS = {
-    "lyrical-base-tensorflow-cpu": "no release of tensorflow has a wheel for Python 3.14, the Python of ubuntu-26.04",
-    "jazzy-robot": "jazzy (ROS 2) has no robot metapackage; it has core, base, perception, desktop and desktop-full",
-    "bookworm-core-tensorflow-cu130": "stack cu130 has no release of tensorflow",
-    "noetic-base-torch-cu128": "torch 2.10.0 has no wheel for Python 3.8, the Python of ubuntu-20.04 (2.4.1 has)",
-    "noetic-base-ml-cpu38": "what framework ml needs of stack cpu38 does not go together (tensorflow 2.13.1 needs "
-    "typing-extensions below 4.6, torch 2.4.1 needs 4.8)",
-    "jazzy-base-cuda-cpu": "framework cuda needs accelerator cuda, and stack cpu has cpu",
-}
-
-
-@pytest.mark.parametrize("name", REAL_REASONS)
-def test_reasons_of_the_real_matrix(real: Catalogue, name: str) -> None:
-    assert why_not(real, name) == f"{name} does not exist: {REAL_REASONS[name]}."
 
 
 def test_a_wheel_elsewhere_counts() -> None:

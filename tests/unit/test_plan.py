@@ -9,7 +9,7 @@ from itertools import permutations
 from pathlib import Path
 
 import pytest
-from conftest import ROOT, SMALL, changed, parse
+from conftest import ROOT, SMALL, changed, parse, write_locks
 
 from rosml import command, forecast, plan, synthetic
 from rosml.errors import RosmlError
@@ -164,7 +164,8 @@ def test_errors(name: str) -> None:
 
 
 def test_an_architecture_that_nothing_is_built_for_needs_no_runner() -> None:
-    text = changed(", runner: arm", "").replace("architectures: [amd64, arm64]", "architectures: [amd64]")
+    text = changed(", runner: arm", "", changed("default_stack: cpu", "default_stack: cu1"))
+    text = text.replace("architectures: [amd64, arm64]", "architectures: [amd64]")
     assert [shard.architecture for shard in plan.plan(parse(text), 1).shards] == ["amd64"]
 
 
@@ -187,9 +188,7 @@ def test_rates_that_are_none(rate: str) -> None:
 def small_file(tmp_path: Path, small: Catalogue, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout with the small matrix and all of its locks: what has none is in no plan."""
     monkeypatch.setattr(generate_bake, "ROOT", tmp_path)
-    for lock in {lock for payload in small.payloads for lock in payload.locks}:
-        (tmp_path / lock).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / lock).touch()
+    write_locks(tmp_path, small)
     file = tmp_path / "matrix.yaml"
     file.write_text(SMALL)
     return file

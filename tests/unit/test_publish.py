@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import ROOT, SMALL
+from conftest import ROOT, SMALL, write_locks
 from stubs import answering_registry, buildx, calls, executable, services
 
 from rosml import command, expand
@@ -100,9 +100,7 @@ class Stage:
         for name in FILES:
             self.write(f"report/{name}.json", results(one=True, two=True))
         self.write("report/unpacked", "4 /")
-        for lock in {lock for payload in self.catalogue.payloads for lock in payload.locks}:
-            (self.folder / lock).parent.mkdir(parents=True, exist_ok=True)
-            (self.folder / lock).touch()
+        write_locks(self.folder, self.catalogue)
         regctl = executable(self.folder / "regctl", REGCTL.format(folder=self.folder))
         services(self.folder, self.registry, buildx=buildx(self.folder, BAKE), regctl=regctl)
 

@@ -1,0 +1,71 @@
+"""What the design asks of the project's own matrix. A fork with another selection deletes this file."""
+
+from __future__ import annotations
+
+import pytest
+from conftest import ROOT
+
+from rosml.expand import Catalogue
+from rosml.explain import why_not
+
+
+def test_every_axis(real: Catalogue) -> None:
+    """The axes of the design, and as many images as it asks for."""
+    ubuntu = ["noetic", "foxy", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling"]
+    assert list(real.matrix.distributions) == [*ubuntu, "bookworm", "trixie"]
+    assert list(real.matrix.components) == ["core", "base", "robot", "perception", "desktop", "desktop-full"]
+    assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
+    assert list(real.matrix.stacks) == ["cu128", "cu130", "cu121", "cpu", "cpu38"]
+    assert len(real.images) == 485
+    both = [image for image in real.images if len(image.platforms) == 2]
+    assert len([tag for image in both for tag in image.tags]) > 300
+
+
+def test_every_distribution_has_every_framework_that_its_facts_allow(real: Catalogue) -> None:
+    kinds: dict[str, set[str]] = {}
+    for image in real.images:
+        kinds.setdefault(image.distribution, set()).add("-".join(filter(None, [image.framework, image.stack])))
+    cuda = {"none", "cuda-cu121", "cuda-cu128", "cuda-cu130"}
+    torch = cuda | {"torch-cu128", "torch-cu130", "torch-cpu"}
+    ml = torch | {"tensorflow-cu128", "tensorflow-cpu", "ml-cu128", "ml-cpu"}
+    for name in ("humble", "iron", "jazzy", "kilted", "bookworm", "trixie"):
+        assert kinds[name] == ml
+    for name in ("lyrical", "rolling"):  # no TensorFlow for Python 3.14
+        assert kinds[name] == torch
+    for name in ("noetic", "foxy"):  # Python 3.8; torch and TensorFlow contradict each other there
+        assert kinds[name] == cuda | {"torch-cu121", "torch-cpu38", "tensorflow-cpu38"}
+
+
+def test_latest_is_the_newest_long_term_release(real: Catalogue) -> None:
+    latest = {tag: image.target for image in real.images for tag in image.tags if tag.endswith(":latest")}
+    assert latest == {
+        "ros:latest": "lyrical-base",
+        "ros-cuda:latest": "lyrical-base-cuda-cu128",
+        "ros-torch:latest": "lyrical-base-torch-cu128",
+    }
+
+
+def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catalogue) -> None:
+    wanted = {lock for payload in real.payloads for lock in payload.locks}
+    assert {lock for lock in wanted if not (ROOT / lock).is_file()} == {
+        "locks/cpu/amd64/3.11/torch.txt",
+        "locks/cpu/amd64/3.14/common.txt",
+        "locks/cpu/amd64/3.14/torch.txt",
+        "locks/cpu38/amd64/3.8/torch.txt",
+    }
+
+
+REAL_REASONS = {
+    "lyrical-base-tensorflow-cpu": "no release of tensorflow has a wheel for Python 3.14, the Python of ubuntu-26.04",
+    "jazzy-robot": "jazzy (ROS 2) has no robot metapackage; it has core, base, perception, desktop and desktop-full",
+    "bookworm-core-tensorflow-cu130": "stack cu130 has no release of tensorflow",
+    "noetic-base-torch-cu128": "torch 2.10.0 has no wheel for Python 3.8, the Python of ubuntu-20.04 (2.4.1 has)",
+    "noetic-base-ml-cpu38": "what framework ml needs of stack cpu38 does not go together (tensorflow 2.13.1 needs "
+    "typing-extensions below 4.6, torch 2.4.1 needs 4.8)",
+    "jazzy-base-cuda-cpu": "framework cuda needs accelerator cuda, and stack cpu has cpu",
+}
+
+
+@pytest.mark.parametrize("name", REAL_REASONS)
+def test_reasons_of_the_real_matrix(real: Catalogue, name: str) -> None:
+    assert why_not(real, name) == f"{name} does not exist: {REAL_REASONS[name]}."
