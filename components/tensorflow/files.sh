@@ -14,10 +14,10 @@ for name in tensorflow_cc tensorflow_framework; do
 done
 soversion=${versioned##*.so.}
 
-# What `pip uninstall` removes, and the release: <name>-<version>.dist-info, of several that begin with tensorflow.
+# <name>-<version>.dist-info: tensorflow, tensorflow_cpu or tensorflow_cpu_aws, whichever has the library.
 wheel=$(basename "$(dirname "$(grep -l '^tensorflow/libtensorflow_cc\.so' "$OUT$SITE"/*.dist-info/RECORD)")")
-version=${wheel##*-}
-version=${version%.dist-info}
+version=${wheel%.dist-info}
+version=${version##*-}
 
 exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c "$1" >/dev/null; }
 

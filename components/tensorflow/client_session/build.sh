@@ -9,6 +9,6 @@ tensorflow=${OUT:?}${SITE:?}/tensorflow
 
 "${TRIPLET:?}-g++" -shared -fPIC -std=c++17 -O2 -DNDEBUG -w "${@:2}" -isystem "$tensorflow/include" \
   -ffile-prefix-map="$OUT=" -ffile-prefix-map="$here=." -o "$library" "$here/client_session.cc" \
-  -Wl,-soname="$(basename "$library")",--version-script="$here/exports.map",--build-id=none,--no-undefined,-z,relro \
+  -Wl,-soname="$(basename "$library")" -Wl,--version-script="$here/exports.map" -Wl,--build-id=none,--no-undefined \
   "$tensorflow"/libtensorflow_cc.so.* "$tensorflow"/libtensorflow_framework.so.*
 "$TRIPLET-strip" --strip-all --remove-section=.comment "$library"

@@ -20,15 +20,18 @@ namespace {
 using Feeds = std::vector<std::pair<std::string, Tensor>>;
 using Names = std::vector<std::string>;
 
+// A graph may grow between runs. By default sessions optimise for one that does not, and refuse to extend it; whoever
+// gives options of their own decides.
 SessionOptions OptionsFor(const string& target) {
   SessionOptions options;
   options.target = target;
+  options.config.mutable_experimental()->set_disable_optimize_for_static_graph(true);
   return options;
 }
 
 }  // namespace
 
-class ClientSession::Impl {
+class __attribute__((visibility("hidden"))) ClientSession::Impl {
  public:
   Impl(const Scope& scope, const SessionOptions& options) : scope_(scope) {
     Session* session = nullptr;
@@ -108,7 +111,7 @@ ClientSession::ClientSession(const Scope& scope, const SessionOptions& session_o
 
 ClientSession::ClientSession(const Scope& scope, const string& target) : ClientSession(scope, OptionsFor(target)) {}
 
-ClientSession::ClientSession(const Scope& scope) : ClientSession(scope, SessionOptions()) {}
+ClientSession::ClientSession(const Scope& scope) : ClientSession(scope, string()) {}
 
 ClientSession::~ClientSession() = default;
 
