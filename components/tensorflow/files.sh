@@ -19,13 +19,15 @@ wheel=$(basename "$(dirname "$(grep -l '^tensorflow/libtensorflow_cc\.so' "$OUT$
 version=${wheel%.dist-info}
 version=${version##*-}
 
-exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c "$1" >/dev/null; }
+# Whether libtensorflow_cc exports a symbol whose name begins so; nm of the target's architecture reads it. grep counts,
+# so that it reads to the end: nm would fail where nobody listens.
+exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c " $1" >/dev/null; }
 
 # What tf.sysconfig.get_compile_flags() says, without running it: the target may be another architecture. TensorFlow
 # compiles Eigen with this alignment everywhere:
 # https://github.com/tensorflow/tensorflow/blob/master/third_party/eigen3/eigen_archive.BUILD
 abi=0
-if exports '_ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx11'; then abi=1; fi
+if exports _ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx11; then abi=1; fi
 flags=(-D_GLIBCXX_USE_CXX11_ABI="$abi" -DEIGEN_MAX_ALIGN_BYTES=64)
 # Newer headers want TensorFlow's version from the command line.
 if [[ -e $tensorflow/include/tensorflow/core/public/release_version.h ]]; then
@@ -35,7 +37,7 @@ fi
 
 # Wheels from about 2.20 on have the header of ClientSession, the documented way to run a graph, but not the class.
 # It is linked by whoever names libtensorflow_cc and uses it, by way of a linker script, as libc.so is one.
-if ! exports '_ZN10tensorflow13ClientSessionC1ERKNS_5ScopeE$'; then
+if ! exports _ZN10tensorflow13ClientSessionC1E; then
   session=libtensorflow_client_session.so.$soversion
   "$here/client_session/build.sh" "$libraries/$session" "${flags[@]}"
   rm "$libraries/libtensorflow_cc.so"

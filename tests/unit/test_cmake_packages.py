@@ -18,8 +18,8 @@ from stubs import executable
 
 SITE = "usr/local/lib/python3.12/dist-packages"
 TRIPLET = "x86_64-linux-gnu"
-SCOPE = "_ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE"
-SESSION = "_ZN10tensorflow13ClientSessionC1ERKNS_5ScopeE"
+SCOPE = "_ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE@@tensorflow"
+SESSION = "_ZN10tensorflow13ClientSessionC1ERKNS_5ScopeE@@tensorflow"
 
 
 def files(root: Path, *names: str) -> None:

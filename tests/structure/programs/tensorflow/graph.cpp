@@ -30,15 +30,15 @@ void client_session() {
   const tf::Scope root = tf::Scope::NewRootScope();
   const auto a = tf::ops::Placeholder(root.WithOpName("a"), tf::DT_FLOAT);
   const auto product = tf::ops::MatMul(root.WithOpName("product"), a, {{1.f}, {2.f}});
+  const auto sum = tf::ops::Add(root, product, 100.f);
+  const auto constant = tf::ops::Multiply(root, 6, 7);
   tf::ClientSession session(root);
   std::vector<tf::Tensor> outputs;
 
   OK(session.Run({{a, {{3.f, 4.f}}}}, {product}, &outputs));
   SAME(outputs.at(0).scalar<float>()(), 11.f);
 
-  // What is added to the graph after a run, a constant that is fetched without feeds, and an operation to run.
-  const auto sum = tf::ops::Add(root, product, 100.f);
-  const auto constant = tf::ops::Multiply(root, 6, 7);
+  // Several fetches with an operation to run, and a fetch without feeds.
   OK(session.Run({{a, {{3.f, 4.f}}}}, {sum, product}, {sum.z.op()}, &outputs));
   SAME(outputs.at(0).scalar<float>()(), 111.f);
   SAME(outputs.at(1).scalar<float>()(), 11.f);
@@ -73,7 +73,10 @@ void client_session() {
   fault(session.Run({{stranger, 1.f}}, {constant}, &outputs), "stranger");
   fault(session.Run({product}, &outputs), "placeholder tensor 'a'");
   fault(session.Run({{a, tf::Input::Initializer({1.f, 2.f}, {1, 3})}}, {product}, &outputs), "2 elements");
-#ifdef OWN_CLIENT_SESSION  // what wheels that have the class end the process for
+#ifdef OWN_CLIENT_SESSION  // where the class of wheels that have it ends the process, or refuses
+  const auto later = tf::ops::Add(root, constant, 1);  // a graph that grows after a run
+  OK(session.Run({later}, &outputs));
+  SAME(outputs.at(0).scalar<int>()(), 43);
   fault(session.Run({product}, nullptr), "`outputs` is null");
   fault(tf::ClientSession(root, "nowhere://").Run({constant}, &outputs), "nowhere");
 #endif
