@@ -24,8 +24,8 @@ version=${version##*-}
 exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c " $1" >/dev/null; }
 
 # What tf.sysconfig.get_compile_flags() says, without running it: the target may be another architecture. TensorFlow
-# compiles Eigen with this alignment everywhere:
-# https://github.com/tensorflow/tensorflow/blob/master/third_party/eigen3/eigen_archive.BUILD
+# compiles Eigen with this alignment on all architectures:
+# https://github.com/tensorflow/tensorflow/blob/v2.13.1/third_party/eigen3/eigen_archive.BUILD
 abi=0
 if exports _ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx11; then abi=1; fi
 flags=(-D_GLIBCXX_USE_CXX11_ABI="$abi" -DEIGEN_MAX_ALIGN_BYTES=64)
