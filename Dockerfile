@@ -14,6 +14,7 @@
 # Contexts: os, parent, ros, part-cuda, part-common, part-torch, part-tensorflow, image, metadata.
 
 ARG ACCELERATOR=cpu
+ARG PART=common
 
 # ---- ROS ------------------------------------------------------------------------------------------------------------
 # Steps mount just the files they use: a change elsewhere does not run them again.
@@ -54,7 +55,21 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
     /run/components/payload/install-assembler.sh
 ENV PATH=/opt/uv/bin:${PATH}
 
-FROM assembler AS payload-files
+# What a part needs besides: TensorFlow's gets a compiler for the architecture that it is assembled for.
+FROM assembler AS assembler-cuda
+
+FROM assembler AS assembler-common
+
+FROM assembler AS assembler-torch
+
+FROM assembler AS assembler-tensorflow
+ARG TARGETARCH
+RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
+    --mount=type=bind,source=components/tensorflow/install-compiler.sh,target=/run/components/tensorflow/install-compiler.sh \
+    --mount=type=secret,id=ca-bundle \
+    /run/components/tensorflow/install-compiler.sh
+
+FROM assembler-${PART} AS payload-files
 ARG PART STACK PYTHON ACCELERATOR TARGETARCH
 COPY locks/${STACK}/${TARGETARCH}/${PYTHON}/${PART}.txt /lock.txt
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \

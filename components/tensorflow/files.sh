@@ -1,12 +1,55 @@
 #!/usr/bin/env bash
-# TensorFlow's libraries in a default library path: `-ltensorflow_cc -ltensorflow_framework` links, and programs run
-# without LD_LIBRARY_PATH. The headers stay inside the Python package: in a default include path they would shadow the
-# system's protobuf, abseil and Eigen.
+# TensorFlow for C++: libraries in a default library path, so that `-ltensorflow_cc -ltensorflow_framework` links and
+# programs run without LD_LIBRARY_PATH, a CMake package, and a pkg-config file. The headers stay inside the Python
+# package: in a default include path they would shadow the system's protobuf, abseil and Eigen.
 set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
 
-libraries=${OUT:?}/usr/lib/${TRIPLET:?}
+tensorflow=${OUT:?}${SITE:?}/tensorflow
+libraries=$OUT/usr/lib/${TRIPLET:?}
 for name in tensorflow_cc tensorflow_framework; do
-  versioned=$(basename "$OUT${SITE:?}"/tensorflow/lib$name.so.*)
+  versioned=$(basename "$tensorflow/lib$name".so.*)
   ln -s "$SITE/tensorflow/$versioned" "$libraries/$versioned"
   ln -s "$versioned" "$libraries/lib$name.so"
 done
+soversion=${versioned##*.so.}
+
+# <name>-<version>.dist-info: tensorflow, tensorflow_cpu or tensorflow_cpu_aws, whichever has the library.
+wheel=$(basename "$(dirname "$(grep -l '^tensorflow/libtensorflow_cc\.so' "$OUT$SITE"/*.dist-info/RECORD)")")
+version=${wheel%.dist-info}
+version=${version##*-}
+
+# Whether libtensorflow_cc exports a symbol whose name begins so; nm of the target's architecture reads it. grep counts,
+# so that it reads to the end: nm would fail where nobody listens.
+exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c " $1" >/dev/null; }
+
+# What tf.sysconfig.get_compile_flags() says, without running it: the target may be another architecture. TensorFlow
+# compiles Eigen with this alignment on all architectures:
+# https://github.com/tensorflow/tensorflow/blob/v2.13.1/third_party/eigen3/eigen_archive.BUILD
+abi=0
+if exports _ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx11; then abi=1; fi
+flags=(-D_GLIBCXX_USE_CXX11_ABI="$abi" -DEIGEN_MAX_ALIGN_BYTES=64)
+# Newer headers want TensorFlow's version from the command line.
+if [[ -e $tensorflow/include/tensorflow/core/public/release_version.h ]]; then
+  IFS=. read -r major minor patch _ <<<"$version"
+  flags+=(-DTF_MAJOR_VERSION="$major" -DTF_MINOR_VERSION="$minor" -DTF_PATCH_VERSION="${patch%%[!0-9]*}" -DTF_VERSION_SUFFIX=)
+fi
+
+# Wheels from about 2.20 on have the header of ClientSession, the documented way to run a graph, but not the class.
+# It is linked by whoever names libtensorflow_cc and uses it, by way of a linker script, as libc.so is one.
+if ! exports _ZN10tensorflow13ClientSessionC1E; then
+  session=libtensorflow_client_session.so.$soversion
+  "$here/client_session/build.sh" "$libraries/$session" "${flags[@]}"
+  rm "$libraries/libtensorflow_cc.so"
+  printf 'INPUT(/usr/lib/%s/%s AS_NEEDED(/usr/lib/%s/%s))\n' \
+    "$TRIPLET" "libtensorflow_cc.so.$soversion" "$TRIPLET" "$session" >"$libraries/libtensorflow_cc.so"
+fi
+
+fill() {
+  sed -e "s|@SITE@|$SITE|g" -e "s|@TRIPLET@|$TRIPLET|g" -e "s|@VERSION@|$version|g" -e "s|@WHEEL@|$wheel|g" \
+    -e "s|@SOVERSION@|$soversion|g" -e "s|@FLAGS@|${flags[*]}|g" "$here/$1.in" >"$2/$(basename "$1")"
+}
+mkdir -p "$OUT/usr/local/lib/cmake/TensorFlow" "$OUT/usr/local/lib/pkgconfig"
+fill cmake/TensorFlowConfig.cmake "$OUT/usr/local/lib/cmake/TensorFlow"
+fill cmake/TensorFlowConfigVersion.cmake "$OUT/usr/local/lib/cmake/TensorFlow"
+fill pkgconfig/tensorflow_cc.pc "$OUT/usr/local/lib/pkgconfig"

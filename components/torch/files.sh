@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# libtorch for C++: libraries in a default library path, and a CMake package that needs no CUDA toolkit.
+# libtorch for C++: libraries in a default library path, a CMake package that needs no CUDA toolkit, a pkg-config file.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 
@@ -21,12 +21,22 @@ if [[ ${ACCELERATOR:?} == cuda && -d $bundled ]]; then
 fi
 
 # The string ABI as the wheel's own package says: 0 in old wheels for amd64.
-abi=$(sed -n 's/.*_GLIBCXX_USE_CXX11_ABI=\([01]\).*/\1/p' "$OUT$SITE/torch/share/cmake/Torch/TorchConfig.cmake" | head -n 1)
+own=$OUT$SITE/torch/share/cmake/Torch
+abi=$(sed -n 's/.*_GLIBCXX_USE_CXX11_ABI=\([01]\).*/\1/p' "$own/TorchConfig.cmake" | head -n 1)
 version=$(sed -n "s/^__version__ = '\([0-9.]*\).*'/\1/p" "$OUT$SITE/torch/version.py")
+wheel=$(basename "$(echo "$OUT$SITE"/torch-*.dist-info)")
 cmake=$OUT/usr/local/lib/cmake/Torch
-mkdir -p "$cmake"
-for template in "$here"/cmake/*.in; do
-  sed -e "s|@TORCH_ROOT@|$SITE/torch|g" -e "s|@TORCH_VERSION@|$version|g" -e "s|@TRIPLET@|$TRIPLET|g" \
-    -e "s|@CXX11_ABI@|${abi:-1}|g" \
-    "$template" >"$cmake/$(basename "$template" .in)"
+mkdir -p "$cmake" "$OUT/usr/local/lib/pkgconfig"
+fill() {
+  sed -e "s|@SITE@|$SITE|g" -e "s|@WHEEL@|$wheel|g" -e "s|@TORCH_VERSION@|$version|g" -e "s|@TRIPLET@|$TRIPLET|g" \
+    -e "s|@CXX11_ABI@|${abi:-1}|g" "$here/$1.in"
+}
+fill pkgconfig/torch.pc >"$OUT/usr/local/lib/pkgconfig/torch.pc"
+# -DCMAKE_PREFIX_PATH=$(python3 -c 'import torch; print(torch.utils.cmake_prefix_path)'), as PyTorch's documentation has
+# it, leads to the wheel's own package: it leads on to this one. Relative, for root folders that are not /.
+ours=$(realpath --relative-to="$own" "$cmake")
+for name in TorchConfig.cmake TorchConfigVersion.cmake; do
+  fill "cmake/$name" >"$cmake/$name"
+  rm -f "$own/$name" # a link to uv's copy, perhaps
+  echo "include(\"\${CMAKE_CURRENT_LIST_DIR}/$ours/$name\")" >"$own/$name"
 done

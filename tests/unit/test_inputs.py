@@ -79,6 +79,8 @@ FILES: dict[str, tuple[bool, set[str]]] = {
     "components/torch/files.sh": (False, {"torch"}),
     "components/torch/cmake/TorchConfig.cmake.in": (False, {"torch"}),
     "components/tensorflow/files.sh": (False, {"tensorflow"}),
+    "components/tensorflow/client_session/client_session.cc": (False, {"tensorflow"}),
+    "components/tensorflow/install-compiler.sh": (False, {"tensorflow"}),
     "components/cuda/files.sh": (False, {"cuda"}),
     "components/payload/bytecode.sh": (False, PARTS),
     "components/payload/install-assembler.sh": (False, PARTS),
@@ -246,6 +248,12 @@ STAGES: dict[str, tuple[str, str, bool, set[str]]] = {
     "ros": ("ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO", "ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO X=1", True, set()),
     "torch": ("ENV TORCH_VERSION=", "ENV X=1 TORCH_VERSION=", False, {"torch"}),
     "assembler": ("ENV PATH=/opt/uv/bin", "ENV X=1 PATH=/opt/uv/bin", False, PARTS),
+    "compiler": (
+        "FROM assembler AS assembler-tensorflow\n",
+        "FROM assembler AS assembler-tensorflow\nARG X\n",
+        False,
+        {"tensorflow"},
+    ),
     "test-run": ("ARG TESTS EXPECT", "ARG TESTS EXPECT X", False, set()),
     "all": ("ARG ACCELERATOR=cpu\n", "ARG ACCELERATOR=cuda\n", True, PARTS),
 }

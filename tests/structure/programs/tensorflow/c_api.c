@@ -7,6 +7,6 @@ int main(void) {
   TF_Tensor* tensor = TF_AllocateTensor(TF_FLOAT, shape, 2, 6 * sizeof(float));
   if (TF_TensorByteSize(tensor) != 6 * sizeof(float)) return 1;
   TF_DeleteTensor(tensor);
-  printf("libtensorflow %s\n", TF_Version());
+  printf("tensorflow %s\n", TF_Version());
   return 0;
 }

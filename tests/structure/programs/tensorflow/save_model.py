@@ -1,0 +1,20 @@
+#!/usr/bin/env python3
+"""save_model.py FOLDER: saves a model that computes y = factor * x, with a variable for the factor."""
+
+import sys
+
+import tensorflow as tf
+
+
+class Scale(tf.Module):
+    def __init__(self) -> None:
+        super().__init__()
+        self.factor = tf.Variable(3.0)
+
+    @tf.function(input_signature=[tf.TensorSpec([None], tf.float32, name="x")])
+    def __call__(self, x: tf.Tensor) -> dict:
+        return {"y": self.factor * x}
+
+
+model = Scale()
+tf.saved_model.save(model, sys.argv[1], signatures=model.__call__)

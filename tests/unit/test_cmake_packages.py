@@ -1,0 +1,260 @@
+"""find_package(Torch) and find_package(TensorFlow) as files.sh makes them, on wheels that have just their outlines.
+
+CMake configures, nothing is compiled: whether programs build and run is tested in the images.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+from stubs import executable
+
+SITE = "usr/local/lib/python3.12/dist-packages"
+TRIPLET = "x86_64-linux-gnu"
+SCOPE = "_ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEE@@tensorflow"
+SESSION = "_ZN10tensorflow13ClientSessionC1ERKNS_5ScopeE@@tensorflow"
+
+
+def files(root: Path, *names: str) -> None:
+    for name in names:
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text("")
+
+
+def assemble(root: Path, part: str, *symbols: str) -> None:
+    """Runs a part's files.sh with a compiler that makes empty files and a library that exports these symbols."""
+    programs = root / "programs"
+    programs.mkdir()
+    executable(programs / f"{TRIPLET}-nm", "".join(f"echo '0 T {symbol}'\n" for symbol in symbols))
+    executable(programs / f"{TRIPLET}-strip", ":")
+    executable(programs / f"{TRIPLET}-g++", 'while [ "$1" != -o ]; do shift; done; : >"$2"')
+    (root / "usr/lib" / TRIPLET).mkdir(parents=True)
+    environment = {
+        "PATH": f"{programs}:{os.environ['PATH']}",
+        "OUT": str(root),
+        "SITE": f"/{SITE}",
+        "TRIPLET": TRIPLET,
+        "ACCELERATOR": "cpu",
+    }
+    subprocess.run([ROOT / f"components/{part}/files.sh"], env=environment, check=True)
+    # Links lead to places in the image.
+    for link in (root / "usr/lib" / TRIPLET).iterdir():
+        if link.is_symlink() and os.readlink(link).startswith("/"):
+            target = root / os.readlink(link).lstrip("/")
+            link.unlink()
+            link.symlink_to(target)
+
+
+@pytest.fixture
+def torch(tmp_path: Path) -> Path:
+    root = tmp_path / "torch root"
+    site = root / SITE
+    files(site, "torch-2.10.0+cu128.dist-info/RECORD", *(f"torch/lib/lib{x}.so" for x in ("c10", "torch_cpu", "torch")))
+    files(site, "torch/share/cmake/Torch/TorchConfigVersion.cmake")
+    (site / "torch/share/cmake/Torch/TorchConfig.cmake").write_text(
+        'set(TORCH_CXX_FLAGS "-D_GLIBCXX_USE_CXX11_ABI=1")\nmessage(FATAL_ERROR "cannot find the CUDA libraries")\n'
+    )
+    (site / "torch/version.py").write_text("__version__ = '2.10.0+cu128'\n")
+    assemble(root, "torch")
+    return root
+
+
+def tensorflow(folder: Path, version: str, *symbols: str) -> Path:
+    root = folder / "tensorflow root"
+    site = root / SITE
+    files(site, *(f"tensorflow/libtensorflow_{x}.so.2" for x in ("cc", "framework")))
+    files(site, "tensorflow_estimator-2.13.0.dist-info/RECORD", f"tensorflow_cpu-{version}.dist-info/RECORD")
+    (site / f"tensorflow_cpu-{version}.dist-info/RECORD").write_text("tensorflow/libtensorflow_cc.so.2,sha256=x,1\n")
+    if version != "2.13.1":
+        files(site, "tensorflow/include/tensorflow/core/public/release_version.h")
+    assemble(root, "tensorflow", SCOPE, *symbols)
+    return root
+
+
+@pytest.fixture
+def newer(tmp_path: Path) -> Path:
+    """A wheel without ClientSession."""
+    return tensorflow(tmp_path, "2.20.0")
+
+
+def configure(folder: Path, root: Path, text: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Configures a project without languages; Threads is a stand-in, as the real one wants a compiler."""
+    project = folder / "project"
+    shutil.rmtree(project, ignore_errors=True)
+    project.mkdir()
+    (project / "FindThreads.cmake").write_text(
+        "if(NOT TARGET Threads::Threads)\n  add_library(Threads::Threads INTERFACE IMPORTED)\nendif()\n"
+        "set(Threads_FOUND TRUE)\n"
+    )
+    (project / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.19)\nproject(x LANGUAGES NONE)\n"
+        f"list(APPEND CMAKE_MODULE_PATH ${{CMAKE_SOURCE_DIR}})\n{text}\n"
+    )
+    prefix = [] if arguments else [f"-DCMAKE_PREFIX_PATH={root / 'usr/local'}"]
+    command = [str(Path(sys.executable).parent / "cmake"), "-G", "Unix Makefiles", "-S", str(project), "-B"]
+    command += [str(project / "build"), "-DCMAKE_MAKE_PROGRAM=/bin/true", *prefix, *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def found(done: subprocess.CompletedProcess[str]) -> list[str]:
+    """What the project reported with message(STATUS "= ...")."""
+    assert done.returncode == 0, done.stderr
+    return [line.removeprefix("-- = ") for line in done.stdout.splitlines() if line.startswith("-- = ")]
+
+
+# ---- Scopes and repeated calls ---------------------------------------------------------------------------------------
+
+REPORT = {
+    "Torch": "${TORCH_FOUND} ${Torch_VERSION} ${TORCH_LIBRARIES} ${TORCH_CXX_FLAGS} ${TORCH_INCLUDE_DIRS}",
+    "TensorFlow": "${TensorFlow_FOUND} ${TensorFlow_VERSION} ${TensorFlow_LIBRARIES} ${TensorFlow_CXX_FLAGS} "
+    "${TensorFlow_INCLUDE_DIRS}",
+}
+
+
+@pytest.mark.parametrize("package", REPORT)
+def test_variables_are_there_in_every_scope_and_after_every_call(
+    package: str, tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    root: Path = request.getfixturevalue({"Torch": "torch", "TensorFlow": "newer"}[package])
+    call = f'find_package({package} REQUIRED)\nmessage(STATUS "= {REPORT[package]}")\n'
+    text = (
+        f"function(in_a_function)\n{call}endfunction()\nin_a_function()\n{call}{call}"
+        f"foreach(name a b)\n  file(WRITE ${{CMAKE_SOURCE_DIR}}/${{name}}/CMakeLists.txt [=[{call}]=])\n"
+        "  add_subdirectory(${name})\nendforeach()"
+    )
+    lines = found(configure(tmp_path, root, text))
+    assert len(lines) == 5
+    assert len(set(lines)) == 1
+    wanted = {
+        "Torch": f"TRUE 2.10.0 torch;torch_library -D_GLIBCXX_USE_CXX11_ABI=1 {root / SITE}/torch/include;",
+        "TensorFlow": "1 2.20.0 TensorFlow::tensorflow_cc;TensorFlow::tensorflow_framework "
+        "-D_GLIBCXX_USE_CXX11_ABI=1 -DEIGEN_MAX_ALIGN_BYTES=64 -DTF_MAJOR_VERSION=2 -DTF_MINOR_VERSION=20 "
+        f"-DTF_PATCH_VERSION=0 -DTF_VERSION_SUFFIX= {root / SITE}/tensorflow/include",
+    }
+    assert lines[0].startswith(wanted[package])
+
+
+# ---- Versions --------------------------------------------------------------------------------------------------------
+
+REQUESTS = {
+    "": True,
+    "2": True,
+    "2.4": True,
+    "2.10": True,
+    "2.10.0 EXACT": True,
+    "2.10 EXACT": True,
+    "2.4 EXACT": False,
+    "2.10.1": False,
+    "2.99": False,
+    "1.13": False,
+    "1": False,
+    "3": False,
+    "20": False,
+    "2.4...<3": True,
+    "2.4...2.10": True,
+    "1.13...3": True,
+    "2...<2.10": False,
+    "2.11...<3": False,
+    "1...<2": False,
+}
+"""What is asked of a package of version 2.10.0, and whether that version will do."""
+
+
+def requests(package: str) -> str:
+    return "".join(
+        f'find_package({package} {request} QUIET)\nmessage(STATUS "= {request}: ${{{package}_FOUND}}")\n'
+        f"unset({package}_DIR CACHE)\nunset({package}_FOUND)\n"
+        for request in REQUESTS
+    )
+
+
+def test_versions_of_torch(tmp_path: Path, torch: Path) -> None:
+    lines = found(configure(tmp_path, torch, requests("Torch")))
+    assert [line.endswith((": 1", ": TRUE")) for line in lines] == list(REQUESTS.values()), lines
+
+
+def test_versions_of_tensorflow(tmp_path: Path) -> None:
+    root = tensorflow(tmp_path, "2.10.0")
+    lines = found(configure(tmp_path, root, requests("TensorFlow")))
+    assert [line.endswith((": 1", ": TRUE")) for line in lines] == list(REQUESTS.values()), lines
+
+
+# ---- Torch -----------------------------------------------------------------------------------------------------------
+
+
+def test_the_path_that_torch_tells_leads_to_the_package_without_a_toolkit(tmp_path: Path, torch: Path) -> None:
+    told = f"-DCMAKE_PREFIX_PATH={torch / SITE / 'torch/share/cmake'}"
+    text = 'find_package(Torch 2.4...<3 REQUIRED)\nmessage(STATUS "= ${TORCH_INSTALL_PREFIX} ${Torch_DIR}")'
+    (line,) = found(configure(tmp_path, torch, text, told))
+    assert line == f"{torch / SITE}/torch {torch / SITE}/torch/share/cmake/Torch"
+    failed = configure(tmp_path, torch, "find_package(Torch 3 REQUIRED)", told)
+    assert "version: 2.10.0" in failed.stderr
+
+
+# ---- TensorFlow ------------------------------------------------------------------------------------------------------
+
+
+def test_a_client_session_is_built_where_the_wheel_has_none(tmp_path: Path, newer: Path) -> None:
+    libraries = newer / "usr/lib" / TRIPLET
+    assert (libraries / "libtensorflow_cc.so").read_text() == (
+        f"INPUT(/usr/lib/{TRIPLET}/libtensorflow_cc.so.2 "
+        f"AS_NEEDED(/usr/lib/{TRIPLET}/libtensorflow_client_session.so.2))\n"
+    )
+    text = (
+        "find_package(TensorFlow REQUIRED)\n"
+        "get_target_property(links TensorFlow::tensorflow_cc INTERFACE_LINK_LIBRARIES)\n"
+        'message(STATUS "= ${links}")'
+    )
+    (line,) = found(configure(tmp_path, newer, text))
+    assert line.endswith(",--pop-state;TensorFlow::tensorflow_framework;TensorFlow::tensorflow_client_session")
+
+
+def test_nothing_is_built_where_the_wheel_has_one(tmp_path: Path) -> None:
+    root = tensorflow(tmp_path, "2.13.1", SESSION)
+    libraries = root / "usr/lib" / TRIPLET
+    assert os.readlink(libraries / "libtensorflow_cc.so") == "libtensorflow_cc.so.2"
+    assert not (libraries / "libtensorflow_client_session.so.2").exists()
+    text = (
+        "find_package(TensorFlow 2.13 REQUIRED)\n"
+        'if(TARGET TensorFlow::tensorflow_client_session)\n  message(FATAL_ERROR "not wanted")\nendif()\n'
+        'message(STATUS "= ${TensorFlow_CXX_FLAGS}")'
+    )
+    assert found(configure(tmp_path, root, text)) == ["-D_GLIBCXX_USE_CXX11_ABI=1 -DEIGEN_MAX_ALIGN_BYTES=64"]
+
+
+# ---- Wheels that are gone --------------------------------------------------------------------------------------------
+
+
+def removed(site: Path) -> None:
+    """What `pip uninstall` does."""
+    for folder in site.iterdir():
+        shutil.rmtree(folder)
+
+
+def replaced(site: Path) -> None:
+    """What `pip install` of another release does."""
+    for folder in site.glob("t*[0-9].dist-info"):
+        folder.rename(site / f"{folder.name.split('-')[0]}-2.0.0.dist-info")
+    for folder in site.glob("torch-2.10.0*"):
+        folder.rename(site / "torch-2.0.0.dist-info")
+
+
+@pytest.mark.parametrize("change", [removed, replaced])
+@pytest.mark.parametrize("package", REPORT)
+def test_a_wheel_that_is_gone_is_said_to_be(
+    package: str, change: Callable[[Path], None], tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    root: Path = request.getfixturevalue({"Torch": "torch", "TensorFlow": "newer"}[package])
+    change(root / SITE)
+    text = f'find_package({package} QUIET)\nmessage(STATUS "= ${{{package}_FOUND}} ${{TORCH_FOUND}}")'
+    assert found(configure(tmp_path, root, text)) == [{"Torch": "0 FALSE", "TensorFlow": "0 "}[package]]
+    failed = configure(tmp_path, root, f"find_package({package} REQUIRED)")
+    assert failed.returncode != 0
+    assert "was uninstalled from" in " ".join(failed.stderr.split())
