@@ -211,7 +211,7 @@ def test_wrong_matrix(small_file: Path) -> None:
     done = generate("--list", "--matrix", "matrix.yaml", cwd=small_file.parent)
     assert done.returncode == 2
     assert done.stderr == (
-        "matrix.yaml:47:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
+        "matrix.yaml:50:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
         "did you mean 'ubuntu-24.04' or 'ubuntu-26.04'?\n"
     )
 
