@@ -51,7 +51,7 @@ judge_signature() {
           "live and snapshot are mixed up: check 'apt' of the distribution in matrix.yaml, and the mirror"
     done
     fail "an apt source is signed with the key $key, which is not a pinned one" \
-      "check the mirror; if ROS has a new key, pin it in apt_sources of matrix.yaml or in components/ros/keys"
+      "check the mirror, and if ROS has a new key, pin it in apt_sources of matrix.yaml or in components/ros/keys"
   elif key=$(said 'EXPKEYSIG|KEYEXPIRED|not alive|key .*expired'); then
     fail "the key of an apt source has expired ($key)" \
       "pin a newer release in apt_sources of matrix.yaml, or the prolonged key in components/ros/keys"
@@ -92,7 +92,7 @@ apt_install() {
     if logged apt-get install --yes "$@"; then return; fi
     if why=$(said 'Unable to locate package|has no installation candidate'); then
       fail "no apt source has a package ($why)" \
-        "check its name in matrix.yaml; past its end of life a distribution is on the snapshot only: 'apt: {channel: final}'"
+        "check its name in matrix.yaml (past its end of life, a distribution is on the snapshot only: {channel: final})"
     elif said 'unmet dependencies' >/dev/null; then
       fail "no apt source has what a package needs ($(said 'Depends: '))" \
         "check that the base image has Ubuntu's universe, and that the mirror is whole"

@@ -35,7 +35,7 @@ download() {
       found=$(sha256sum "$1" | cut -d ' ' -f 1)
       [[ $found == "$digest" ]] ||
         fail "$url has the sha256 $found, and not the pinned $digest" \
-          "check the mirror; if the release was made anew on purpose, pin its digest in apt_sources of matrix.yaml"
+          "check the mirror, and if the release was made anew on purpose, pin its digest in apt_sources of matrix.yaml"
       return
     fi
     [[ $status != 404 ]] || fail "$url does not exist" "check apt_sources and codename in matrix.yaml, and the mirror"
