@@ -133,7 +133,9 @@ class OperatingSystem(Facts):
     )
     architectures: Names = Field(description="architectures that images of it are built for")
     tools: Packages = Field(description="Debian packages of the developers' tools: colcon, rosdep, vcs")
-    codename: Name | None = Field(default=None, description="name of its suite in ROS's apt repositories, such as noble")
+    codename: Name | None = Field(
+        default=None, description="name of its suite in ROS's apt repositories, such as noble"
+    )
     apt_sources: dict[Generation, AptSource] = Field(
         default={}, description="the package <generation>-apt-source of ROS 1 (ros) and ROS 2 (ros2) for it"
     )
