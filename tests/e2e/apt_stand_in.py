@@ -52,7 +52,7 @@ class Keys:
 
     def make(self, name: str) -> None:
         """Makes a key; `expired` had thirty days in the past."""
-        arguments = ["--passphrase", "", "--quick-generate-key", f"{name} <{name}@example.org>", "rsa2048", "sign"]
+        arguments = ["--passphrase", "", "--quick-generate-key", f"{name} <{name}@example.org>", "ed25519", "sign"]
         self._gpg(name, *arguments, "30d" if name == "expired" else "0")
 
     def armored(self, name: str) -> str:

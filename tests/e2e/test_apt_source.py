@@ -183,6 +183,16 @@ def files(folder: Path) -> list[Path]:
     return [path for path in folder.rglob("*") if path.is_file() and not path.is_symlink()]
 
 
+def test_a_snapshot_of_a_day(row: Callable[[str], Row]) -> None:
+    made = row("iron")
+    final = made.repository.folder.parent
+    final.rename(final.with_name("2026-08-07"))
+    done = made.build(ROS_CHANNEL="snapshot", ROS_SNAPSHOT="2026-08-07")
+    assert done.code == 0, done.out + done.err
+    said = made.image.read("usr/local/share/rosml/versions.d/ros")
+    assert said.startswith("ros-channel snapshot\nros-source http://snapshots.ros.org/iron/2026-08-07/ubuntu\n")
+
+
 def test_official_addresses_through_a_proxy(row: Callable[[str], Row]) -> None:
     """Without a mirror: what is asked for are the official addresses."""
     made = row("iron")
