@@ -37,10 +37,11 @@ ENTRYPOINT ["/tini", "--", "/entrypoint.sh"]
 CMD ["bash"]
 
 FROM parent AS ros
-ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT
+ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT ROS_CODENAME ROS_APT_SOURCE
 RUN --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/ros,target=/run/components/ros \
     --mount=type=secret,id=ca-bundle \
+    --mount=type=secret,id=ros-apt-mirror \
     /run/components/ros/install.sh
 ENV ROS_DISTRO=${ROS_DISTRO} \
     ROS_VERSION=${ROS_VERSION}

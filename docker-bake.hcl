@@ -65,6 +65,11 @@ variable "CA_BUNDLE" {
   default = ""
 }
 
+# mirror of ROS's apt sources and of github.com, such as http://host:3142; never part of an image
+variable "ROS_APT_MIRROR" {
+  default = ""
+}
+
 # for build steps; never part of an image
 variable "HTTP_PROXY" {
   default = ""
@@ -134,7 +139,7 @@ function "given" {
 
 target "_common" {
   context = "."
-  secret  = CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"]
+  secret  = concat(CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"], ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"])
   args = {
     SOURCE_DATE_EPOCH = SOURCE_DATE_EPOCH
     HTTP_PROXY        = given(HTTP_PROXY)
@@ -224,9 +229,10 @@ target "_ros-noetic" {
   inherits = ["_distribution-noetic"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "noetic"
-    ROS_VERSION = "1"
-    ROS_CHANNEL = "final"
+    ROS_DISTRO   = "noetic"
+    ROS_VERSION  = "1"
+    ROS_CHANNEL  = "final"
+    ROS_CODENAME = "focal"
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -329,9 +335,10 @@ target "_ros-foxy" {
   inherits = ["_distribution-foxy"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "foxy"
-    ROS_VERSION = "2"
-    ROS_CHANNEL = "final"
+    ROS_DISTRO   = "foxy"
+    ROS_VERSION  = "2"
+    ROS_CHANNEL  = "final"
+    ROS_CODENAME = "focal"
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -395,9 +402,11 @@ target "_ros-humble" {
   inherits = ["_distribution-humble"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "humble"
-    ROS_VERSION = "2"
-    ROS_CHANNEL = "live"
+    ROS_DISTRO     = "humble"
+    ROS_VERSION    = "2"
+    ROS_CHANNEL    = "live"
+    ROS_CODENAME   = "jammy"
+    ROS_APT_SOURCE = "1.2.0@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433"
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -487,9 +496,10 @@ target "_ros-iron" {
   inherits = ["_distribution-iron"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "iron"
-    ROS_VERSION = "2"
-    ROS_CHANNEL = "final"
+    ROS_DISTRO   = "iron"
+    ROS_VERSION  = "2"
+    ROS_CHANNEL  = "final"
+    ROS_CODENAME = "jammy"
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -579,9 +589,11 @@ target "_ros-jazzy" {
   inherits = ["_distribution-jazzy"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "jazzy"
-    ROS_VERSION = "2"
-    ROS_CHANNEL = "live"
+    ROS_DISTRO     = "jazzy"
+    ROS_VERSION    = "2"
+    ROS_CHANNEL    = "live"
+    ROS_CODENAME   = "noble"
+    ROS_APT_SOURCE = "1.2.0@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5"
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -671,9 +683,11 @@ target "_ros-kilted" {
   inherits = ["_distribution-kilted"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "kilted"
-    ROS_VERSION = "2"
-    ROS_CHANNEL = "live"
+    ROS_DISTRO     = "kilted"
+    ROS_VERSION    = "2"
+    ROS_CHANNEL    = "live"
+    ROS_CODENAME   = "noble"
+    ROS_APT_SOURCE = "1.2.0@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5"
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -763,9 +777,11 @@ target "_ros-lyrical" {
   inherits = ["_distribution-lyrical"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "lyrical"
-    ROS_VERSION = "2"
-    ROS_CHANNEL = "live"
+    ROS_DISTRO     = "lyrical"
+    ROS_VERSION    = "2"
+    ROS_CHANNEL    = "live"
+    ROS_CODENAME   = "resolute"
+    ROS_APT_SOURCE = "1.2.0@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3"
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -855,9 +871,11 @@ target "_ros-rolling" {
   inherits = ["_distribution-rolling"]
   target   = "ros"
   args = {
-    ROS_DISTRO  = "rolling"
-    ROS_VERSION = "2"
-    ROS_CHANNEL = "live"
+    ROS_DISTRO     = "rolling"
+    ROS_VERSION    = "2"
+    ROS_CHANNEL    = "live"
+    ROS_CODENAME   = "resolute"
+    ROS_APT_SOURCE = "1.2.0@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3"
   }
   labels = { "io.rosml.framework" = "none" }
 }

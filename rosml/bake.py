@@ -9,7 +9,7 @@ from typing import Any
 from rosml import names, rules
 from rosml.expand import MAKE_LOCKS, Catalogue, Image, Payload
 from rosml.hcl import Expression, block, call, template, text
-from rosml.model import PARTS, Distribution, Matrix
+from rosml.model import PARTS, Apt, Distribution, Matrix, OperatingSystem
 
 EPOCH = "1767225600"
 """2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
@@ -140,6 +140,8 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield "REVISION", "", "commit that is built, for a label"
     yield "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
     yield "CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer"
+    mirror = "mirror of ROS's apt sources and of github.com, such as http://host:3142; never part of an image"
+    yield "ROS_APT_MIRROR", "", mirror
     for proxy in PROXIES:
         yield proxy, "", "for build steps; never part of an image"
 
@@ -155,7 +157,11 @@ def _groups(catalogue: Catalogue) -> Iterator[str]:
 
 def _abstract(catalogue: Catalogue) -> Iterator[Target]:
     proxies = {proxy: call("given", Expression(proxy)) for proxy in PROXIES}
-    secret = Expression('CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"]')
+    # A mirror is a secret like the certificates: an argument would be in the image's history.
+    secret = Expression(
+        'concat(CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"], '
+        'ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"])'
+    )
     epoch = {"SOURCE_DATE_EPOCH": Expression("SOURCE_DATE_EPOCH")}
     yield "_common", {"context": ".", "secret": secret, "args": epoch | proxies}
     yield "_base", {"inherits": ["_common"], "target": "base"}
@@ -224,11 +230,20 @@ def _ros(matrix: Matrix, name: str, distribution: Distribution) -> dict[str, obj
     """What a distribution's images without a framework have in common."""
     args = {"ROS_DISTRO": distribution.ros_distro or name, "ROS_VERSION": str(distribution.ros)}
     if distribution.apt:
-        args["ROS_CHANNEL"] = distribution.apt.channel
-        if distribution.apt.date:
-            args["ROS_SNAPSHOT"] = distribution.apt.date.isoformat()
+        args |= _apt(matrix.operating_systems[distribution.os], distribution, distribution.apt)
     labels = {"io.rosml.framework": rules.plain(matrix)}
     return {"inherits": [_distribution_target(name)], "target": "ros", "args": args, "labels": labels}
+
+
+def _apt(system: OperatingSystem, distribution: Distribution, apt: Apt) -> dict[str, str]:
+    """Arguments of a distribution whose packages come from ROS's own apt repository."""
+    args = {"ROS_CHANNEL": apt.channel, "ROS_CODENAME": system.codename or ""}
+    if apt.date:
+        args["ROS_SNAPSHOT"] = apt.date.isoformat()
+    if apt.channel == "live":
+        source = system.apt_sources[distribution.generation]
+        args["ROS_APT_SOURCE"] = f"{source.version}@{source.digest}"
+    return args
 
 
 def _ros_image(catalogue: Catalogue, image: Image) -> dict[str, object]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from rosml import names, rules
 from rosml.errors import RosmlError
 from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
-from rosml.model import Matrix
+from rosml.model import Apt, Distribution, Matrix, OperatingSystem
 from rosml.problems import listed, unknown
 
 
@@ -91,6 +91,14 @@ def _image(matrix: Matrix, image: Image) -> str:
     return "\n".join([f"{image.target} exists:", *(f"  - {fact}" for fact in _facts(matrix, image))])
 
 
+def _apt(distribution: Distribution, system: OperatingSystem, apt: Apt) -> str:
+    if apt.channel == "live":
+        source = system.apt_sources[distribution.generation]
+        return f"packages come from ROS's live apt repository, set up by {distribution.generation}-apt-source {source.version}"
+    which = f"of {apt.date}" if apt.date else "final, which gets no updates"
+    return f"packages come from ROS's apt snapshot: {which}"
+
+
 def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
     system = matrix.operating_systems[image.os]
     yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
@@ -105,6 +113,8 @@ def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
         yield f"it is {image.parent} joined with {listed(image.parts)}"
     else:
         yield f"it is {image.parent} with {image.packages} installed"
+        if apt := matrix.distributions[image.distribution].apt:
+            yield _apt(matrix.distributions[image.distribution], system, apt)
     yield f"platforms: {listed(image.platforms)}"
     for architecture in matrix.architectures:
         reason = rules.architecture_reason(matrix, image.os, image.framework, image.stack, architecture)

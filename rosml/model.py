@@ -16,6 +16,8 @@ from pydantic_core import PydanticKnownError
 
 Part = Literal["cuda", "common", "torch", "tensorflow"]
 Family = Literal["torch", "tensorflow"]
+Generation = Literal["ros", "ros2"]
+"""ROS 1 and ROS 2, as ROS's apt repositories and their packages call them."""
 
 PARTS: tuple[Part, ...] = ("cuda", "common", "torch", "tensorflow")
 """Payload parts in the order in which the Dockerfile joins them."""
@@ -121,6 +123,13 @@ class Architecture(Facts):
     )
 
 
+class AptSource(Facts):
+    """A release of the package that sets ROS's live apt repository up: its address and its key."""
+
+    version: Version = Field(description="version of the release")
+    digest: Digest = Field(description="digest of the package file")
+
+
 class OperatingSystem(Facts):
     """What a distribution stands on."""
 
@@ -132,6 +141,12 @@ class OperatingSystem(Facts):
     )
     architectures: Names = Field(description="architectures that images of it are built for")
     tools: Packages = Field(description="Debian packages of the developers' tools: colcon, rosdep, vcs")
+    codename: Name | None = Field(
+        default=None, description="name of its suite in ROS's apt repositories, such as noble"
+    )
+    apt_sources: dict[Generation, AptSource] = Field(
+        default={}, description="the package <generation>-apt-source of ROS 1 (ros) and ROS 2 (ros2) for it"
+    )
     provides: dict[Word, Version] = Field(
         default={}, description="Python packages of the system that ROS's tools import: no payload carries them"
     )
@@ -248,6 +263,11 @@ class Distribution(Facts):
     apt: Apt | None = Field(
         default=None, description="ROS's own apt repository, for packages that are not the system's"
     )
+
+    @property
+    def generation(self) -> Generation:
+        """How ROS's apt repositories call its generation of ROS."""
+        return "ros" if self.ros == 1 else "ros2"
 
     @cached_property
     def present(self) -> frozenset[str]:

@@ -6,7 +6,7 @@ import string
 from collections.abc import Iterable, Iterator
 
 from rosml import names
-from rosml.model import PARTS, Matrix, Release
+from rosml.model import PARTS, Distribution, Matrix, OperatingSystem, Release
 from rosml.problems import Path, listed, near, unknown
 
 Finding = tuple[Path, str]
@@ -230,6 +230,18 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
         yield from _placeholders((*path, "packages"), distribution.packages, PLACEHOLDERS)
         if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
             yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
+        if distribution.apt and distribution.os in matrix.operating_systems:
+            yield from _apt((*path, "apt"), distribution, matrix.operating_systems[distribution.os])
+
+
+def _apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
+    """ROS's apt repository has a suite for the operating system; the live one is set up by a pinned package."""
+    if os.codename is None:
+        yield path, f"ROS's apt repositories need the suite of {distribution.os}; add 'codename: …' to it"
+    if distribution.apt and distribution.apt.channel == "live" and distribution.generation not in os.apt_sources:
+        package, pin = f"{distribution.generation}-apt-source", "{version: …, digest: …}"
+        remedy = f"add 'apt_sources: {{{distribution.generation}: {pin}}}' to it"
+        yield path, f"the live channel needs a pinned {package} for {distribution.os}; {remedy}"
 
 
 def _placeholders(path: Path, template: str, known: tuple[str, ...]) -> Iterator[Finding]:

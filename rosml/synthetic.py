@@ -50,7 +50,8 @@ def _head() -> str:
     for number in range(_SYSTEMS):
         lines.append(
             f"  os-{number}: {{image: 'docker.io/library/os:{number}', digest: 'sha256:{number:064x}', "
-            f"python: '3.{8 + number}', numpy: <2, architectures: {architectures}, tools: colcon vcstool}}"
+            f"python: '3.{8 + number}', numpy: <2, architectures: {architectures}, tools: colcon vcstool, "
+            f"codename: os{number}, apt_sources: {{ros2: {{version: 1.2.0, digest: 'sha256:{number:064x}'}}}}}}"
         )
     lines.append("components:")
     for name, below in zip(_COMPONENTS, (None, *_COMPONENTS), strict=False):

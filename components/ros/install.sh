@@ -2,13 +2,20 @@
 # Installs one ROS component on top of the one below it.
 #   ROS_PACKAGES  Debian packages of the component, separated by spaces
 #   ROS_TOOLS     packages of the developers' tools (colcon, rosdep, vcs), installed with the first component
+#   ROS_CHANNEL   live, snapshot or final, where packages come from ROS's own apt source; see source.sh
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
 source "$here/../build/network.sh"
+# shellcheck source=components/ros/apt.sh
+source "$here/apt.sh"
+
+# The first component brings the apt source; later ones find it in the image that they stand on.
+if [[ -n ${ROS_CHANNEL:-} && -n ${ROS_TOOLS:-} ]]; then "$here/source.sh"; fi
+use_mirror
 
 read -ra packages <<<"${ROS_TOOLS:-} ${ROS_PACKAGES:?}"
-apt-get update
-apt-get install --yes "${packages[@]}"
+apt_update
+apt_install "${packages[@]}"
 
 "$here/../build/clean.sh"

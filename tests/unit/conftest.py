@@ -34,6 +34,8 @@ operating_systems:
     numpy: "<2"
     architectures: [amd64, arm64]
     tools: colcon
+    codename: noble
+    apt_sources: {{ros2: {{version: 2.0.0, digest: sha256:{"3" * 64}}}}}
   ubuntu-26.04:
     image: docker.io/library/ubuntu:26.04
     digest: sha256:{"2" * 64}
@@ -41,6 +43,7 @@ operating_systems:
     numpy: ">=2.2,<2.3"
     architectures: [amd64, arm64]
     tools: colcon
+    codename: resolute
 components:
   core: {{metapackage: ros-core}}
   base: {{metapackage: ros-base, builds_on: core}}

@@ -180,6 +180,8 @@ def test_list_is_one_line_for_each_image(real: Catalogue) -> None:
 
 EXITS: dict[str, tuple[list[str], int, str]] = {
     "exists": (["--explain", "bookworm-core"], 0, "bookworm-core exists:"),
+    "live packages": (["--explain", "jazzy-core"], 0, "ROS's live apt repository, set up by ros2-apt-source 1.2.0"),
+    "final packages": (["--explain", "iron-core"], 0, "ROS's apt snapshot: final, which gets no updates"),
     "ruled out": (["--explain", "jazzy-robot"], 0, "jazzy (ROS 2) has no robot metapackage"),
     "no lock": (["--explain", "bookworm-core-torch-cpu"], 0, "run 'make locks'"),
     "not understood": (["--explain", "bokworm-core"], 2, "did you mean 'bookworm-core'"),
@@ -211,7 +213,7 @@ def test_wrong_matrix(small_file: Path) -> None:
     done = generate("--list", "--matrix", "matrix.yaml", cwd=small_file.parent)
     assert done.returncode == 2
     assert done.stderr == (
-        "matrix.yaml:47:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
+        "matrix.yaml:50:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
         "did you mean 'ubuntu-24.04' or 'ubuntu-26.04'?\n"
     )
 
@@ -335,6 +337,12 @@ def test_variables() -> None:
     assert core["labels"]["org.opencontainers.image.base.digest"] == "sha256:cc"
     assert core["labels"]["org.opencontainers.image.revision"] == "abc"
     assert core["secret"] == [{"id": "ca-bundle", "src": bundle}]
+    mirrored = printed("jazzy-core", CA_BUNDLE=bundle, ROS_APT_MIRROR="http://mirror:1")["jazzy-core"]
+    assert mirrored["secret"] == [
+        {"id": "ca-bundle", "src": bundle},
+        {"id": "ros-apt-mirror", "env": "ROS_APT_MIRROR"},
+    ]
+    assert "http://mirror:1" not in str(mirrored)
     assert core["args"]["HTTPS_PROXY"] == "http://proxy:1"
     plain = printed("bookworm-core")["bookworm-core"]
     assert "secret" not in plain
@@ -349,3 +357,18 @@ def test_a_matrix_with_every_axis_prints(small: Catalogue, tmp_path: Path) -> No
     assert {image.target for image in small.images} <= targets.keys()
     assert targets["omega-core"]["args"]["ROS_SNAPSHOT"] == "2026-11-01"
     assert targets["alpha-core-cuda-cu1"]["target"] == "cuda"
+
+
+def test_where_packages_come_from(real: Catalogue) -> None:
+    """Every row with an apt source names its suite; the live ones the pinned package."""
+    targets = bake.targets(real)
+    for name, distribution in real.matrix.distributions.items():
+        args = targets[f"_ros-{name}"]["args"]
+        if distribution.apt is None:
+            assert "ROS_CHANNEL" not in args
+            continue
+        assert args["ROS_CHANNEL"] == distribution.apt.channel
+        assert args["ROS_CODENAME"] == real.matrix.operating_systems[distribution.os].codename
+        pinned = re.fullmatch(r"[0-9.]+@sha256:[0-9a-f]{64}", args.get("ROS_APT_SOURCE", ""))
+        assert bool(pinned) == (distribution.apt.channel == "live")
+    assert {targets[f"_ros-{name}"]["args"]["ROS_CHANNEL"] for name in ("noetic", "foxy", "iron")} == {"final"}

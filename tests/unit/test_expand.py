@@ -210,7 +210,7 @@ def test_a_wheel_elsewhere_counts() -> None:
 
 
 def test_no_wheel_for_any_architecture() -> None:
-    end = "\n    tools: colcon\n  ubuntu-26.04"
+    end = "\n    tools: colcon\n    codename: noble"
     small = parse(changed(f"[amd64, arm64]{end}", f"[amd64]{end}"))
     assert why_not(small, "alpha-core-torch-cpu") == (
         "alpha-core-torch-cpu does not exist: torch 2.10.0 has cpu wheels for arm64 only, "

@@ -202,7 +202,8 @@ DECISIVE: dict[str, tuple[str, str, Callable[[Catalogue], set[str]]]] = {
     "digest of a system": (f"digest: sha256:{'2' * 64}", f"digest: sha256:{'3' * 64}", on("ubuntu-26.04")),
     "digest of the first system": (f"digest: sha256:{'1' * 64}", f"digest: sha256:{'3' * 64}", on("ubuntu-24.04")),
     "day of the snapshot": ("date: 2026-11-01", "date: 2026-11-02", named("omega-")),
-    "apt channel": ("channel: snapshot, date: 2026-11-01", "channel: live", named("omega-")),
+    "apt channel": ("channel: snapshot, date: 2026-11-01", "channel: final", named("omega-")),
+    "suite": ("codename: resolute", "codename: questing", named("omega-")),
     "package list": (
         "desktop: {builds_on: robot}",
         "desktop: {builds_on: robot, metapackage: x}",

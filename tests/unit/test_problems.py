@@ -19,21 +19,21 @@ WRONG = {
     "unknown name": (
         "os: ubuntu-24.04",
         "os: ubuntu-24.4",
-        "47:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
+        "50:5: distributions.alpha.os: no operating system named 'ubuntu-24.4'; "
         "did you mean 'ubuntu-24.04' or 'ubuntu-26.04'?",
     ),
     "misspelt key": (
         "    default_stack: cpu\n",
         "    default_stak: cpu\n",
-        "54:3: distributions.omega: 'default_stack' is missing; add 'default_stack: …' "
+        "57:3: distributions.omega: 'default_stack' is missing; add 'default_stack: …' "
         "(stack of the short tags, e.g. ros-torch:jazzy)\n"
-        "59:5: distributions.omega.default_stak: unknown key 'default_stak'; did you mean 'default_stack'?",
+        "62:5: distributions.omega.default_stak: unknown key 'default_stak'; did you mean 'default_stack'?",
     ),
     "misspelt section": (
         "distributions:",
         "distribution:",
         "1:1: 'distributions' is missing; add 'distributions: …'\n"
-        "45:1: distribution: unknown key 'distribution'; did you mean 'distributions'?",
+        "48:1: distribution: unknown key 'distribution'; did you mean 'distributions'?",
     ),
     "number for text": (
         'python: "3.12"',
@@ -43,19 +43,19 @@ WRONG = {
     "number in a list": (
         '["3.12", "3.14"]',
         '["3.12", 3.14]',
-        '35:31: releases.torch.2.10.0.python[1]: expected text, found the number 3.14; write it in quotes: "3.14"',
+        '38:31: releases.torch.2.10.0.python[1]: expected text, found the number 3.14; write it in quotes: "3.14"',
     ),
     "number for a key": (
         "    2.20.0: {python",
         "    2.20: {python",
-        '37:5: releases.tensorflow.2.20: YAML reads the key 2.20 as a number; write it in quotes: "2.20"\n'
-        "39:76: stacks.cu1.tensorflow: no release of tensorflow named '2.20.0'; did you mean '2.20'?\n"
-        "43:5: stacks.cpu.tensorflow: no release of tensorflow named '2.20.0'; did you mean '2.20'?",
+        '40:5: releases.tensorflow.2.20: YAML reads the key 2.20 as a number; write it in quotes: "2.20"\n'
+        "42:76: stacks.cu1.tensorflow: no release of tensorflow named '2.20.0'; did you mean '2.20'?\n"
+        "46:5: stacks.cpu.tensorflow: no release of tensorflow named '2.20.0'; did you mean '2.20'?",
     ),
     "true for a key": (
         "  alpha:",
         "  on:",
-        '46:3: distributions.on: YAML reads the key on as true or false; write it in quotes: "on"',
+        '49:3: distributions.on: YAML reads the key on as true or false; write it in quotes: "on"',
     ),
     "true for one": (
         "version: 1",
@@ -70,81 +70,81 @@ WRONG = {
     "version of one number": (
         "torch: 2.10.0, tensorflow",
         "torch: v2, tensorflow",
-        "39:61: stacks.cu1.torch: expected a version, such as 2.10.0, found 'v2'",
+        "42:61: stacks.cu1.torch: expected a version, such as 2.10.0, found 'v2'",
     ),
     "key twice": (
         "eol: 2029-05-31",
         "eol: 2029-05-31\n    eol: 2029-05-30",
-        "53:5: distributions.alpha.eol: the key 'eol' is there twice, first on line 52; keep one",
+        "56:5: distributions.alpha.eol: the key 'eol' is there twice, first on line 55; keep one",
     ),
     "yes for true": (
         "lts: true",
         "lts: yes",
-        "53:5: distributions.alpha.lts: YAML reads yes as true or false; write true or false; "
+        "56:5: distributions.alpha.lts: YAML reads yes as true or false; write true or false; "
         'or, if text is meant, in quotes: "yes"',
     ),
     "text for true": (
         "lts: true",
         "lts: maybe",
-        "53:5: distributions.alpha.lts: expected true or false, found 'maybe'",
+        "56:5: distributions.alpha.lts: expected true or false, found 'maybe'",
     ),
     "octal": (
         "os: {unpacked: 100",
         "os: {unpacked: 0100",
-        "62:8: disk.os.unpacked: YAML reads 0100 as a number; write it in decimal digits; "
+        "65:8: disk.os.unpacked: YAML reads 0100 as a number; write it in decimal digits; "
         'or, if text is meant, in quotes: "0100"',
     ),
     "text for a list": (
         "components: [core, base]",
         "components: core",
-        "58:5: distributions.omega.components: expected a list, such as [a, b], found 'core'",
+        "61:5: distributions.omega.components: expected a list, such as [a, b], found 'core'",
     ),
     "list for text": (
-        "    tools: colcon\n  ubuntu-26.04",
-        "    tools: [colcon]\n  ubuntu-26.04",
+        "    tools: colcon\n    codename: noble",
+        "    tools: [colcon]\n    codename: noble",
         "15:5: operating_systems.ubuntu-24.04.tools: expected text, found a list",
     ),
     "empty list": (
         "components: [core, base]",
         "components: []",
-        "58:5: distributions.omega.components: nothing is there; at least one entry is needed",
+        "61:5: distributions.omega.components: nothing is there; at least one entry is needed",
     ),
     "nothing for keys": (
         "robot: {builds_on: base}",
         "robot:",
-        "26:3: components.robot: expected keys and values, found nothing",
+        "29:3: components.robot: expected keys and values, found nothing",
     ),
     "twice, and unknown, in a list": (
         "components: [core, base]",
         "components: [core, core, bse]",
-        "58:24: distributions.omega.components[1]: 'core' is there twice; keep one\n"
-        "58:30: distributions.omega.components[2]: no component named 'bse'; did you mean 'base'?",
+        "61:24: distributions.omega.components[1]: 'core' is there twice; keep one\n"
+        "61:30: distributions.omega.components[2]: no component named 'bse'; did you mean 'base'?",
     ),
     "cycle": (
         "robot: {builds_on: base}",
         "robot: {builds_on: desktop}",
-        "26:11: components.robot.builds_on: a cycle: robot -> desktop -> robot; one of them must build on nothing",
+        "29:11: components.robot.builds_on: a cycle: robot -> desktop -> robot; one of them must build on nothing",
     ),
     "cycle of one": (
         "robot: {builds_on: base}",
         "robot: {builds_on: robot}",
-        "26:11: components.robot.builds_on: a cycle: robot -> robot; one of them must build on nothing",
+        "29:11: components.robot.builds_on: a cycle: robot -> robot; one of them must build on nothing",
     ),
     "two mistakes in one row": (
         "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n",
         "    ros: 3\n    packages: ros-{distro}-{metapackage}\n    components: [core, base]\n",
-        "56:5: distributions.omega.ros: expected 1 or 2, found the number 3\n"
-        "57:5: distributions.omega.packages: no placeholder {distro}; did you mean 'ros_distro'?",
+        "59:5: distributions.omega.ros: expected 1 or 2, found the number 3\n"
+        "60:5: distributions.omega.packages: no placeholder {distro}; did you mean 'ros_distro'?",
     ),
     "unpaired brace": (
         "    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n",
         "    packages: ros-{ros_distro-x\n    components: [core, base]\n",
-        "57:5: distributions.omega.packages: unpaired braces in 'ros-{ros_distro-x'; "
+        "60:5: distributions.omega.packages: unpaired braces in 'ros-{ros_distro-x'; "
         "placeholders: component, metapackage and ros_distro",
     ),
     "placeholder where none is": (
-        "    tools: colcon\n  ubuntu-26.04",
-        "    tools: colcon-{component}\n  ubuntu-26.04",
+        "    tools: colcon\n    codename: noble",
+        "    tools: colcon-{component}\n    codename: noble",
         "15:5: operating_systems.ubuntu-24.04.tools: no placeholder {component}; no placeholders are filled in here",
     ),
     "format from the future": ("version: 1", "version: 2", "1:1: version: expected 1, found the number 2"),
@@ -163,138 +163,149 @@ WRONG = {
     "unknown release": (
         "    torch: 2.10.0\n",
         "    torch: 2.10.1\n",
-        "42:5: stacks.cpu.torch: no release of torch named '2.10.1'; did you mean '2.10.0'?",
+        "45:5: stacks.cpu.torch: no release of torch named '2.10.1'; did you mean '2.10.0'?",
     ),
     "stack without CUDA": (
         "cuda: 12.8.90, ",
         "",
-        "39:3: stacks.cu1: a stack with accelerator cuda needs 'cuda'; add its version",
+        "42:3: stacks.cu1: a stack with accelerator cuda needs 'cuda'; add its version",
     ),
     "CPU with CUDA": (
         "    accelerator: cpu\n",
         "    accelerator: cpu\n    nccl: 2.27.5\n",
-        "42:5: stacks.cpu.nccl: a stack with accelerator cpu has no nccl; remove it",
+        "45:5: stacks.cpu.nccl: a stack with accelerator cpu has no nccl; remove it",
     ),
     "unknown accelerator": (
         "accelerator: cuda",
         "accelerator: gpu",
-        "39:9: stacks.cu1.accelerator: expected cpu or cuda, found 'gpu'; did you mean cpu?",
+        "42:9: stacks.cu1.accelerator: expected cpu or cuda, found 'gpu'; did you mean cpu?",
     ),
     "package of nothing": (
         "    torch: 2.10.0\n    tensorflow: 2.20.0\n",
         "    torch: 2.10.0\n",
-        "43:16: stacks.cpu.packages.tensorflow: stack cpu has no release of tensorflow; add 'tensorflow: …' to it",
+        "46:16: stacks.cpu.packages.tensorflow: stack cpu has no release of tensorflow; add 'tensorflow: …' to it",
     ),
     "package of one architecture": (
         "{amd64: tensorflow-cpu, arm64: tensorflow}",
         "{amd64: tensorflow-cpu}",
-        "44:16: stacks.cpu.packages.tensorflow: tensorflow 2.20.0 has a wheel for arm64; name its package",
+        "47:16: stacks.cpu.packages.tensorflow: tensorflow 2.20.0 has a wheel for arm64; name its package",
     ),
     "package that is a number": (
         "{amd64: tensorflow-cpu, arm64: tensorflow}",
         "{amd64: 3, arm64: tensorflow}",
-        '44:29: stacks.cpu.packages.tensorflow.amd64: expected text, found the number 3; write it in quotes: "3"',
+        '47:29: stacks.cpu.packages.tensorflow.amd64: expected text, found the number 3; write it in quotes: "3"',
     ),
     "wheels for an unknown architecture": (
         "cu1: [amd64], cpu: [arm64]",
         "cu1: [amd46], cpu: [arm64]",
-        "35:55: releases.torch.2.10.0.wheels.cu1[0]: no architecture named 'amd46'; did you mean 'amd64' or 'arm64'?",
+        "38:55: releases.torch.2.10.0.wheels.cu1[0]: no architecture named 'amd46'; did you mean 'amd64' or 'arm64'?",
     ),
     "wheels for an unknown stack": (
         "wheels: {cu1: [amd64], cpu: [arm64]}",
         "wheels: {rocm: [amd64], cpu: [arm64]}",
-        "35:49: releases.torch.2.10.0.wheels.rocm: no stack named 'rocm'; known: cu1, cpu",
+        "38:49: releases.torch.2.10.0.wheels.rocm: no stack named 'rocm'; known: cu1, cpu",
     ),
     "framework without its release": (
         "parts: [cuda, common, torch], releases: [torch]",
         "parts: [cuda, common, torch]",
-        "31:34: frameworks.torch.parts: torch is not among the releases; add it to 'releases'",
+        "34:34: frameworks.torch.parts: torch is not among the releases; add it to 'releases'",
     ),
     "framework without common": (
         "parts: [cuda, common, torch], releases",
         "parts: [cuda, torch], releases",
-        "31:34: frameworks.torch.parts: frameworks with releases need the part common; add it to 'parts'",
+        "34:34: frameworks.torch.parts: frameworks with releases need the part common; add it to 'parts'",
     ),
     "one repository for two": (
         "repository: ros-ml",
         "repository: ros",
-        "32:8: frameworks.ml.repository: repository 'ros' belongs to framework none; tags would collide",
+        "35:8: frameworks.ml.repository: repository 'ros' belongs to framework none; tags would collide",
     ),
     "no plain framework": (
         "  none: {repository: ros}\n",
         "",
-        "28:1: frameworks: exactly one framework has no parts: the ROS images that all others stand on; none has",
+        "31:1: frameworks: exactly one framework has no parts: the ROS images that all others stand on; none has",
     ),
     "one name for two": (
         "none: {repository: ros}",
         "cpu: {repository: ros}",
-        "40:3: stacks.cpu: the name 'cpu' is taken (by frameworks.cpu); both would be the same group of targets",
+        "43:3: stacks.cpu: the name 'cpu' is taken (by frameworks.cpu); both would be the same group of targets",
     ),
     "reserved name": (
         "none: {repository: ros}",
         "all: {repository: ros}",
-        "29:3: frameworks.all: the name 'all' is taken (a group of its own); both would be the same group of targets",
+        "32:3: frameworks.all: the name 'all' is taken (a group of its own); both would be the same group of targets",
     ),
     "upper case": (
         "  alpha:",
         "  Alpha:",
-        "46:3: distributions.Alpha: expected a name of lower-case letters, digits and single hyphens, "
+        "49:3: distributions.Alpha: expected a name of lower-case letters, digits and single hyphens, "
         "such as desktop-full, found 'Alpha'",
     ),
     "a name too long": (
         "  alpha:",
         f"  {'a' * 30}:",
-        f"46:3: distributions.{'a' * 30}: too long: 30 characters, at most 24 are allowed",
+        f"49:3: distributions.{'a' * 30}: too long: 30 characters, at most 24 are allowed",
     ),
     "no forecast": (
         "    robot: {unpacked: 20, compressed: 2}\n",
         "",
-        "63:3: disk.components: no forecast for component robot; add 'robot: …', a guess will do",
+        "66:3: disk.components: no forecast for component robot; add 'robot: …', a guess will do",
     ),
     "no forecast of a part": (
         "      torch: {unpacked: 500, compressed: 50}\n",
         "",
-        "74:5: disk.parts.cpu: no forecast for part torch; add 'torch: …', a guess will do",
+        "77:5: disk.parts.cpu: no forecast for part torch; add 'torch: …', a guess will do",
     ),
     "negative size": (
         "os: {unpacked: 100",
         "os: {unpacked: -1",
-        "62:8: disk.os.unpacked: expected at least 0, found the number -1",
+        "65:8: disk.os.unpacked: expected at least 0, found the number -1",
     ),
     "absurd size": (
         "os: {unpacked: 100",
         "os: {unpacked: 100000000",
-        "62:8: disk.os.unpacked: expected at most 1000000, found the number 100000000",
+        "65:8: disk.os.unpacked: expected at most 1000000, found the number 100000000",
     ),
     "part of a megabyte": (
         "os: {unpacked: 100",
         "os: {unpacked: 1.5",
-        "62:8: disk.os.unpacked: expected a whole number, found the number 1.5",
+        "65:8: disk.os.unpacked: expected a whole number, found the number 1.5",
     ),
     "no such day": (
         "eol: 2029-05-31",
         "eol: 2029-02-31",
-        "52:5: distributions.alpha.eol: 2029-02-31 is not a day of the calendar, as in 2028-06-30",
+        "55:5: distributions.alpha.eol: 2029-02-31 is not a day of the calendar, as in 2028-06-30",
     ),
     "day in quotes": (
         "eol: 2029-05-31",
         'eol: "2029-05-31"',
-        "52:5: distributions.alpha.eol: expected a day, such as 2028-06-30, without quotes, found '2029-05-31'",
+        "55:5: distributions.alpha.eol: expected a day, such as 2028-06-30, without quotes, found '2029-05-31'",
     ),
     "long-term without end": (
         "    eol: 2029-05-31\n",
         "",
-        "52:5: distributions.alpha.lts: a long-term release has an end of life; add 'eol: …'",
+        "55:5: distributions.alpha.lts: a long-term release has an end of life; add 'eol: …'",
     ),
     "snapshot without a day": (
         ", date: 2026-11-01",
         "",
-        "60:5: distributions.omega.apt: 'date' belongs to the channel snapshot, and to it alone",
+        "63:5: distributions.omega.apt: 'date' belongs to the channel snapshot, and to it alone",
+    ),
+    "live without its package": (
+        "{channel: snapshot, date: 2026-11-01}",
+        "{channel: live}",
+        "63:5: distributions.omega.apt: the live channel needs a pinned ros2-apt-source for ubuntu-26.04; "
+        "add 'apt_sources: {ros2: {version: …, digest: …}}' to it",
+    ),
+    "no suite": (
+        "    codename: resolute\n",
+        "",
+        "62:5: distributions.omega.apt: ROS's apt repositories need the suite of ubuntu-26.04; add 'codename: …' to it",
     ),
     "unknown channel": (
         "channel: snapshot",
         "channel: nightly",
-        "60:11: distributions.omega.apt.channel: expected live, snapshot or final, found 'nightly'",
+        "63:11: distributions.omega.apt.channel: expected live, snapshot or final, found 'nightly'",
     ),
     "default without a stack": (
         "alpha-core-torch-cu1",
@@ -312,54 +323,54 @@ WRONG = {
     "operating systems that bake cannot tell apart": (
         "  ubuntu-26.04:\n",
         "  ubuntu-24-04:\n",
-        "16:3: operating_systems.ubuntu-24-04: 'ubuntu-24-04' and 'ubuntu-24.04' would have the same target; "
+        "18:3: operating_systems.ubuntu-24-04: 'ubuntu-24-04' and 'ubuntu-24.04' would have the same target; "
         "rename one\n"
-        "55:5: distributions.omega.os: no operating system named 'ubuntu-26.04'; "
+        "58:5: distributions.omega.os: no operating system named 'ubuntu-26.04'; "
         "did you mean 'ubuntu-24.04' or 'ubuntu-24-04'?",
     ),
     "anchor": (
         "lts: true",
         "lts: &yes true",
-        "53:10: the anchor &yes is not allowed; write the value out where it is used",
+        "56:10: the anchor &yes is not allowed; write the value out where it is used",
     ),
     "anchor and alias": (
         "components: [core, base]\n",
         "components: &c [core, base]\n    extra: *c\n",
-        "58:17: the anchor &c is not allowed; write the value out where it is used\n"
-        "59:12: the alias *c is not allowed; write the value out",
+        "61:17: the anchor &c is not allowed; write the value out where it is used\n"
+        "62:12: the alias *c is not allowed; write the value out",
     ),
     "merge key": (
         "lts: true",
         "<<: {lts: true}",
-        "53:5: distributions.alpha: the merge key << is not allowed; write the keys out",
+        "56:5: distributions.alpha: the merge key << is not allowed; write the keys out",
     ),
     "tag": (
         "lts: true",
         "lts: !!python/name:os.system true",
-        "53:10: the tag 'tag:yaml.org,2002:python/name:os.system' is not allowed; remove it",
+        "56:10: the tag 'tag:yaml.org,2002:python/name:os.system' is not allowed; remove it",
     ),
-    "list for a key": ("lts: true", "? [a]\n    : true", "53:7: distributions.alpha: a key must be plain text"),
-    "tab": ("    lts: true", "\tlts: true", "53:1: a tab; indent with spaces"),
-    "tab after spaces": ("    lts: true", "    \tlts: true", "53:5: a tab; indent with spaces"),
+    "list for a key": ("lts: true", "? [a]\n    : true", "56:7: distributions.alpha: a key must be plain text"),
+    "tab": ("    lts: true", "\tlts: true", "56:1: a tab; indent with spaces"),
+    "tab after spaces": ("    lts: true", "    \tlts: true", "56:5: a tab; indent with spaces"),
     "open brace": (
         "lts: true",
         "lts: {",
-        "55:7: not YAML: did not find expected ',' or '}' (while parsing a flow mapping)",
+        "58:7: not YAML: did not find expected ',' or '}' (while parsing a flow mapping)",
     ),
     "second document": (
         "distributions:",
         "---\ndistributions:",
-        "45:1: a second document starts here; keep one document in a file",
+        "48:1: a second document starts here; keep one document in a file",
     ),
-    "control character": ("lts: true", "lts: \x07", "53:10: the character U+0007 is not allowed in YAML; remove it"),
+    "control character": ("lts: true", "lts: \x07", "56:10: the character U+0007 is not allowed in YAML; remove it"),
     "three mistakes far apart": (
         SMALL,
         changed(
             "lts: true", "lts: 1", changed("os: ubuntu-24.04", "os: debian", changed("core: {meta", "core: {mata"))
         ),
-        "24:10: components.core.matapackage: unknown key 'matapackage'; did you mean 'metapackage'?\n"
-        "47:5: distributions.alpha.os: no operating system named 'debian'; known: ubuntu-24.04, ubuntu-26.04\n"
-        "53:5: distributions.alpha.lts: expected true or false, found the number 1",
+        "27:10: components.core.matapackage: unknown key 'matapackage'; did you mean 'metapackage'?\n"
+        "50:5: distributions.alpha.os: no operating system named 'debian'; known: ubuntu-24.04, ubuntu-26.04\n"
+        "56:5: distributions.alpha.lts: expected true or false, found the number 1",
     ),
 }
 
@@ -449,7 +460,7 @@ def test_too_many_components_on_one_another() -> None:
     with pytest.raises(InputError) as caught:
         parse(text)
     message = "components.c32.builds_on: more than 32 components on one another, with what it builds on; remove some"
-    assert str(caught.value) == f"matrix.yaml:56:9: {message}"
+    assert str(caught.value) == f"matrix.yaml:59:9: {message}"
 
 
 def test_too_many_architectures() -> None:
@@ -463,7 +474,7 @@ def test_long_values_are_cut_in_the_middle() -> None:
     with pytest.raises(InputError) as caught:
         parse(changed("os: {unpacked: 100,", f"os: {{unpacked: {'9' * 20_000},"))
     message = str(caught.value)
-    assert message.startswith("matrix.yaml:62:8: disk.os.unpacked: YAML reads 999")
+    assert message.startswith("matrix.yaml:65:8: disk.os.unpacked: YAML reads 999")
     assert "…" in message
     assert len(message) < 600
 

@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# Installs ROS's own apt source and asks it for its index once, so that what is wrong with it is said here.
+#   ROS_CHANNEL     live: packages.ros.org, set up by ROS's own package
+#                   snapshot, final: a state of it on snapshots.ros.org, of a day or at the distribution's end of life
+#   ROS_DISTRO      the distribution, for a snapshot
+#   ROS_SNAPSHOT    day of the snapshot, such as 2026-08-07
+#   ROS_VERSION     1 or 2
+#   ROS_CODENAME    suite of the operating system, such as noble
+#   ROS_APT_SOURCE  release and digest of ros2-apt-source, for live: 1.2.0@sha256:…
+set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
+# shellcheck source=components/ros/apt.sh
+source "$here/apt.sh"
+
+if [[ $ROS_VERSION == 1 ]]; then generation=ros; else generation=ros2; fi
+case ${ROS_CHANNEL:?} in
+  live) address=http://packages.ros.org/$generation/ubuntu ;;
+  # http, as ROS documents it: the certificate does not name the host. Signatures are what counts.
+  # https://docs.ros.org/en/rolling/Get-Started/Installation/Snapshot-Repository.html
+  snapshot) address=http://snapshots.ros.org/$ROS_DISTRO/${ROS_SNAPSHOT:?}/ubuntu ;;
+  final) address=http://snapshots.ros.org/$ROS_DISTRO/final/ubuntu ;;
+  *) fail "no channel '$ROS_CHANNEL'" "matrix.yaml knows live, snapshot and final" ;;
+esac
+
+# The release file of ros-infrastructure/ros-apt-source, checked against the digest that matrix.yaml pins.
+download() {
+  local version=${ROS_APT_SOURCE%%@*} digest=${ROS_APT_SOURCE##*:} url pause status found
+  url=https://github.com/ros-infrastructure/ros-apt-source/releases/download
+  url=$(for_build <<<"$url/$version/$generation-apt-source_$version.${ROS_CODENAME}_all.deb")
+  for pause in "${pauses[@]}"; do
+    if status=$(curl --silent --show-error --location --fail --connect-timeout 30 --max-time 300 \
+      --write-out '%{http_code}' --output "$1" "$url"); then
+      found=$(sha256sum "$1" | cut -d ' ' -f 1)
+      [[ $found == "$digest" ]] ||
+        fail "$url has the sha256 $found, and not the pinned $digest" \
+          "check the mirror, and if the release was made anew on purpose, pin its digest in apt_sources of matrix.yaml"
+      return
+    fi
+    [[ $status != 404 ]] || fail "$url does not exist" "check apt_sources and codename in matrix.yaml, and the mirror"
+    sleep "$pause"
+  done
+  fail "$url does not answer, after ${#pauses[@]} tries" \
+    "check the network and HTTPS_PROXY, or name a mirror in ROS_APT_MIRROR"
+}
+
+# The key that a .sources file names, or holds itself: then its lines are indented, and empty ones are a point.
+key_of() {
+  local path
+  path=$(sed -n 's/^Signed-By: *\(\/.*\)/\1/p' "$1")
+  if [[ -n $path ]]; then cat "$path"; else sed -n '/BEGIN PGP/,/END PGP/{s/^Signed-By://;s/^ *//;s/^\.$//;p}' "$1"; fi
+}
+
+sources() { grep --files-with-matches -R -E '(packages|snapshots)\.ros\.org' /etc/apt/sources.list* || true; }
+
+codename=$(sed -n 's/^VERSION_CODENAME="\?\([a-z]*\).*/\1/p' /etc/os-release)
+[[ $codename == "${ROS_CODENAME:?}" ]] ||
+  fail "the base image is '$codename', and matrix.yaml says '$ROS_CODENAME'" "check image, digest and codename there"
+[[ -z $(sources) ]] ||
+  fail "the base image has an apt source of ROS already ($(sources))" "name an image without one in matrix.yaml"
+
+if [[ $ROS_CHANNEL == live ]]; then
+  package=$scratch/$generation-apt-source.deb
+  download "$package"
+  chmod 755 "$scratch" # apt reads it as another user
+  apt_install "$package"
+  file=$(sources)
+  [[ $(key_of "$file" | fingerprint) == "$(fingerprint <"$keys/live.asc")" ]] ||
+    fail "the pinned $generation-apt-source has another key than components/ros/keys/live.asc" \
+      "put the key of that release there"
+else
+  keyring=/usr/share/keyrings/$generation-snapshots-archive-keyring.asc
+  install -D --mode=644 "$keys/snapshots.asc" "$keyring"
+  file=/etc/apt/sources.list.d/$generation-snapshots.sources
+  printf '%s\n' 'Types: deb' "URIs: $address" "Suites: $ROS_CODENAME" 'Components: main' "Signed-By: $keyring" >"$file"
+fi
+for line in "URIs: $address" "Suites: $ROS_CODENAME"; do
+  grep -q -x -F "$line" "$file" || fail "$file does not say '$line'" "check apt_sources and codename in matrix.yaml"
+done
+
+# The index of this source alone; its Release file says of which suite and of when it is.
+mkdir "$scratch/only"
+for_build <"$file" >"$scratch/only/ros.sources"
+printf 'Dir::Etc::%s "%s";\n' SourceList /dev/null SourceParts "$scratch/only" >>"$APT_CONFIG"
+apt_update
+path=${address#http://}
+release=$(find /var/lib/apt/lists -name "*${path//\//_}_dists_${ROS_CODENAME}_*Release")
+suite=$(sed -n 's/^Codename: //p' "$release")
+[[ $suite == "$ROS_CODENAME" ]] ||
+  fail "$address has the suite '$suite' in the place of '$ROS_CODENAME'" "check the mirror"
+sync=$(date --utc --date "$(sed -n 's/^Date: //p' "$release")" +%FT%TZ)
+
+mkdir -p /usr/local/share/rosml/versions.d
+printf 'ros-%s %s\n' channel "$ROS_CHANNEL" source "$address" sync "$sync" >/usr/local/share/rosml/versions.d/ros

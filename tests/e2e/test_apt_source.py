@@ -1,0 +1,340 @@
+"""ROS's apt source, verified by a stand-in: components/ros/install.sh runs as in a build, against signed repositories.
+
+Where packages.ros.org, snapshots.ros.org and GitHub can be reached, the same scripts ask them.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from rosml import ROOT, bake, expand
+from tests.e2e.apt_stand_in import GITHUB, Image, Keys, Repository, Server, apt_source, ros_packages
+from tests.e2e.conftest import Run
+
+TOOLS = ("apt-get", "chroot", "curl", "dpkg-deb", "gpg", "unshare")
+
+CATALOGUE = expand.load(ROOT / "matrix.yaml")
+ROWS = [name for name, distribution in CATALOGUE.matrix.distributions.items() if distribution.apt]
+TARGETS = bake.targets(CATALOGUE)
+STRUCTURE_TEST = ROOT / "tests" / "structure" / "checks" / "apt_source.sh"
+
+
+def missing() -> str:
+    """Why this machine cannot hold the stand-in; empty if it can."""
+    if os.geteuid() != 0:
+        return "the stand-in of an image needs root, for an overlay and chroot"
+    if absent := [tool for tool in TOOLS if shutil.which(tool) is None]:
+        return f"the stand-in of an image is made of this machine, which lacks {', '.join(absent)}"
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("upper", "work", "root"):
+            (Path(folder) / name).mkdir()
+        script = 'mount -t overlay overlay -o "lowerdir=/,upperdir=$0/upper,workdir=$0/work" "$0/root"'
+        script += ' && chroot "$0/root" apt-get --version'
+        done = subprocess.run(["unshare", "--mount", "sh", "-c", script, folder], capture_output=True, text=True)
+    return f"no overlay of this machine can be made: {done.stderr.strip()}" if done.returncode else ""
+
+
+REASON = missing()
+pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON)
+
+
+@pytest.fixture(scope="module")
+def keys() -> Iterator[Keys]:
+    with tempfile.TemporaryDirectory(prefix="gpg-") as home:  # short: gpg's sockets are in it
+        made = Keys(Path(home))
+        try:
+            for name in ("live", "snapshots", "stranger", "expired"):
+                made.make(name)
+            yield made
+        finally:
+            made.close()
+
+
+@pytest.fixture(scope="module")
+def debs(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], list[Path]]:
+    """The packages of a distribution, built once."""
+    built: dict[str, list[Path]] = {}
+
+    def once(distro: str) -> list[Path]:
+        if distro not in built:
+            built[distro] = ros_packages(tmp_path_factory.mktemp("debs"), distro)
+        return built[distro]
+
+    return once
+
+
+@dataclass
+class Row:
+    """A distribution of matrix.yaml with the stand-ins that its build asks; a test breaks one of them."""
+
+    distro: str
+    keys: Keys
+    server: Server
+    image: Image
+    repository: Repository
+    arguments: dict[str, str]
+
+    @property
+    def own_key(self) -> str:
+        """The key that signs what this row asks."""
+        return "live" if self.arguments["ROS_CHANNEL"] == "live" else "snapshots"
+
+    def pin(self, key: str, codename: str = "") -> None:
+        """Publishes ROS's package with a key in it, and pins its digest as matrix.yaml would."""
+        generation = "ros" if self.arguments["ROS_VERSION"] == "1" else "ros2"
+        codename = codename or self.repository.codename
+        deb = apt_source(self.server.folder, generation, codename, self.keys.armored(key))
+        name = f"{generation}-apt-source_1.2.0.{self.repository.codename}_all.deb"
+        release = self.server.folder / GITHUB / "1.2.0" / name
+        release.parent.mkdir(parents=True, exist_ok=True)
+        deb.rename(release)
+        self.arguments["ROS_APT_SOURCE"] = f"1.2.0@sha256:{hashlib.sha256(release.read_bytes()).hexdigest()}"
+
+    def pin_keys(self, **files: str) -> None:
+        """Puts keys made here into components/ros/keys."""
+        for file, key in files.items():
+            (self.image.components / "ros" / "keys" / f"{file}.asc").write_text(self.keys.armored(key))
+
+    def build(self, component: str = "core", mirror: str | None = None, **arguments: str) -> Run:
+        """The step of the Dockerfile that installs a component, with the arguments of docker-bake.hcl."""
+        own = TARGETS[f"{self.distro}-{component}"]["args"]
+        mirror = self.server.url if mirror is None else mirror
+        env = {**self.arguments, **own, **arguments}
+        return self.image.run("/run/components/ros/install.sh", env=env, mirror=mirror)
+
+
+@pytest.fixture
+def row(tmp_path: Path, keys: Keys, debs: Callable[[str], list[Path]]) -> Iterator[Callable[[str], Row]]:
+    servers: list[Server] = []
+
+    def make(distro: str) -> Row:
+        arguments = dict(TARGETS[f"_ros-{distro}"]["args"])
+        codename = arguments["ROS_CODENAME"]
+        (tmp_path / "web").mkdir()
+        server = Server(tmp_path / "web")
+        servers.append(server)
+        generation = "ros" if arguments["ROS_VERSION"] == "1" else "ros2"
+        live = arguments["ROS_CHANNEL"] == "live"
+        where = f"packages.ros.org/{generation}/ubuntu" if live else f"snapshots.ros.org/{distro}/final/ubuntu"
+        repository = Repository(server.folder / where, codename, keys, debs(distro))
+        made = Row(distro, keys, server, Image(tmp_path / "image", codename), repository, arguments)
+        made.repository.publish(made.own_key)
+        made.pin_keys(live="live", snapshots="snapshots")
+        if live:
+            made.pin("live")
+        return made
+
+    (tmp_path / "image").mkdir()
+    yield make
+    for server in servers:
+        server.close()
+
+
+# ---- What works ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("distro", ROWS)
+def test_a_row_gets_its_packages(distro: str, row: Callable[[str], Row]) -> None:
+    """The first component through a mirror, of which nothing stays in the image: it names the official address."""
+    made = row(distro)
+    done = made.build()
+    assert done.code == 0, done.out + done.err
+    command = "source /opt/ros/$0/setup.bash && ros2 --help && cat /etc/apt/sources.list.d/*"
+    inside = made.image.run("bash", "-c", command, distro).out
+    assert inside.startswith(f"usage: ros2, of {distro}\n")
+    address = f"http://{made.repository.folder.relative_to(made.server.folder)}"
+    assert inside.count("URIs: ") == inside.count(f"\nURIs: {address}\nSuites: {made.repository.codename}\n") == 1
+    names = [path.name for path in (made.image.upper / "etc/apt/sources.list.d").iterdir()]
+    assert len(names) == 1 and names[0].startswith("ros2" if made.arguments["ROS_VERSION"] == "2" else "ros-")
+    assert made.image.read("usr/local/share/rosml/versions.d/ros") == (
+        f"ros-channel {made.arguments['ROS_CHANNEL']}\nros-source {address}\nros-sync 2026-11-20T21:14:09Z\n"
+    )
+    assert [path for path in files(made.image.upper) if made.server.url.encode() in path.read_bytes()] == []
+    assert list((made.image.upper / "root").iterdir()) == []
+    if made.arguments["ROS_VERSION"] == "2":
+        assert made.image.run("bash", "-c", STRUCTURE_TEST.read_text()).code == 0
+
+
+def test_the_next_component_finds_the_source(row: Callable[[str], Row]) -> None:
+    made = row("jazzy")
+    assert made.build().code == 0
+    made.server.asked.clear()
+    done = made.build("base")
+    assert done.code == 0, done.out + done.err
+    assert "Package: ros-jazzy-ros-base\n" in made.image.read("var/lib/dpkg/status")
+    assert not any(path.startswith("github.com") for path in made.server.asked)
+    made.image.write(
+        "etc/apt/sources.list.d/ros2-mine.list", "deb http://snapshots.ros.org/jazzy/final/ubuntu noble main"
+    )
+    assert "ros2-mine.list" in made.image.run("bash", "-c", STRUCTURE_TEST.read_text()).err
+    assert [path for path in files(made.image.upper) if made.server.url.encode() in path.read_bytes()] == []
+
+
+def files(folder: Path) -> list[Path]:
+    return [path for path in folder.rglob("*") if path.is_file() and not path.is_symlink()]
+
+
+def test_a_snapshot_of_a_day(row: Callable[[str], Row]) -> None:
+    made = row("iron")
+    final = made.repository.folder.parent
+    final.rename(final.with_name("2026-08-07"))
+    done = made.build(ROS_CHANNEL="snapshot", ROS_SNAPSHOT="2026-08-07")
+    assert done.code == 0, done.out + done.err
+    said = made.image.read("usr/local/share/rosml/versions.d/ros")
+    assert said.startswith("ros-channel snapshot\nros-source http://snapshots.ros.org/iron/2026-08-07/ubuntu\n")
+
+
+def test_official_addresses_through_a_proxy(row: Callable[[str], Row]) -> None:
+    """Without a mirror: what is asked for are the official addresses."""
+    made = row("iron")
+    done = made.build(mirror="", http_proxy=made.server.url)
+    assert done.code == 0, done.out + done.err
+    assert "Get:1 http://snapshots.ros.org/iron/final/ubuntu jammy InRelease" in done.out
+
+
+@pytest.mark.parametrize(("distro", "fault"), [("jazzy", "reset"), ("foxy", "500")])
+def test_a_mirror_that_fails_now_and_then(distro: str, fault: str, row: Callable[[str], Row]) -> None:
+    made = row(distro)
+    made.server.fail(fault, 2)
+    done = made.build()
+    assert done.code == 0, done.out + done.err
+    assert min(made.server.asked.values()) > 0 and max(made.server.asked.values()) > 2
+
+
+# ---- What stops a build ----------------------------------------------------------------------------------------------
+
+
+def stranger(made: Row) -> None:
+    made.repository.publish("stranger")
+
+
+def expired(made: Row) -> None:
+    made.repository.publish("expired")
+    made.pin_keys(**{made.own_key: "expired"})
+    if made.own_key == "live":
+        made.pin("expired")
+
+
+def mixed_up(made: Row) -> None:
+    """The address of one channel has the content of the other."""
+    made.repository.publish("snapshots" if made.own_key == "live" else "live")
+
+
+def other_hash(made: Row) -> None:
+    made.arguments["ROS_APT_SOURCE"] = f"1.2.0@sha256:{'0' * 64}"
+
+
+def other_key_in_the_package(made: Row) -> None:
+    made.pin("stranger")
+
+
+def other_suite_in_the_package(made: Row) -> None:
+    made.pin("live", codename="jammy")
+
+
+def other_release(made: Row) -> None:
+    made.arguments["ROS_APT_SOURCE"] = made.arguments["ROS_APT_SOURCE"].replace("1.2.0", "1.2.9")
+
+
+def other_base_image(made: Row) -> None:
+    made.image.write("usr/lib/os-release", 'NAME="Ubuntu"\nVERSION_CODENAME=bionic\n')
+
+
+def other_suite(made: Row) -> None:
+    made.repository.publish(made.own_key, says="bionic")
+
+
+def no_package(made: Row) -> None:
+    made.repository.debs = [deb for deb in made.repository.debs if "ros-core" not in deb.name]
+    made.repository.publish(made.own_key)
+
+
+def no_dependency(made: Row) -> None:
+    made.repository.debs = [deb for deb in made.repository.debs if "ros2cli" not in deb.name]
+    made.repository.publish(made.own_key)
+
+
+def no_repository(made: Row) -> None:
+    shutil.rmtree(made.repository.folder)
+
+
+def changed_package(made: Row) -> None:
+    """A mirror that is not whole: a package differs from what the signed index says."""
+    pool = made.repository.folder / "pool" / "main"
+    deb = next(pool.glob("*ros-core*"))
+    data = bytearray(deb.read_bytes())
+    deb.unlink()  # it is a link to a file of all tests
+    data[-1] ^= 1
+    deb.write_bytes(data)
+
+
+def changed_index(made: Row) -> None:
+    release = made.repository.folder / "dists" / made.repository.codename / "InRelease"
+    release.write_text(release.read_text().replace("Description: stand-in", "Description: standing"))
+
+
+def second_source(made: Row) -> None:
+    made.image.write("etc/apt/sources.list.d/mine.list", "deb http://packages.ros.org/ros2/ubuntu noble main\n")
+
+
+def always_failing(made: Row) -> None:
+    made.server.fail("500", 1000)
+
+
+def nobody_there(made: Row) -> None:
+    made.server.close()
+
+
+FAULTS: dict[str, tuple[str, Callable[[Row], None], str, str]] = {
+    "wrong hash": ("jazzy", other_hash, "and not the pinned 000", "pin its digest"),
+    "no such release": ("jazzy", other_release, "does not exist", "check apt_sources"),
+    "wrong key in the package": ("jazzy", other_key_in_the_package, "another key than", "put the key of that release"),
+    "wrong suite in the package": ("jazzy", other_suite_in_the_package, "does not say 'Suites: noble'", "apt_sources"),
+    "wrong key, live": ("jazzy", stranger, "which is not a pinned one", "check the mirror"),
+    "wrong key, final": ("iron", stranger, "which is not a pinned one", "check the mirror"),
+    "expired key, live": ("jazzy", expired, "key of an apt source has expired", "pin a newer release"),
+    "expired key, final": ("iron", expired, "key of an apt source has expired", "prolonged key"),
+    "snapshot in the place of live": ("jazzy", mixed_up, "other key, of components/ros/keys/snapshots.asc", "mixed up"),
+    "live in the place of the snapshot": ("iron", mixed_up, "other key, of components/ros/keys/live.asc", "mixed up"),
+    "changed index": ("iron", changed_index, "no valid signature", "check the mirror"),
+    "wrong base image": ("jazzy", other_base_image, "is 'bionic', and matrix.yaml says 'noble'", "check image"),
+    "wrong suite, live": ("jazzy", other_suite, "has the suite 'bionic' in the place of 'noble'", "check the mirror"),
+    "wrong suite, final": ("noetic", other_suite, "'bionic' in the place of 'focal'", "check the mirror"),
+    "no such package": ("jazzy", no_package, "no apt source has a package", "{channel: final}"),
+    "no such dependency": ("jazzy", no_dependency, "ros-jazzy-ros2cli", "universe"),
+    "changed package": ("jazzy", changed_package, "packages did not arrive, after 5 tries", "ROS_APT_MIRROR"),
+    "no such snapshot": ("iron", no_repository, "no such apt repository", "check 'apt' and 'codename'"),
+    "a source already there": ("jazzy", second_source, "already (/etc/apt/sources.list.d/mine.list)", "without one"),
+    "always failing, live": ("jazzy", always_failing, "does not answer, after 5 tries", "ROS_APT_MIRROR"),
+    "unreachable, final": ("iron", nobody_there, "does not answer, after 5 tries", "ROS_APT_MIRROR"),
+}
+"""A row of the matrix, what goes wrong, what is said about it, and what the remedy names."""
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_a_fault_is_one_sentence_with_its_remedy(name: str, row: Callable[[str], Row]) -> None:
+    distro, fault, problem, remedy = FAULTS[name]
+    made = row(distro)
+    fault(made)
+    done = made.build()
+    assert done.code == 1, done.out + done.err
+    errors = [line for line in done.err.splitlines() if line.startswith("error: ")]
+    assert len(errors) == 1, done.out + done.err
+    said, _, advice = errors[0].rpartition("; ")
+    assert problem in said, errors[0]
+    assert remedy in advice, errors[0]
+
+
+def test_a_mirror_that_is_not_an_address(row: Callable[[str], Row]) -> None:
+    done = row("jazzy").build(mirror="host|e;id")
+    assert (done.code, done.out) == (1, "")
+    assert done.err == "error: ROS_APT_MIRROR is not an address; set it to one such as http://host:3142, or unset it\n"

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# ROS's apt source is there, once, and is the official one: further packages come from where these came from.
+set -euo pipefail
+mapfile -t files < <(grep --files-with-matches -R -E '(packages|snapshots)\.ros\.org' /etc/apt/sources.list*)
+[[ ${#files[@]} == 1 && ${files[0]} == /etc/apt/sources.list.d/*ros2* ]] ||
+  { echo "apt sources of ROS 2: ${files[*]:-none}" >&2; exit 1; }
+source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
+grep -q -x -F "URIs: $source" "${files[0]}" || { echo "${files[0]} does not name $source" >&2; exit 1; }
+grep -q -E '^ros-sync 20[0-9-]{8}T[0-9:]{8}Z$' /usr/local/share/rosml/versions.d/ros
