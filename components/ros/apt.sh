@@ -29,8 +29,11 @@ for_build() {
 # Lets apt read copies of the sources that name the mirror: the image keeps the official addresses.
 use_mirror() {
   local file
+  [[ -n $mirror ]] || return 0
   mkdir "$scratch/sources"
-  for file in /etc/apt/sources.list.d/*; do for_build <"$file" >"$scratch/sources/${file##*/}"; done
+  for file in /etc/apt/sources.list.d/*; do
+    [[ ! -e $file ]] || for_build <"$file" >"$scratch/sources/${file##*/}" # a base image may have none
+  done
   echo "Dir::Etc::SourceParts \"$scratch/sources\";" >>"$APT_CONFIG"
 }
 

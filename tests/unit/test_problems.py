@@ -65,7 +65,7 @@ WRONG = {
     "a number with a point": (
         "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]",
         "    ros: 2.0\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]",
-        "56:5: distributions.omega.ros: expected a whole number, found the number 2.0",
+        "59:5: distributions.omega.ros: expected a whole number, found the number 2.0",
     ),
     "version of one number": (
         "torch: 2.10.0, tensorflow",
