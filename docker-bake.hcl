@@ -2034,7 +2034,7 @@ target "payload-tensorflow-cpu-py313" {
 
 # ---- Images with a framework: a ROS image joined with payloads -----------------------------------------------------
 
-target "_cuda-cu128-ubuntu-20-04" {
+target "_join-cuda-cu128-ubuntu-20-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
@@ -2053,7 +2053,7 @@ target "_cuda-cu128-ubuntu-20-04" {
 }
 
 target "noetic-core-cuda-cu128" {
-  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu128-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-core-cu128", "${REGISTRY}/ros-cuda:noetic-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "noetic-core") }
   labels = {
@@ -2065,7 +2065,7 @@ target "noetic-core-cuda-cu128" {
 }
 
 target "noetic-base-cuda-cu128" {
-  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu128-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-base-cu128", "${REGISTRY}/ros-cuda:noetic-base-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "noetic-base") }
   labels = {
@@ -2077,7 +2077,7 @@ target "noetic-base-cuda-cu128" {
 }
 
 target "noetic-robot-cuda-cu128" {
-  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu128-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-robot-cu128", "${REGISTRY}/ros-cuda:noetic-robot-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "noetic-robot") }
   labels = {
@@ -2089,7 +2089,7 @@ target "noetic-robot-cuda-cu128" {
 }
 
 target "noetic-perception-cuda-cu128" {
-  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu128-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-perception-cu128", "${REGISTRY}/ros-cuda:noetic-perception-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "noetic-perception") }
   labels = {
@@ -2101,7 +2101,7 @@ target "noetic-perception-cuda-cu128" {
 }
 
 target "noetic-desktop-cuda-cu128" {
-  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu128-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-desktop-cu128", "${REGISTRY}/ros-cuda:noetic-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "noetic-desktop") }
   labels = {
@@ -2113,7 +2113,7 @@ target "noetic-desktop-cuda-cu128" {
 }
 
 target "noetic-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-noetic", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu128-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu128-cuda12.8.90",
@@ -2127,7 +2127,7 @@ target "noetic-desktop-full-cuda-cu128" {
   }
 }
 
-target "_cuda-cu130-ubuntu-20-04" {
+target "_join-cuda-cu130-ubuntu-20-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
@@ -2146,7 +2146,7 @@ target "_cuda-cu130-ubuntu-20-04" {
 }
 
 target "noetic-core-cuda-cu130" {
-  inherits = ["_distribution-noetic", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu130-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-core-cu130", "${REGISTRY}/ros-cuda:noetic-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "noetic-core") }
   labels = {
@@ -2158,7 +2158,7 @@ target "noetic-core-cuda-cu130" {
 }
 
 target "noetic-base-cuda-cu130" {
-  inherits = ["_distribution-noetic", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu130-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-base-cu130", "${REGISTRY}/ros-cuda:noetic-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "noetic-base") }
   labels = {
@@ -2170,7 +2170,7 @@ target "noetic-base-cuda-cu130" {
 }
 
 target "noetic-robot-cuda-cu130" {
-  inherits = ["_distribution-noetic", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu130-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-robot-cu130", "${REGISTRY}/ros-cuda:noetic-robot-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "noetic-robot") }
   labels = {
@@ -2182,7 +2182,7 @@ target "noetic-robot-cuda-cu130" {
 }
 
 target "noetic-perception-cuda-cu130" {
-  inherits = ["_distribution-noetic", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu130-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-perception-cu130", "${REGISTRY}/ros-cuda:noetic-perception-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "noetic-perception") }
   labels = {
@@ -2194,7 +2194,7 @@ target "noetic-perception-cuda-cu130" {
 }
 
 target "noetic-desktop-cuda-cu130" {
-  inherits = ["_distribution-noetic", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu130-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-desktop-cu130", "${REGISTRY}/ros-cuda:noetic-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "noetic-desktop") }
   labels = {
@@ -2206,7 +2206,7 @@ target "noetic-desktop-cuda-cu130" {
 }
 
 target "noetic-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-noetic", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu130-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu130",
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu130-cuda13.0.96",
@@ -2220,7 +2220,7 @@ target "noetic-desktop-full-cuda-cu130" {
   }
 }
 
-target "_cuda-cu121-ubuntu-20-04" {
+target "_join-cuda-cu121-ubuntu-20-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
@@ -2239,7 +2239,7 @@ target "_cuda-cu121-ubuntu-20-04" {
 }
 
 target "noetic-core-cuda-cu121" {
-  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-core-cu121", "${REGISTRY}/ros-cuda:noetic-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "noetic-core") }
   labels = {
@@ -2251,7 +2251,7 @@ target "noetic-core-cuda-cu121" {
 }
 
 target "noetic-base-cuda-cu121" {
-  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:noetic-base-cu121",
     "${REGISTRY}/ros-cuda:noetic-base-cu121-cuda12.1.105",
@@ -2267,7 +2267,7 @@ target "noetic-base-cuda-cu121" {
 }
 
 target "noetic-robot-cuda-cu121" {
-  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-robot-cu121", "${REGISTRY}/ros-cuda:noetic-robot-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "noetic-robot") }
   labels = {
@@ -2279,7 +2279,7 @@ target "noetic-robot-cuda-cu121" {
 }
 
 target "noetic-perception-cuda-cu121" {
-  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-perception-cu121", "${REGISTRY}/ros-cuda:noetic-perception-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "noetic-perception") }
   labels = {
@@ -2291,7 +2291,7 @@ target "noetic-perception-cuda-cu121" {
 }
 
 target "noetic-desktop-cuda-cu121" {
-  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:noetic-desktop-cu121", "${REGISTRY}/ros-cuda:noetic-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "noetic-desktop") }
   labels = {
@@ -2303,7 +2303,7 @@ target "noetic-desktop-cuda-cu121" {
 }
 
 target "noetic-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-noetic", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-cuda-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:noetic-desktop-full-cu121-cuda12.1.105",
@@ -2317,7 +2317,7 @@ target "noetic-desktop-full-cuda-cu121" {
   }
 }
 
-target "_torch-cu121-ubuntu-20-04" {
+target "_join-torch-cu121-ubuntu-20-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -2344,7 +2344,7 @@ target "_torch-cu121-ubuntu-20-04" {
 }
 
 target "noetic-core-torch-cu121" {
-  inherits = ["_distribution-noetic", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-torch-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-torch:noetic-core-cu121", "${REGISTRY}/ros-torch:noetic-core-cu121-torch2.4.1"]
   contexts = { ros = image("ros", "noetic-core") }
   labels = {
@@ -2356,7 +2356,7 @@ target "noetic-core-torch-cu121" {
 }
 
 target "noetic-base-torch-cu121" {
-  inherits = ["_distribution-noetic", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-torch-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-torch:noetic-base-cu121",
     "${REGISTRY}/ros-torch:noetic-base-cu121-torch2.4.1",
@@ -2372,7 +2372,7 @@ target "noetic-base-torch-cu121" {
 }
 
 target "noetic-robot-torch-cu121" {
-  inherits = ["_distribution-noetic", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-torch-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-torch:noetic-robot-cu121", "${REGISTRY}/ros-torch:noetic-robot-cu121-torch2.4.1"]
   contexts = { ros = image("ros", "noetic-robot") }
   labels = {
@@ -2384,7 +2384,7 @@ target "noetic-robot-torch-cu121" {
 }
 
 target "noetic-perception-torch-cu121" {
-  inherits = ["_distribution-noetic", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-torch-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-torch:noetic-perception-cu121", "${REGISTRY}/ros-torch:noetic-perception-cu121-torch2.4.1"]
   contexts = { ros = image("ros", "noetic-perception") }
   labels = {
@@ -2396,7 +2396,7 @@ target "noetic-perception-torch-cu121" {
 }
 
 target "noetic-desktop-torch-cu121" {
-  inherits = ["_distribution-noetic", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-torch-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-torch:noetic-desktop-cu121", "${REGISTRY}/ros-torch:noetic-desktop-cu121-torch2.4.1"]
   contexts = { ros = image("ros", "noetic-desktop") }
   labels = {
@@ -2408,7 +2408,7 @@ target "noetic-desktop-torch-cu121" {
 }
 
 target "noetic-desktop-full-torch-cu121" {
-  inherits = ["_distribution-noetic", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-torch-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-torch:noetic-desktop-full-cu121",
     "${REGISTRY}/ros-torch:noetic-desktop-full-cu121-torch2.4.1",
@@ -2422,7 +2422,7 @@ target "noetic-desktop-full-torch-cu121" {
   }
 }
 
-target "_torch-cpu38-ubuntu-20-04" {
+target "_join-torch-cpu38-ubuntu-20-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -2444,7 +2444,7 @@ target "_torch-cpu38-ubuntu-20-04" {
 
 target "noetic-core-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-noetic", "_join-torch-cpu38-ubuntu-20-04"]
   tags        = ["${REGISTRY}/ros-torch:noetic-core-cpu38", "${REGISTRY}/ros-torch:noetic-core-cpu38-torch2.4.1"]
   contexts    = { ros = image("ros", "noetic-core") }
   labels = {
@@ -2457,7 +2457,7 @@ target "noetic-core-torch-cpu38" {
 
 target "noetic-base-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-noetic", "_join-torch-cpu38-ubuntu-20-04"]
   tags        = ["${REGISTRY}/ros-torch:noetic-base-cpu38", "${REGISTRY}/ros-torch:noetic-base-cpu38-torch2.4.1"]
   contexts    = { ros = image("ros", "noetic-base") }
   labels = {
@@ -2470,7 +2470,7 @@ target "noetic-base-torch-cpu38" {
 
 target "noetic-robot-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-noetic", "_join-torch-cpu38-ubuntu-20-04"]
   tags        = ["${REGISTRY}/ros-torch:noetic-robot-cpu38", "${REGISTRY}/ros-torch:noetic-robot-cpu38-torch2.4.1"]
   contexts    = { ros = image("ros", "noetic-robot") }
   labels = {
@@ -2483,7 +2483,7 @@ target "noetic-robot-torch-cpu38" {
 
 target "noetic-perception-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-noetic", "_join-torch-cpu38-ubuntu-20-04"]
   tags        = ["${REGISTRY}/ros-torch:noetic-perception-cpu38", "${REGISTRY}/ros-torch:noetic-perception-cpu38-torch2.4.1"]
   contexts    = { ros = image("ros", "noetic-perception") }
   labels = {
@@ -2496,7 +2496,7 @@ target "noetic-perception-torch-cpu38" {
 
 target "noetic-desktop-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-noetic", "_join-torch-cpu38-ubuntu-20-04"]
   tags        = ["${REGISTRY}/ros-torch:noetic-desktop-cpu38", "${REGISTRY}/ros-torch:noetic-desktop-cpu38-torch2.4.1"]
   contexts    = { ros = image("ros", "noetic-desktop") }
   labels = {
@@ -2509,7 +2509,7 @@ target "noetic-desktop-torch-cpu38" {
 
 target "noetic-desktop-full-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-noetic", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-noetic", "_join-torch-cpu38-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-torch:noetic-desktop-full-cpu38",
     "${REGISTRY}/ros-torch:noetic-desktop-full-cpu38-torch2.4.1",
@@ -2523,7 +2523,7 @@ target "noetic-desktop-full-torch-cpu38" {
   }
 }
 
-target "_tensorflow-cpu38-ubuntu-20-04" {
+target "_join-tensorflow-cpu38-ubuntu-20-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -2544,7 +2544,7 @@ target "_tensorflow-cpu38-ubuntu-20-04" {
 }
 
 target "noetic-core-tensorflow-cpu38" {
-  inherits = ["_distribution-noetic", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:noetic-core-cpu38", "${REGISTRY}/ros-tf:noetic-core-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "noetic-core") }
   labels = {
@@ -2556,7 +2556,7 @@ target "noetic-core-tensorflow-cpu38" {
 }
 
 target "noetic-base-tensorflow-cpu38" {
-  inherits = ["_distribution-noetic", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:noetic-base-cpu38", "${REGISTRY}/ros-tf:noetic-base-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "noetic-base") }
   labels = {
@@ -2568,7 +2568,7 @@ target "noetic-base-tensorflow-cpu38" {
 }
 
 target "noetic-robot-tensorflow-cpu38" {
-  inherits = ["_distribution-noetic", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:noetic-robot-cpu38", "${REGISTRY}/ros-tf:noetic-robot-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "noetic-robot") }
   labels = {
@@ -2580,7 +2580,7 @@ target "noetic-robot-tensorflow-cpu38" {
 }
 
 target "noetic-perception-tensorflow-cpu38" {
-  inherits = ["_distribution-noetic", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:noetic-perception-cpu38", "${REGISTRY}/ros-tf:noetic-perception-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "noetic-perception") }
   labels = {
@@ -2592,7 +2592,7 @@ target "noetic-perception-tensorflow-cpu38" {
 }
 
 target "noetic-desktop-tensorflow-cpu38" {
-  inherits = ["_distribution-noetic", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:noetic-desktop-cpu38", "${REGISTRY}/ros-tf:noetic-desktop-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "noetic-desktop") }
   labels = {
@@ -2604,7 +2604,7 @@ target "noetic-desktop-tensorflow-cpu38" {
 }
 
 target "noetic-desktop-full-tensorflow-cpu38" {
-  inherits = ["_distribution-noetic", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-noetic", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:noetic-desktop-full-cpu38", "${REGISTRY}/ros-tf:noetic-desktop-full-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "noetic-desktop-full") }
   labels = {
@@ -2616,7 +2616,7 @@ target "noetic-desktop-full-tensorflow-cpu38" {
 }
 
 target "foxy-core-cuda-cu128" {
-  inherits = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu128-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:foxy-core-cu128", "${REGISTRY}/ros-cuda:foxy-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "foxy-core") }
   labels = {
@@ -2628,7 +2628,7 @@ target "foxy-core-cuda-cu128" {
 }
 
 target "foxy-base-cuda-cu128" {
-  inherits = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu128-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:foxy-base-cu128", "${REGISTRY}/ros-cuda:foxy-base-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "foxy-base") }
   labels = {
@@ -2640,7 +2640,7 @@ target "foxy-base-cuda-cu128" {
 }
 
 target "foxy-desktop-cuda-cu128" {
-  inherits = ["_distribution-foxy", "_cuda-cu128-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu128-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:foxy-desktop-cu128", "${REGISTRY}/ros-cuda:foxy-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "foxy-desktop") }
   labels = {
@@ -2652,7 +2652,7 @@ target "foxy-desktop-cuda-cu128" {
 }
 
 target "foxy-core-cuda-cu130" {
-  inherits = ["_distribution-foxy", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu130-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:foxy-core-cu130", "${REGISTRY}/ros-cuda:foxy-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "foxy-core") }
   labels = {
@@ -2664,7 +2664,7 @@ target "foxy-core-cuda-cu130" {
 }
 
 target "foxy-base-cuda-cu130" {
-  inherits = ["_distribution-foxy", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu130-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:foxy-base-cu130", "${REGISTRY}/ros-cuda:foxy-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "foxy-base") }
   labels = {
@@ -2676,7 +2676,7 @@ target "foxy-base-cuda-cu130" {
 }
 
 target "foxy-desktop-cuda-cu130" {
-  inherits = ["_distribution-foxy", "_cuda-cu130-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu130-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:foxy-desktop-cu130", "${REGISTRY}/ros-cuda:foxy-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "foxy-desktop") }
   labels = {
@@ -2688,7 +2688,7 @@ target "foxy-desktop-cuda-cu130" {
 }
 
 target "foxy-core-cuda-cu121" {
-  inherits = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:foxy-core-cu121", "${REGISTRY}/ros-cuda:foxy-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "foxy-core") }
   labels = {
@@ -2700,7 +2700,7 @@ target "foxy-core-cuda-cu121" {
 }
 
 target "foxy-base-cuda-cu121" {
-  inherits = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-cuda:foxy-base-cu121",
     "${REGISTRY}/ros-cuda:foxy-base-cu121-cuda12.1.105",
@@ -2716,7 +2716,7 @@ target "foxy-base-cuda-cu121" {
 }
 
 target "foxy-desktop-cuda-cu121" {
-  inherits = ["_distribution-foxy", "_cuda-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-cuda-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-cuda:foxy-desktop-cu121", "${REGISTRY}/ros-cuda:foxy-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "foxy-desktop") }
   labels = {
@@ -2728,7 +2728,7 @@ target "foxy-desktop-cuda-cu121" {
 }
 
 target "foxy-core-torch-cu121" {
-  inherits = ["_distribution-foxy", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-torch-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-torch:foxy-core-cu121", "${REGISTRY}/ros-torch:foxy-core-cu121-torch2.4.1"]
   contexts = { ros = image("ros", "foxy-core") }
   labels = {
@@ -2740,7 +2740,7 @@ target "foxy-core-torch-cu121" {
 }
 
 target "foxy-base-torch-cu121" {
-  inherits = ["_distribution-foxy", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-torch-cu121-ubuntu-20-04"]
   tags = [
     "${REGISTRY}/ros-torch:foxy-base-cu121",
     "${REGISTRY}/ros-torch:foxy-base-cu121-torch2.4.1",
@@ -2756,7 +2756,7 @@ target "foxy-base-torch-cu121" {
 }
 
 target "foxy-desktop-torch-cu121" {
-  inherits = ["_distribution-foxy", "_torch-cu121-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-torch-cu121-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-torch:foxy-desktop-cu121", "${REGISTRY}/ros-torch:foxy-desktop-cu121-torch2.4.1"]
   contexts = { ros = image("ros", "foxy-desktop") }
   labels = {
@@ -2769,7 +2769,7 @@ target "foxy-desktop-torch-cu121" {
 
 target "foxy-core-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-foxy", "_join-torch-cpu38-ubuntu-20-04"]
   tags        = ["${REGISTRY}/ros-torch:foxy-core-cpu38", "${REGISTRY}/ros-torch:foxy-core-cpu38-torch2.4.1"]
   contexts    = { ros = image("ros", "foxy-core") }
   labels = {
@@ -2782,7 +2782,7 @@ target "foxy-core-torch-cpu38" {
 
 target "foxy-base-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-foxy", "_join-torch-cpu38-ubuntu-20-04"]
   tags        = ["${REGISTRY}/ros-torch:foxy-base-cpu38", "${REGISTRY}/ros-torch:foxy-base-cpu38-torch2.4.1"]
   contexts    = { ros = image("ros", "foxy-base") }
   labels = {
@@ -2795,7 +2795,7 @@ target "foxy-base-torch-cpu38" {
 
 target "foxy-desktop-torch-cpu38" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-foxy", "_torch-cpu38-ubuntu-20-04"]
+  inherits    = ["_distribution-foxy", "_join-torch-cpu38-ubuntu-20-04"]
   tags        = ["${REGISTRY}/ros-torch:foxy-desktop-cpu38", "${REGISTRY}/ros-torch:foxy-desktop-cpu38-torch2.4.1"]
   contexts    = { ros = image("ros", "foxy-desktop") }
   labels = {
@@ -2807,7 +2807,7 @@ target "foxy-desktop-torch-cpu38" {
 }
 
 target "foxy-core-tensorflow-cpu38" {
-  inherits = ["_distribution-foxy", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:foxy-core-cpu38", "${REGISTRY}/ros-tf:foxy-core-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "foxy-core") }
   labels = {
@@ -2819,7 +2819,7 @@ target "foxy-core-tensorflow-cpu38" {
 }
 
 target "foxy-base-tensorflow-cpu38" {
-  inherits = ["_distribution-foxy", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:foxy-base-cpu38", "${REGISTRY}/ros-tf:foxy-base-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "foxy-base") }
   labels = {
@@ -2831,7 +2831,7 @@ target "foxy-base-tensorflow-cpu38" {
 }
 
 target "foxy-desktop-tensorflow-cpu38" {
-  inherits = ["_distribution-foxy", "_tensorflow-cpu38-ubuntu-20-04"]
+  inherits = ["_distribution-foxy", "_join-tensorflow-cpu38-ubuntu-20-04"]
   tags     = ["${REGISTRY}/ros-tf:foxy-desktop-cpu38", "${REGISTRY}/ros-tf:foxy-desktop-cpu38-tf2.13.1"]
   contexts = { ros = image("ros", "foxy-desktop") }
   labels = {
@@ -2842,7 +2842,7 @@ target "foxy-desktop-tensorflow-cpu38" {
   }
 }
 
-target "_cuda-cu128-ubuntu-22-04" {
+target "_join-cuda-cu128-ubuntu-22-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
@@ -2861,7 +2861,7 @@ target "_cuda-cu128-ubuntu-22-04" {
 }
 
 target "humble-core-cuda-cu128" {
-  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-core-cu128", "${REGISTRY}/ros-cuda:humble-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -2873,7 +2873,7 @@ target "humble-core-cuda-cu128" {
 }
 
 target "humble-base-cuda-cu128" {
-  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:humble-base-cu128",
     "${REGISTRY}/ros-cuda:humble-base-cu128-cuda12.8.90",
@@ -2889,7 +2889,7 @@ target "humble-base-cuda-cu128" {
 }
 
 target "humble-perception-cuda-cu128" {
-  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-perception-cu128", "${REGISTRY}/ros-cuda:humble-perception-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -2901,7 +2901,7 @@ target "humble-perception-cuda-cu128" {
 }
 
 target "humble-desktop-cuda-cu128" {
-  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-desktop-cu128", "${REGISTRY}/ros-cuda:humble-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -2913,7 +2913,7 @@ target "humble-desktop-cuda-cu128" {
 }
 
 target "humble-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-humble", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu128-cuda12.8.90",
@@ -2927,7 +2927,7 @@ target "humble-desktop-full-cuda-cu128" {
   }
 }
 
-target "_cuda-cu130-ubuntu-22-04" {
+target "_join-cuda-cu130-ubuntu-22-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
@@ -2946,7 +2946,7 @@ target "_cuda-cu130-ubuntu-22-04" {
 }
 
 target "humble-core-cuda-cu130" {
-  inherits = ["_distribution-humble", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-core-cu130", "${REGISTRY}/ros-cuda:humble-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -2958,7 +2958,7 @@ target "humble-core-cuda-cu130" {
 }
 
 target "humble-base-cuda-cu130" {
-  inherits = ["_distribution-humble", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-base-cu130", "${REGISTRY}/ros-cuda:humble-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "humble-base") }
   labels = {
@@ -2970,7 +2970,7 @@ target "humble-base-cuda-cu130" {
 }
 
 target "humble-perception-cuda-cu130" {
-  inherits = ["_distribution-humble", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-perception-cu130", "${REGISTRY}/ros-cuda:humble-perception-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -2982,7 +2982,7 @@ target "humble-perception-cuda-cu130" {
 }
 
 target "humble-desktop-cuda-cu130" {
-  inherits = ["_distribution-humble", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-desktop-cu130", "${REGISTRY}/ros-cuda:humble-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -2994,7 +2994,7 @@ target "humble-desktop-cuda-cu130" {
 }
 
 target "humble-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-humble", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu130-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu130",
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu130-cuda13.0.96",
@@ -3008,7 +3008,7 @@ target "humble-desktop-full-cuda-cu130" {
   }
 }
 
-target "_cuda-cu121-ubuntu-22-04" {
+target "_join-cuda-cu121-ubuntu-22-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
@@ -3027,7 +3027,7 @@ target "_cuda-cu121-ubuntu-22-04" {
 }
 
 target "humble-core-cuda-cu121" {
-  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-core-cu121", "${REGISTRY}/ros-cuda:humble-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -3039,7 +3039,7 @@ target "humble-core-cuda-cu121" {
 }
 
 target "humble-base-cuda-cu121" {
-  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-base-cu121", "${REGISTRY}/ros-cuda:humble-base-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "humble-base") }
   labels = {
@@ -3051,7 +3051,7 @@ target "humble-base-cuda-cu121" {
 }
 
 target "humble-perception-cuda-cu121" {
-  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-perception-cu121", "${REGISTRY}/ros-cuda:humble-perception-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -3063,7 +3063,7 @@ target "humble-perception-cuda-cu121" {
 }
 
 target "humble-desktop-cuda-cu121" {
-  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:humble-desktop-cu121", "${REGISTRY}/ros-cuda:humble-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -3075,7 +3075,7 @@ target "humble-desktop-cuda-cu121" {
 }
 
 target "humble-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-humble", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-cuda-cu121-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:humble-desktop-full-cu121-cuda12.1.105",
@@ -3089,7 +3089,7 @@ target "humble-desktop-full-cuda-cu121" {
   }
 }
 
-target "_torch-cu128-ubuntu-22-04" {
+target "_join-torch-cu128-ubuntu-22-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -3116,7 +3116,7 @@ target "_torch-cu128-ubuntu-22-04" {
 }
 
 target "humble-core-torch-cu128" {
-  inherits = ["_distribution-humble", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-core-cu128", "${REGISTRY}/ros-torch:humble-core-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -3128,7 +3128,7 @@ target "humble-core-torch-cu128" {
 }
 
 target "humble-base-torch-cu128" {
-  inherits = ["_distribution-humble", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-torch:humble-base-cu128",
     "${REGISTRY}/ros-torch:humble-base-cu128-torch2.10.0",
@@ -3144,7 +3144,7 @@ target "humble-base-torch-cu128" {
 }
 
 target "humble-perception-torch-cu128" {
-  inherits = ["_distribution-humble", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-perception-cu128", "${REGISTRY}/ros-torch:humble-perception-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -3156,7 +3156,7 @@ target "humble-perception-torch-cu128" {
 }
 
 target "humble-desktop-torch-cu128" {
-  inherits = ["_distribution-humble", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-desktop-cu128", "${REGISTRY}/ros-torch:humble-desktop-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -3168,7 +3168,7 @@ target "humble-desktop-torch-cu128" {
 }
 
 target "humble-desktop-full-torch-cu128" {
-  inherits = ["_distribution-humble", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-torch:humble-desktop-full-cu128",
     "${REGISTRY}/ros-torch:humble-desktop-full-cu128-torch2.10.0",
@@ -3182,7 +3182,7 @@ target "humble-desktop-full-torch-cu128" {
   }
 }
 
-target "_torch-cu130-ubuntu-22-04" {
+target "_join-torch-cu130-ubuntu-22-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -3209,7 +3209,7 @@ target "_torch-cu130-ubuntu-22-04" {
 }
 
 target "humble-core-torch-cu130" {
-  inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-core-cu130", "${REGISTRY}/ros-torch:humble-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -3221,7 +3221,7 @@ target "humble-core-torch-cu130" {
 }
 
 target "humble-base-torch-cu130" {
-  inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-base-cu130", "${REGISTRY}/ros-torch:humble-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "humble-base") }
   labels = {
@@ -3233,7 +3233,7 @@ target "humble-base-torch-cu130" {
 }
 
 target "humble-perception-torch-cu130" {
-  inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-perception-cu130", "${REGISTRY}/ros-torch:humble-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -3245,7 +3245,7 @@ target "humble-perception-torch-cu130" {
 }
 
 target "humble-desktop-torch-cu130" {
-  inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-desktop-cu130", "${REGISTRY}/ros-torch:humble-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -3257,7 +3257,7 @@ target "humble-desktop-torch-cu130" {
 }
 
 target "humble-desktop-full-torch-cu130" {
-  inherits = ["_distribution-humble", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cu130-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-torch:humble-desktop-full-cu130",
     "${REGISTRY}/ros-torch:humble-desktop-full-cu130-torch2.12.1",
@@ -3271,7 +3271,7 @@ target "humble-desktop-full-torch-cu130" {
   }
 }
 
-target "_torch-cpu-ubuntu-22-04" {
+target "_join-torch-cpu-ubuntu-22-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -3292,7 +3292,7 @@ target "_torch-cpu-ubuntu-22-04" {
 }
 
 target "humble-core-torch-cpu" {
-  inherits = ["_distribution-humble", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-core-cpu", "${REGISTRY}/ros-torch:humble-core-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -3304,7 +3304,7 @@ target "humble-core-torch-cpu" {
 }
 
 target "humble-base-torch-cpu" {
-  inherits = ["_distribution-humble", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-base-cpu", "${REGISTRY}/ros-torch:humble-base-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "humble-base") }
   labels = {
@@ -3316,7 +3316,7 @@ target "humble-base-torch-cpu" {
 }
 
 target "humble-perception-torch-cpu" {
-  inherits = ["_distribution-humble", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-perception-cpu", "${REGISTRY}/ros-torch:humble-perception-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -3328,7 +3328,7 @@ target "humble-perception-torch-cpu" {
 }
 
 target "humble-desktop-torch-cpu" {
-  inherits = ["_distribution-humble", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-desktop-cpu", "${REGISTRY}/ros-torch:humble-desktop-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -3340,7 +3340,7 @@ target "humble-desktop-torch-cpu" {
 }
 
 target "humble-desktop-full-torch-cpu" {
-  inherits = ["_distribution-humble", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:humble-desktop-full-cpu", "${REGISTRY}/ros-torch:humble-desktop-full-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "humble-desktop-full") }
   labels = {
@@ -3351,7 +3351,7 @@ target "humble-desktop-full-torch-cpu" {
   }
 }
 
-target "_tensorflow-cu128-ubuntu-22-04" {
+target "_join-tensorflow-cu128-ubuntu-22-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -3378,7 +3378,7 @@ target "_tensorflow-cu128-ubuntu-22-04" {
 }
 
 target "humble-core-tensorflow-cu128" {
-  inherits = ["_distribution-humble", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-core-cu128", "${REGISTRY}/ros-tf:humble-core-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -3390,7 +3390,7 @@ target "humble-core-tensorflow-cu128" {
 }
 
 target "humble-base-tensorflow-cu128" {
-  inherits = ["_distribution-humble", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-tf:humble-base-cu128",
     "${REGISTRY}/ros-tf:humble-base-cu128-tf2.20.0",
@@ -3406,7 +3406,7 @@ target "humble-base-tensorflow-cu128" {
 }
 
 target "humble-perception-tensorflow-cu128" {
-  inherits = ["_distribution-humble", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-perception-cu128", "${REGISTRY}/ros-tf:humble-perception-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -3418,7 +3418,7 @@ target "humble-perception-tensorflow-cu128" {
 }
 
 target "humble-desktop-tensorflow-cu128" {
-  inherits = ["_distribution-humble", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-desktop-cu128", "${REGISTRY}/ros-tf:humble-desktop-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -3430,7 +3430,7 @@ target "humble-desktop-tensorflow-cu128" {
 }
 
 target "humble-desktop-full-tensorflow-cu128" {
-  inherits = ["_distribution-humble", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-desktop-full-cu128", "${REGISTRY}/ros-tf:humble-desktop-full-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "humble-desktop-full") }
   labels = {
@@ -3441,7 +3441,7 @@ target "humble-desktop-full-tensorflow-cu128" {
   }
 }
 
-target "_tensorflow-cpu-ubuntu-22-04" {
+target "_join-tensorflow-cpu-ubuntu-22-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -3462,7 +3462,7 @@ target "_tensorflow-cpu-ubuntu-22-04" {
 }
 
 target "humble-core-tensorflow-cpu" {
-  inherits = ["_distribution-humble", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-core-cpu", "${REGISTRY}/ros-tf:humble-core-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -3474,7 +3474,7 @@ target "humble-core-tensorflow-cpu" {
 }
 
 target "humble-base-tensorflow-cpu" {
-  inherits = ["_distribution-humble", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-base-cpu", "${REGISTRY}/ros-tf:humble-base-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "humble-base") }
   labels = {
@@ -3486,7 +3486,7 @@ target "humble-base-tensorflow-cpu" {
 }
 
 target "humble-perception-tensorflow-cpu" {
-  inherits = ["_distribution-humble", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-perception-cpu", "${REGISTRY}/ros-tf:humble-perception-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -3498,7 +3498,7 @@ target "humble-perception-tensorflow-cpu" {
 }
 
 target "humble-desktop-tensorflow-cpu" {
-  inherits = ["_distribution-humble", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-desktop-cpu", "${REGISTRY}/ros-tf:humble-desktop-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -3510,7 +3510,7 @@ target "humble-desktop-tensorflow-cpu" {
 }
 
 target "humble-desktop-full-tensorflow-cpu" {
-  inherits = ["_distribution-humble", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:humble-desktop-full-cpu", "${REGISTRY}/ros-tf:humble-desktop-full-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "humble-desktop-full") }
   labels = {
@@ -3521,7 +3521,7 @@ target "humble-desktop-full-tensorflow-cpu" {
   }
 }
 
-target "_ml-cu128-ubuntu-22-04" {
+target "_join-ml-cu128-ubuntu-22-04" {
   target    = "ml"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -3552,7 +3552,7 @@ target "_ml-cu128-ubuntu-22-04" {
 }
 
 target "humble-core-ml-cu128" {
-  inherits = ["_distribution-humble", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:humble-core-cu128", "${REGISTRY}/ros-ml:humble-core-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -3564,7 +3564,7 @@ target "humble-core-ml-cu128" {
 }
 
 target "humble-base-ml-cu128" {
-  inherits = ["_distribution-humble", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-ml:humble-base-cu128",
     "${REGISTRY}/ros-ml:humble-base-cu128-torch2.10.0-tf2.20.0",
@@ -3580,7 +3580,7 @@ target "humble-base-ml-cu128" {
 }
 
 target "humble-perception-ml-cu128" {
-  inherits = ["_distribution-humble", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-ml:humble-perception-cu128",
     "${REGISTRY}/ros-ml:humble-perception-cu128-torch2.10.0-tf2.20.0",
@@ -3595,7 +3595,7 @@ target "humble-perception-ml-cu128" {
 }
 
 target "humble-desktop-ml-cu128" {
-  inherits = ["_distribution-humble", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:humble-desktop-cu128", "${REGISTRY}/ros-ml:humble-desktop-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -3607,7 +3607,7 @@ target "humble-desktop-ml-cu128" {
 }
 
 target "humble-desktop-full-ml-cu128" {
-  inherits = ["_distribution-humble", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-ml:humble-desktop-full-cu128",
     "${REGISTRY}/ros-ml:humble-desktop-full-cu128-torch2.10.0-tf2.20.0",
@@ -3621,7 +3621,7 @@ target "humble-desktop-full-ml-cu128" {
   }
 }
 
-target "_ml-cpu-ubuntu-22-04" {
+target "_join-ml-cpu-ubuntu-22-04" {
   target    = "ml"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -3646,7 +3646,7 @@ target "_ml-cpu-ubuntu-22-04" {
 }
 
 target "humble-core-ml-cpu" {
-  inherits = ["_distribution-humble", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:humble-core-cpu", "${REGISTRY}/ros-ml:humble-core-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "humble-core") }
   labels = {
@@ -3658,7 +3658,7 @@ target "humble-core-ml-cpu" {
 }
 
 target "humble-base-ml-cpu" {
-  inherits = ["_distribution-humble", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:humble-base-cpu", "${REGISTRY}/ros-ml:humble-base-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "humble-base") }
   labels = {
@@ -3670,7 +3670,7 @@ target "humble-base-ml-cpu" {
 }
 
 target "humble-perception-ml-cpu" {
-  inherits = ["_distribution-humble", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:humble-perception-cpu", "${REGISTRY}/ros-ml:humble-perception-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "humble-perception") }
   labels = {
@@ -3682,7 +3682,7 @@ target "humble-perception-ml-cpu" {
 }
 
 target "humble-desktop-ml-cpu" {
-  inherits = ["_distribution-humble", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:humble-desktop-cpu", "${REGISTRY}/ros-ml:humble-desktop-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "humble-desktop") }
   labels = {
@@ -3694,7 +3694,7 @@ target "humble-desktop-ml-cpu" {
 }
 
 target "humble-desktop-full-ml-cpu" {
-  inherits = ["_distribution-humble", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-humble", "_join-ml-cpu-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-ml:humble-desktop-full-cpu",
     "${REGISTRY}/ros-ml:humble-desktop-full-cpu-torch2.10.0-tf2.20.0",
@@ -3709,7 +3709,7 @@ target "humble-desktop-full-ml-cpu" {
 }
 
 target "iron-core-cuda-cu128" {
-  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-core-cu128", "${REGISTRY}/ros-cuda:iron-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -3721,7 +3721,7 @@ target "iron-core-cuda-cu128" {
 }
 
 target "iron-base-cuda-cu128" {
-  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-cuda:iron-base-cu128",
     "${REGISTRY}/ros-cuda:iron-base-cu128-cuda12.8.90",
@@ -3737,7 +3737,7 @@ target "iron-base-cuda-cu128" {
 }
 
 target "iron-perception-cuda-cu128" {
-  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-perception-cu128", "${REGISTRY}/ros-cuda:iron-perception-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -3749,7 +3749,7 @@ target "iron-perception-cuda-cu128" {
 }
 
 target "iron-desktop-cuda-cu128" {
-  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-desktop-cu128", "${REGISTRY}/ros-cuda:iron-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -3761,7 +3761,7 @@ target "iron-desktop-cuda-cu128" {
 }
 
 target "iron-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-iron", "_cuda-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-desktop-full-cu128", "${REGISTRY}/ros-cuda:iron-desktop-full-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -3773,7 +3773,7 @@ target "iron-desktop-full-cuda-cu128" {
 }
 
 target "iron-core-cuda-cu130" {
-  inherits = ["_distribution-iron", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-core-cu130", "${REGISTRY}/ros-cuda:iron-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -3785,7 +3785,7 @@ target "iron-core-cuda-cu130" {
 }
 
 target "iron-base-cuda-cu130" {
-  inherits = ["_distribution-iron", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-base-cu130", "${REGISTRY}/ros-cuda:iron-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "iron-base") }
   labels = {
@@ -3797,7 +3797,7 @@ target "iron-base-cuda-cu130" {
 }
 
 target "iron-perception-cuda-cu130" {
-  inherits = ["_distribution-iron", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-perception-cu130", "${REGISTRY}/ros-cuda:iron-perception-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -3809,7 +3809,7 @@ target "iron-perception-cuda-cu130" {
 }
 
 target "iron-desktop-cuda-cu130" {
-  inherits = ["_distribution-iron", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-desktop-cu130", "${REGISTRY}/ros-cuda:iron-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -3821,7 +3821,7 @@ target "iron-desktop-cuda-cu130" {
 }
 
 target "iron-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-iron", "_cuda-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-desktop-full-cu130", "${REGISTRY}/ros-cuda:iron-desktop-full-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -3833,7 +3833,7 @@ target "iron-desktop-full-cuda-cu130" {
 }
 
 target "iron-core-cuda-cu121" {
-  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-core-cu121", "${REGISTRY}/ros-cuda:iron-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -3845,7 +3845,7 @@ target "iron-core-cuda-cu121" {
 }
 
 target "iron-base-cuda-cu121" {
-  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-base-cu121", "${REGISTRY}/ros-cuda:iron-base-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "iron-base") }
   labels = {
@@ -3857,7 +3857,7 @@ target "iron-base-cuda-cu121" {
 }
 
 target "iron-perception-cuda-cu121" {
-  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-perception-cu121", "${REGISTRY}/ros-cuda:iron-perception-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -3869,7 +3869,7 @@ target "iron-perception-cuda-cu121" {
 }
 
 target "iron-desktop-cuda-cu121" {
-  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-desktop-cu121", "${REGISTRY}/ros-cuda:iron-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -3881,7 +3881,7 @@ target "iron-desktop-cuda-cu121" {
 }
 
 target "iron-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-iron", "_cuda-cu121-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-cuda-cu121-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-cuda:iron-desktop-full-cu121", "${REGISTRY}/ros-cuda:iron-desktop-full-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -3893,7 +3893,7 @@ target "iron-desktop-full-cuda-cu121" {
 }
 
 target "iron-core-torch-cu128" {
-  inherits = ["_distribution-iron", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-core-cu128", "${REGISTRY}/ros-torch:iron-core-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -3905,7 +3905,7 @@ target "iron-core-torch-cu128" {
 }
 
 target "iron-base-torch-cu128" {
-  inherits = ["_distribution-iron", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-torch:iron-base-cu128",
     "${REGISTRY}/ros-torch:iron-base-cu128-torch2.10.0",
@@ -3921,7 +3921,7 @@ target "iron-base-torch-cu128" {
 }
 
 target "iron-perception-torch-cu128" {
-  inherits = ["_distribution-iron", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-perception-cu128", "${REGISTRY}/ros-torch:iron-perception-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -3933,7 +3933,7 @@ target "iron-perception-torch-cu128" {
 }
 
 target "iron-desktop-torch-cu128" {
-  inherits = ["_distribution-iron", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-desktop-cu128", "${REGISTRY}/ros-torch:iron-desktop-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -3945,7 +3945,7 @@ target "iron-desktop-torch-cu128" {
 }
 
 target "iron-desktop-full-torch-cu128" {
-  inherits = ["_distribution-iron", "_torch-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-desktop-full-cu128", "${REGISTRY}/ros-torch:iron-desktop-full-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -3957,7 +3957,7 @@ target "iron-desktop-full-torch-cu128" {
 }
 
 target "iron-core-torch-cu130" {
-  inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-core-cu130", "${REGISTRY}/ros-torch:iron-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -3969,7 +3969,7 @@ target "iron-core-torch-cu130" {
 }
 
 target "iron-base-torch-cu130" {
-  inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-base-cu130", "${REGISTRY}/ros-torch:iron-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-base") }
   labels = {
@@ -3981,7 +3981,7 @@ target "iron-base-torch-cu130" {
 }
 
 target "iron-perception-torch-cu130" {
-  inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-perception-cu130", "${REGISTRY}/ros-torch:iron-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -3993,7 +3993,7 @@ target "iron-perception-torch-cu130" {
 }
 
 target "iron-desktop-torch-cu130" {
-  inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-desktop-cu130", "${REGISTRY}/ros-torch:iron-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -4005,7 +4005,7 @@ target "iron-desktop-torch-cu130" {
 }
 
 target "iron-desktop-full-torch-cu130" {
-  inherits = ["_distribution-iron", "_torch-cu130-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cu130-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-desktop-full-cu130", "${REGISTRY}/ros-torch:iron-desktop-full-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -4017,7 +4017,7 @@ target "iron-desktop-full-torch-cu130" {
 }
 
 target "iron-core-torch-cpu" {
-  inherits = ["_distribution-iron", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-core-cpu", "${REGISTRY}/ros-torch:iron-core-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -4029,7 +4029,7 @@ target "iron-core-torch-cpu" {
 }
 
 target "iron-base-torch-cpu" {
-  inherits = ["_distribution-iron", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-base-cpu", "${REGISTRY}/ros-torch:iron-base-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "iron-base") }
   labels = {
@@ -4041,7 +4041,7 @@ target "iron-base-torch-cpu" {
 }
 
 target "iron-perception-torch-cpu" {
-  inherits = ["_distribution-iron", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-perception-cpu", "${REGISTRY}/ros-torch:iron-perception-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -4053,7 +4053,7 @@ target "iron-perception-torch-cpu" {
 }
 
 target "iron-desktop-torch-cpu" {
-  inherits = ["_distribution-iron", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-desktop-cpu", "${REGISTRY}/ros-torch:iron-desktop-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -4065,7 +4065,7 @@ target "iron-desktop-torch-cpu" {
 }
 
 target "iron-desktop-full-torch-cpu" {
-  inherits = ["_distribution-iron", "_torch-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-torch-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-torch:iron-desktop-full-cpu", "${REGISTRY}/ros-torch:iron-desktop-full-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -4077,7 +4077,7 @@ target "iron-desktop-full-torch-cpu" {
 }
 
 target "iron-core-tensorflow-cu128" {
-  inherits = ["_distribution-iron", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-core-cu128", "${REGISTRY}/ros-tf:iron-core-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -4089,7 +4089,7 @@ target "iron-core-tensorflow-cu128" {
 }
 
 target "iron-base-tensorflow-cu128" {
-  inherits = ["_distribution-iron", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-tf:iron-base-cu128",
     "${REGISTRY}/ros-tf:iron-base-cu128-tf2.20.0",
@@ -4105,7 +4105,7 @@ target "iron-base-tensorflow-cu128" {
 }
 
 target "iron-perception-tensorflow-cu128" {
-  inherits = ["_distribution-iron", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-perception-cu128", "${REGISTRY}/ros-tf:iron-perception-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -4117,7 +4117,7 @@ target "iron-perception-tensorflow-cu128" {
 }
 
 target "iron-desktop-tensorflow-cu128" {
-  inherits = ["_distribution-iron", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-desktop-cu128", "${REGISTRY}/ros-tf:iron-desktop-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -4129,7 +4129,7 @@ target "iron-desktop-tensorflow-cu128" {
 }
 
 target "iron-desktop-full-tensorflow-cu128" {
-  inherits = ["_distribution-iron", "_tensorflow-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-desktop-full-cu128", "${REGISTRY}/ros-tf:iron-desktop-full-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -4141,7 +4141,7 @@ target "iron-desktop-full-tensorflow-cu128" {
 }
 
 target "iron-core-tensorflow-cpu" {
-  inherits = ["_distribution-iron", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-core-cpu", "${REGISTRY}/ros-tf:iron-core-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -4153,7 +4153,7 @@ target "iron-core-tensorflow-cpu" {
 }
 
 target "iron-base-tensorflow-cpu" {
-  inherits = ["_distribution-iron", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-base-cpu", "${REGISTRY}/ros-tf:iron-base-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "iron-base") }
   labels = {
@@ -4165,7 +4165,7 @@ target "iron-base-tensorflow-cpu" {
 }
 
 target "iron-perception-tensorflow-cpu" {
-  inherits = ["_distribution-iron", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-perception-cpu", "${REGISTRY}/ros-tf:iron-perception-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -4177,7 +4177,7 @@ target "iron-perception-tensorflow-cpu" {
 }
 
 target "iron-desktop-tensorflow-cpu" {
-  inherits = ["_distribution-iron", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-desktop-cpu", "${REGISTRY}/ros-tf:iron-desktop-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -4189,7 +4189,7 @@ target "iron-desktop-tensorflow-cpu" {
 }
 
 target "iron-desktop-full-tensorflow-cpu" {
-  inherits = ["_distribution-iron", "_tensorflow-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-tensorflow-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-tf:iron-desktop-full-cpu", "${REGISTRY}/ros-tf:iron-desktop-full-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -4201,7 +4201,7 @@ target "iron-desktop-full-tensorflow-cpu" {
 }
 
 target "iron-core-ml-cu128" {
-  inherits = ["_distribution-iron", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:iron-core-cu128", "${REGISTRY}/ros-ml:iron-core-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -4213,7 +4213,7 @@ target "iron-core-ml-cu128" {
 }
 
 target "iron-base-ml-cu128" {
-  inherits = ["_distribution-iron", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-ml:iron-base-cu128",
     "${REGISTRY}/ros-ml:iron-base-cu128-torch2.10.0-tf2.20.0",
@@ -4229,7 +4229,7 @@ target "iron-base-ml-cu128" {
 }
 
 target "iron-perception-ml-cu128" {
-  inherits = ["_distribution-iron", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:iron-perception-cu128", "${REGISTRY}/ros-ml:iron-perception-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -4241,7 +4241,7 @@ target "iron-perception-ml-cu128" {
 }
 
 target "iron-desktop-ml-cu128" {
-  inherits = ["_distribution-iron", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cu128-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:iron-desktop-cu128", "${REGISTRY}/ros-ml:iron-desktop-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -4253,7 +4253,7 @@ target "iron-desktop-ml-cu128" {
 }
 
 target "iron-desktop-full-ml-cu128" {
-  inherits = ["_distribution-iron", "_ml-cu128-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cu128-ubuntu-22-04"]
   tags = [
     "${REGISTRY}/ros-ml:iron-desktop-full-cu128",
     "${REGISTRY}/ros-ml:iron-desktop-full-cu128-torch2.10.0-tf2.20.0",
@@ -4268,7 +4268,7 @@ target "iron-desktop-full-ml-cu128" {
 }
 
 target "iron-core-ml-cpu" {
-  inherits = ["_distribution-iron", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:iron-core-cpu", "${REGISTRY}/ros-ml:iron-core-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "iron-core") }
   labels = {
@@ -4280,7 +4280,7 @@ target "iron-core-ml-cpu" {
 }
 
 target "iron-base-ml-cpu" {
-  inherits = ["_distribution-iron", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:iron-base-cpu", "${REGISTRY}/ros-ml:iron-base-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "iron-base") }
   labels = {
@@ -4292,7 +4292,7 @@ target "iron-base-ml-cpu" {
 }
 
 target "iron-perception-ml-cpu" {
-  inherits = ["_distribution-iron", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:iron-perception-cpu", "${REGISTRY}/ros-ml:iron-perception-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "iron-perception") }
   labels = {
@@ -4304,7 +4304,7 @@ target "iron-perception-ml-cpu" {
 }
 
 target "iron-desktop-ml-cpu" {
-  inherits = ["_distribution-iron", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:iron-desktop-cpu", "${REGISTRY}/ros-ml:iron-desktop-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "iron-desktop") }
   labels = {
@@ -4316,7 +4316,7 @@ target "iron-desktop-ml-cpu" {
 }
 
 target "iron-desktop-full-ml-cpu" {
-  inherits = ["_distribution-iron", "_ml-cpu-ubuntu-22-04"]
+  inherits = ["_distribution-iron", "_join-ml-cpu-ubuntu-22-04"]
   tags     = ["${REGISTRY}/ros-ml:iron-desktop-full-cpu", "${REGISTRY}/ros-ml:iron-desktop-full-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "iron-desktop-full") }
   labels = {
@@ -4327,7 +4327,7 @@ target "iron-desktop-full-ml-cpu" {
   }
 }
 
-target "_cuda-cu128-ubuntu-24-04" {
+target "_join-cuda-cu128-ubuntu-24-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
@@ -4346,7 +4346,7 @@ target "_cuda-cu128-ubuntu-24-04" {
 }
 
 target "jazzy-core-cuda-cu128" {
-  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-core-cu128", "${REGISTRY}/ros-cuda:jazzy-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -4358,7 +4358,7 @@ target "jazzy-core-cuda-cu128" {
 }
 
 target "jazzy-base-cuda-cu128" {
-  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:jazzy-base-cu128",
     "${REGISTRY}/ros-cuda:jazzy-base-cu128-cuda12.8.90",
@@ -4374,7 +4374,7 @@ target "jazzy-base-cuda-cu128" {
 }
 
 target "jazzy-perception-cuda-cu128" {
-  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-perception-cu128", "${REGISTRY}/ros-cuda:jazzy-perception-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -4386,7 +4386,7 @@ target "jazzy-perception-cuda-cu128" {
 }
 
 target "jazzy-desktop-cuda-cu128" {
-  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-cu128", "${REGISTRY}/ros-cuda:jazzy-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -4398,7 +4398,7 @@ target "jazzy-desktop-cuda-cu128" {
 }
 
 target "jazzy-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-jazzy", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-full-cu128", "${REGISTRY}/ros-cuda:jazzy-desktop-full-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
@@ -4409,7 +4409,7 @@ target "jazzy-desktop-full-cuda-cu128" {
   }
 }
 
-target "_cuda-cu130-ubuntu-24-04" {
+target "_join-cuda-cu130-ubuntu-24-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
@@ -4428,7 +4428,7 @@ target "_cuda-cu130-ubuntu-24-04" {
 }
 
 target "jazzy-core-cuda-cu130" {
-  inherits = ["_distribution-jazzy", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-core-cu130", "${REGISTRY}/ros-cuda:jazzy-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -4440,7 +4440,7 @@ target "jazzy-core-cuda-cu130" {
 }
 
 target "jazzy-base-cuda-cu130" {
-  inherits = ["_distribution-jazzy", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-base-cu130", "${REGISTRY}/ros-cuda:jazzy-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "jazzy-base") }
   labels = {
@@ -4452,7 +4452,7 @@ target "jazzy-base-cuda-cu130" {
 }
 
 target "jazzy-perception-cuda-cu130" {
-  inherits = ["_distribution-jazzy", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-perception-cu130", "${REGISTRY}/ros-cuda:jazzy-perception-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -4464,7 +4464,7 @@ target "jazzy-perception-cuda-cu130" {
 }
 
 target "jazzy-desktop-cuda-cu130" {
-  inherits = ["_distribution-jazzy", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-cu130", "${REGISTRY}/ros-cuda:jazzy-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -4476,7 +4476,7 @@ target "jazzy-desktop-cuda-cu130" {
 }
 
 target "jazzy-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-jazzy", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-full-cu130", "${REGISTRY}/ros-cuda:jazzy-desktop-full-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
@@ -4487,7 +4487,7 @@ target "jazzy-desktop-full-cuda-cu130" {
   }
 }
 
-target "_cuda-cu121-ubuntu-24-04" {
+target "_join-cuda-cu121-ubuntu-24-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
@@ -4506,7 +4506,7 @@ target "_cuda-cu121-ubuntu-24-04" {
 }
 
 target "jazzy-core-cuda-cu121" {
-  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-core-cu121", "${REGISTRY}/ros-cuda:jazzy-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -4518,7 +4518,7 @@ target "jazzy-core-cuda-cu121" {
 }
 
 target "jazzy-base-cuda-cu121" {
-  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-base-cu121", "${REGISTRY}/ros-cuda:jazzy-base-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "jazzy-base") }
   labels = {
@@ -4530,7 +4530,7 @@ target "jazzy-base-cuda-cu121" {
 }
 
 target "jazzy-perception-cuda-cu121" {
-  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-perception-cu121", "${REGISTRY}/ros-cuda:jazzy-perception-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -4542,7 +4542,7 @@ target "jazzy-perception-cuda-cu121" {
 }
 
 target "jazzy-desktop-cuda-cu121" {
-  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-cu121", "${REGISTRY}/ros-cuda:jazzy-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -4554,7 +4554,7 @@ target "jazzy-desktop-cuda-cu121" {
 }
 
 target "jazzy-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-jazzy", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:jazzy-desktop-full-cu121", "${REGISTRY}/ros-cuda:jazzy-desktop-full-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
@@ -4565,7 +4565,7 @@ target "jazzy-desktop-full-cuda-cu121" {
   }
 }
 
-target "_torch-cu128-ubuntu-24-04" {
+target "_join-torch-cu128-ubuntu-24-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -4592,7 +4592,7 @@ target "_torch-cu128-ubuntu-24-04" {
 }
 
 target "jazzy-core-torch-cu128" {
-  inherits = ["_distribution-jazzy", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-core-cu128", "${REGISTRY}/ros-torch:jazzy-core-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -4604,7 +4604,7 @@ target "jazzy-core-torch-cu128" {
 }
 
 target "jazzy-base-torch-cu128" {
-  inherits = ["_distribution-jazzy", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-torch:jazzy-base-cu128",
     "${REGISTRY}/ros-torch:jazzy-base-cu128-torch2.10.0",
@@ -4620,7 +4620,7 @@ target "jazzy-base-torch-cu128" {
 }
 
 target "jazzy-perception-torch-cu128" {
-  inherits = ["_distribution-jazzy", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-perception-cu128", "${REGISTRY}/ros-torch:jazzy-perception-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -4632,7 +4632,7 @@ target "jazzy-perception-torch-cu128" {
 }
 
 target "jazzy-desktop-torch-cu128" {
-  inherits = ["_distribution-jazzy", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-desktop-cu128", "${REGISTRY}/ros-torch:jazzy-desktop-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -4644,7 +4644,7 @@ target "jazzy-desktop-torch-cu128" {
 }
 
 target "jazzy-desktop-full-torch-cu128" {
-  inherits = ["_distribution-jazzy", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-torch:jazzy-desktop-full-cu128",
     "${REGISTRY}/ros-torch:jazzy-desktop-full-cu128-torch2.10.0",
@@ -4658,7 +4658,7 @@ target "jazzy-desktop-full-torch-cu128" {
   }
 }
 
-target "_torch-cu130-ubuntu-24-04" {
+target "_join-torch-cu130-ubuntu-24-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -4685,7 +4685,7 @@ target "_torch-cu130-ubuntu-24-04" {
 }
 
 target "jazzy-core-torch-cu130" {
-  inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-core-cu130", "${REGISTRY}/ros-torch:jazzy-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -4697,7 +4697,7 @@ target "jazzy-core-torch-cu130" {
 }
 
 target "jazzy-base-torch-cu130" {
-  inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-base-cu130", "${REGISTRY}/ros-torch:jazzy-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "jazzy-base") }
   labels = {
@@ -4709,7 +4709,7 @@ target "jazzy-base-torch-cu130" {
 }
 
 target "jazzy-perception-torch-cu130" {
-  inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-perception-cu130", "${REGISTRY}/ros-torch:jazzy-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -4721,7 +4721,7 @@ target "jazzy-perception-torch-cu130" {
 }
 
 target "jazzy-desktop-torch-cu130" {
-  inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-desktop-cu130", "${REGISTRY}/ros-torch:jazzy-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -4733,7 +4733,7 @@ target "jazzy-desktop-torch-cu130" {
 }
 
 target "jazzy-desktop-full-torch-cu130" {
-  inherits = ["_distribution-jazzy", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cu130-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-torch:jazzy-desktop-full-cu130",
     "${REGISTRY}/ros-torch:jazzy-desktop-full-cu130-torch2.12.1",
@@ -4747,7 +4747,7 @@ target "jazzy-desktop-full-torch-cu130" {
   }
 }
 
-target "_torch-cpu-ubuntu-24-04" {
+target "_join-torch-cpu-ubuntu-24-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -4768,7 +4768,7 @@ target "_torch-cpu-ubuntu-24-04" {
 }
 
 target "jazzy-core-torch-cpu" {
-  inherits = ["_distribution-jazzy", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-core-cpu", "${REGISTRY}/ros-torch:jazzy-core-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -4780,7 +4780,7 @@ target "jazzy-core-torch-cpu" {
 }
 
 target "jazzy-base-torch-cpu" {
-  inherits = ["_distribution-jazzy", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-base-cpu", "${REGISTRY}/ros-torch:jazzy-base-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "jazzy-base") }
   labels = {
@@ -4792,7 +4792,7 @@ target "jazzy-base-torch-cpu" {
 }
 
 target "jazzy-perception-torch-cpu" {
-  inherits = ["_distribution-jazzy", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-perception-cpu", "${REGISTRY}/ros-torch:jazzy-perception-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -4804,7 +4804,7 @@ target "jazzy-perception-torch-cpu" {
 }
 
 target "jazzy-desktop-torch-cpu" {
-  inherits = ["_distribution-jazzy", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-desktop-cpu", "${REGISTRY}/ros-torch:jazzy-desktop-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -4816,7 +4816,7 @@ target "jazzy-desktop-torch-cpu" {
 }
 
 target "jazzy-desktop-full-torch-cpu" {
-  inherits = ["_distribution-jazzy", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:jazzy-desktop-full-cpu", "${REGISTRY}/ros-torch:jazzy-desktop-full-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
@@ -4827,7 +4827,7 @@ target "jazzy-desktop-full-torch-cpu" {
   }
 }
 
-target "_tensorflow-cu128-ubuntu-24-04" {
+target "_join-tensorflow-cu128-ubuntu-24-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -4854,7 +4854,7 @@ target "_tensorflow-cu128-ubuntu-24-04" {
 }
 
 target "jazzy-core-tensorflow-cu128" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-core-cu128", "${REGISTRY}/ros-tf:jazzy-core-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -4866,7 +4866,7 @@ target "jazzy-core-tensorflow-cu128" {
 }
 
 target "jazzy-base-tensorflow-cu128" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-tf:jazzy-base-cu128",
     "${REGISTRY}/ros-tf:jazzy-base-cu128-tf2.20.0",
@@ -4882,7 +4882,7 @@ target "jazzy-base-tensorflow-cu128" {
 }
 
 target "jazzy-perception-tensorflow-cu128" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-perception-cu128", "${REGISTRY}/ros-tf:jazzy-perception-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -4894,7 +4894,7 @@ target "jazzy-perception-tensorflow-cu128" {
 }
 
 target "jazzy-desktop-tensorflow-cu128" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-desktop-cu128", "${REGISTRY}/ros-tf:jazzy-desktop-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -4906,7 +4906,7 @@ target "jazzy-desktop-tensorflow-cu128" {
 }
 
 target "jazzy-desktop-full-tensorflow-cu128" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-desktop-full-cu128", "${REGISTRY}/ros-tf:jazzy-desktop-full-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
@@ -4917,7 +4917,7 @@ target "jazzy-desktop-full-tensorflow-cu128" {
   }
 }
 
-target "_tensorflow-cpu-ubuntu-24-04" {
+target "_join-tensorflow-cpu-ubuntu-24-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -4938,7 +4938,7 @@ target "_tensorflow-cpu-ubuntu-24-04" {
 }
 
 target "jazzy-core-tensorflow-cpu" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-core-cpu", "${REGISTRY}/ros-tf:jazzy-core-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -4950,7 +4950,7 @@ target "jazzy-core-tensorflow-cpu" {
 }
 
 target "jazzy-base-tensorflow-cpu" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-base-cpu", "${REGISTRY}/ros-tf:jazzy-base-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-base") }
   labels = {
@@ -4962,7 +4962,7 @@ target "jazzy-base-tensorflow-cpu" {
 }
 
 target "jazzy-perception-tensorflow-cpu" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-perception-cpu", "${REGISTRY}/ros-tf:jazzy-perception-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -4974,7 +4974,7 @@ target "jazzy-perception-tensorflow-cpu" {
 }
 
 target "jazzy-desktop-tensorflow-cpu" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-desktop-cpu", "${REGISTRY}/ros-tf:jazzy-desktop-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -4986,7 +4986,7 @@ target "jazzy-desktop-tensorflow-cpu" {
 }
 
 target "jazzy-desktop-full-tensorflow-cpu" {
-  inherits = ["_distribution-jazzy", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:jazzy-desktop-full-cpu", "${REGISTRY}/ros-tf:jazzy-desktop-full-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
@@ -4997,7 +4997,7 @@ target "jazzy-desktop-full-tensorflow-cpu" {
   }
 }
 
-target "_ml-cu128-ubuntu-24-04" {
+target "_join-ml-cu128-ubuntu-24-04" {
   target    = "ml"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -5028,7 +5028,7 @@ target "_ml-cu128-ubuntu-24-04" {
 }
 
 target "jazzy-core-ml-cu128" {
-  inherits = ["_distribution-jazzy", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:jazzy-core-cu128", "${REGISTRY}/ros-ml:jazzy-core-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -5040,7 +5040,7 @@ target "jazzy-core-ml-cu128" {
 }
 
 target "jazzy-base-ml-cu128" {
-  inherits = ["_distribution-jazzy", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-ml:jazzy-base-cu128",
     "${REGISTRY}/ros-ml:jazzy-base-cu128-torch2.10.0-tf2.20.0",
@@ -5056,7 +5056,7 @@ target "jazzy-base-ml-cu128" {
 }
 
 target "jazzy-perception-ml-cu128" {
-  inherits = ["_distribution-jazzy", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:jazzy-perception-cu128", "${REGISTRY}/ros-ml:jazzy-perception-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -5068,7 +5068,7 @@ target "jazzy-perception-ml-cu128" {
 }
 
 target "jazzy-desktop-ml-cu128" {
-  inherits = ["_distribution-jazzy", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:jazzy-desktop-cu128", "${REGISTRY}/ros-ml:jazzy-desktop-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -5080,7 +5080,7 @@ target "jazzy-desktop-ml-cu128" {
 }
 
 target "jazzy-desktop-full-ml-cu128" {
-  inherits = ["_distribution-jazzy", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-ml:jazzy-desktop-full-cu128",
     "${REGISTRY}/ros-ml:jazzy-desktop-full-cu128-torch2.10.0-tf2.20.0",
@@ -5094,7 +5094,7 @@ target "jazzy-desktop-full-ml-cu128" {
   }
 }
 
-target "_ml-cpu-ubuntu-24-04" {
+target "_join-ml-cpu-ubuntu-24-04" {
   target    = "ml"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -5119,7 +5119,7 @@ target "_ml-cpu-ubuntu-24-04" {
 }
 
 target "jazzy-core-ml-cpu" {
-  inherits = ["_distribution-jazzy", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:jazzy-core-cpu", "${REGISTRY}/ros-ml:jazzy-core-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-core") }
   labels = {
@@ -5131,7 +5131,7 @@ target "jazzy-core-ml-cpu" {
 }
 
 target "jazzy-base-ml-cpu" {
-  inherits = ["_distribution-jazzy", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:jazzy-base-cpu", "${REGISTRY}/ros-ml:jazzy-base-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-base") }
   labels = {
@@ -5143,7 +5143,7 @@ target "jazzy-base-ml-cpu" {
 }
 
 target "jazzy-perception-ml-cpu" {
-  inherits = ["_distribution-jazzy", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:jazzy-perception-cpu", "${REGISTRY}/ros-ml:jazzy-perception-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-perception") }
   labels = {
@@ -5155,7 +5155,7 @@ target "jazzy-perception-ml-cpu" {
 }
 
 target "jazzy-desktop-ml-cpu" {
-  inherits = ["_distribution-jazzy", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:jazzy-desktop-cpu", "${REGISTRY}/ros-ml:jazzy-desktop-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-desktop") }
   labels = {
@@ -5167,7 +5167,7 @@ target "jazzy-desktop-ml-cpu" {
 }
 
 target "jazzy-desktop-full-ml-cpu" {
-  inherits = ["_distribution-jazzy", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-jazzy", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:jazzy-desktop-full-cpu", "${REGISTRY}/ros-ml:jazzy-desktop-full-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "jazzy-desktop-full") }
   labels = {
@@ -5179,7 +5179,7 @@ target "jazzy-desktop-full-ml-cpu" {
 }
 
 target "kilted-core-cuda-cu128" {
-  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-core-cu128", "${REGISTRY}/ros-cuda:kilted-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5191,7 +5191,7 @@ target "kilted-core-cuda-cu128" {
 }
 
 target "kilted-base-cuda-cu128" {
-  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:kilted-base-cu128",
     "${REGISTRY}/ros-cuda:kilted-base-cu128-cuda12.8.90",
@@ -5207,7 +5207,7 @@ target "kilted-base-cuda-cu128" {
 }
 
 target "kilted-perception-cuda-cu128" {
-  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-perception-cu128", "${REGISTRY}/ros-cuda:kilted-perception-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5219,7 +5219,7 @@ target "kilted-perception-cuda-cu128" {
 }
 
 target "kilted-desktop-cuda-cu128" {
-  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-desktop-cu128", "${REGISTRY}/ros-cuda:kilted-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5231,7 +5231,7 @@ target "kilted-desktop-cuda-cu128" {
 }
 
 target "kilted-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-kilted", "_cuda-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu128-cuda12.8.90",
@@ -5246,7 +5246,7 @@ target "kilted-desktop-full-cuda-cu128" {
 }
 
 target "kilted-core-cuda-cu130" {
-  inherits = ["_distribution-kilted", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-core-cu130", "${REGISTRY}/ros-cuda:kilted-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5258,7 +5258,7 @@ target "kilted-core-cuda-cu130" {
 }
 
 target "kilted-base-cuda-cu130" {
-  inherits = ["_distribution-kilted", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-base-cu130", "${REGISTRY}/ros-cuda:kilted-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "kilted-base") }
   labels = {
@@ -5270,7 +5270,7 @@ target "kilted-base-cuda-cu130" {
 }
 
 target "kilted-perception-cuda-cu130" {
-  inherits = ["_distribution-kilted", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-perception-cu130", "${REGISTRY}/ros-cuda:kilted-perception-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5282,7 +5282,7 @@ target "kilted-perception-cuda-cu130" {
 }
 
 target "kilted-desktop-cuda-cu130" {
-  inherits = ["_distribution-kilted", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-desktop-cu130", "${REGISTRY}/ros-cuda:kilted-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5294,7 +5294,7 @@ target "kilted-desktop-cuda-cu130" {
 }
 
 target "kilted-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-kilted", "_cuda-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu130-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu130",
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu130-cuda13.0.96",
@@ -5309,7 +5309,7 @@ target "kilted-desktop-full-cuda-cu130" {
 }
 
 target "kilted-core-cuda-cu121" {
-  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-core-cu121", "${REGISTRY}/ros-cuda:kilted-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5321,7 +5321,7 @@ target "kilted-core-cuda-cu121" {
 }
 
 target "kilted-base-cuda-cu121" {
-  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-base-cu121", "${REGISTRY}/ros-cuda:kilted-base-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "kilted-base") }
   labels = {
@@ -5333,7 +5333,7 @@ target "kilted-base-cuda-cu121" {
 }
 
 target "kilted-perception-cuda-cu121" {
-  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-perception-cu121", "${REGISTRY}/ros-cuda:kilted-perception-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5345,7 +5345,7 @@ target "kilted-perception-cuda-cu121" {
 }
 
 target "kilted-desktop-cuda-cu121" {
-  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu121-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-cuda:kilted-desktop-cu121", "${REGISTRY}/ros-cuda:kilted-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5357,7 +5357,7 @@ target "kilted-desktop-cuda-cu121" {
 }
 
 target "kilted-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-kilted", "_cuda-cu121-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-cuda-cu121-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:kilted-desktop-full-cu121-cuda12.1.105",
@@ -5372,7 +5372,7 @@ target "kilted-desktop-full-cuda-cu121" {
 }
 
 target "kilted-core-torch-cu128" {
-  inherits = ["_distribution-kilted", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-core-cu128", "${REGISTRY}/ros-torch:kilted-core-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5384,7 +5384,7 @@ target "kilted-core-torch-cu128" {
 }
 
 target "kilted-base-torch-cu128" {
-  inherits = ["_distribution-kilted", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-torch:kilted-base-cu128",
     "${REGISTRY}/ros-torch:kilted-base-cu128-torch2.10.0",
@@ -5400,7 +5400,7 @@ target "kilted-base-torch-cu128" {
 }
 
 target "kilted-perception-torch-cu128" {
-  inherits = ["_distribution-kilted", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-perception-cu128", "${REGISTRY}/ros-torch:kilted-perception-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5412,7 +5412,7 @@ target "kilted-perception-torch-cu128" {
 }
 
 target "kilted-desktop-torch-cu128" {
-  inherits = ["_distribution-kilted", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-desktop-cu128", "${REGISTRY}/ros-torch:kilted-desktop-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5424,7 +5424,7 @@ target "kilted-desktop-torch-cu128" {
 }
 
 target "kilted-desktop-full-torch-cu128" {
-  inherits = ["_distribution-kilted", "_torch-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-torch:kilted-desktop-full-cu128",
     "${REGISTRY}/ros-torch:kilted-desktop-full-cu128-torch2.10.0",
@@ -5439,7 +5439,7 @@ target "kilted-desktop-full-torch-cu128" {
 }
 
 target "kilted-core-torch-cu130" {
-  inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-core-cu130", "${REGISTRY}/ros-torch:kilted-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5451,7 +5451,7 @@ target "kilted-core-torch-cu130" {
 }
 
 target "kilted-base-torch-cu130" {
-  inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-base-cu130", "${REGISTRY}/ros-torch:kilted-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "kilted-base") }
   labels = {
@@ -5463,7 +5463,7 @@ target "kilted-base-torch-cu130" {
 }
 
 target "kilted-perception-torch-cu130" {
-  inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-perception-cu130", "${REGISTRY}/ros-torch:kilted-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5475,7 +5475,7 @@ target "kilted-perception-torch-cu130" {
 }
 
 target "kilted-desktop-torch-cu130" {
-  inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu130-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-desktop-cu130", "${REGISTRY}/ros-torch:kilted-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5487,7 +5487,7 @@ target "kilted-desktop-torch-cu130" {
 }
 
 target "kilted-desktop-full-torch-cu130" {
-  inherits = ["_distribution-kilted", "_torch-cu130-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cu130-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-torch:kilted-desktop-full-cu130",
     "${REGISTRY}/ros-torch:kilted-desktop-full-cu130-torch2.12.1",
@@ -5502,7 +5502,7 @@ target "kilted-desktop-full-torch-cu130" {
 }
 
 target "kilted-core-torch-cpu" {
-  inherits = ["_distribution-kilted", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-core-cpu", "${REGISTRY}/ros-torch:kilted-core-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5514,7 +5514,7 @@ target "kilted-core-torch-cpu" {
 }
 
 target "kilted-base-torch-cpu" {
-  inherits = ["_distribution-kilted", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-base-cpu", "${REGISTRY}/ros-torch:kilted-base-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "kilted-base") }
   labels = {
@@ -5526,7 +5526,7 @@ target "kilted-base-torch-cpu" {
 }
 
 target "kilted-perception-torch-cpu" {
-  inherits = ["_distribution-kilted", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-perception-cpu", "${REGISTRY}/ros-torch:kilted-perception-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5538,7 +5538,7 @@ target "kilted-perception-torch-cpu" {
 }
 
 target "kilted-desktop-torch-cpu" {
-  inherits = ["_distribution-kilted", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-desktop-cpu", "${REGISTRY}/ros-torch:kilted-desktop-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5550,7 +5550,7 @@ target "kilted-desktop-torch-cpu" {
 }
 
 target "kilted-desktop-full-torch-cpu" {
-  inherits = ["_distribution-kilted", "_torch-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-torch-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-torch:kilted-desktop-full-cpu", "${REGISTRY}/ros-torch:kilted-desktop-full-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "kilted-desktop-full") }
   labels = {
@@ -5562,7 +5562,7 @@ target "kilted-desktop-full-torch-cpu" {
 }
 
 target "kilted-core-tensorflow-cu128" {
-  inherits = ["_distribution-kilted", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-core-cu128", "${REGISTRY}/ros-tf:kilted-core-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5574,7 +5574,7 @@ target "kilted-core-tensorflow-cu128" {
 }
 
 target "kilted-base-tensorflow-cu128" {
-  inherits = ["_distribution-kilted", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-tf:kilted-base-cu128",
     "${REGISTRY}/ros-tf:kilted-base-cu128-tf2.20.0",
@@ -5590,7 +5590,7 @@ target "kilted-base-tensorflow-cu128" {
 }
 
 target "kilted-perception-tensorflow-cu128" {
-  inherits = ["_distribution-kilted", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-perception-cu128", "${REGISTRY}/ros-tf:kilted-perception-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5602,7 +5602,7 @@ target "kilted-perception-tensorflow-cu128" {
 }
 
 target "kilted-desktop-tensorflow-cu128" {
-  inherits = ["_distribution-kilted", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-desktop-cu128", "${REGISTRY}/ros-tf:kilted-desktop-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5614,7 +5614,7 @@ target "kilted-desktop-tensorflow-cu128" {
 }
 
 target "kilted-desktop-full-tensorflow-cu128" {
-  inherits = ["_distribution-kilted", "_tensorflow-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-desktop-full-cu128", "${REGISTRY}/ros-tf:kilted-desktop-full-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-desktop-full") }
   labels = {
@@ -5626,7 +5626,7 @@ target "kilted-desktop-full-tensorflow-cu128" {
 }
 
 target "kilted-core-tensorflow-cpu" {
-  inherits = ["_distribution-kilted", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-core-cpu", "${REGISTRY}/ros-tf:kilted-core-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5638,7 +5638,7 @@ target "kilted-core-tensorflow-cpu" {
 }
 
 target "kilted-base-tensorflow-cpu" {
-  inherits = ["_distribution-kilted", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-base-cpu", "${REGISTRY}/ros-tf:kilted-base-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-base") }
   labels = {
@@ -5650,7 +5650,7 @@ target "kilted-base-tensorflow-cpu" {
 }
 
 target "kilted-perception-tensorflow-cpu" {
-  inherits = ["_distribution-kilted", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-perception-cpu", "${REGISTRY}/ros-tf:kilted-perception-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5662,7 +5662,7 @@ target "kilted-perception-tensorflow-cpu" {
 }
 
 target "kilted-desktop-tensorflow-cpu" {
-  inherits = ["_distribution-kilted", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-desktop-cpu", "${REGISTRY}/ros-tf:kilted-desktop-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5674,7 +5674,7 @@ target "kilted-desktop-tensorflow-cpu" {
 }
 
 target "kilted-desktop-full-tensorflow-cpu" {
-  inherits = ["_distribution-kilted", "_tensorflow-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-tensorflow-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-tf:kilted-desktop-full-cpu", "${REGISTRY}/ros-tf:kilted-desktop-full-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-desktop-full") }
   labels = {
@@ -5686,7 +5686,7 @@ target "kilted-desktop-full-tensorflow-cpu" {
 }
 
 target "kilted-core-ml-cu128" {
-  inherits = ["_distribution-kilted", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:kilted-core-cu128", "${REGISTRY}/ros-ml:kilted-core-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5698,7 +5698,7 @@ target "kilted-core-ml-cu128" {
 }
 
 target "kilted-base-ml-cu128" {
-  inherits = ["_distribution-kilted", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-ml:kilted-base-cu128",
     "${REGISTRY}/ros-ml:kilted-base-cu128-torch2.10.0-tf2.20.0",
@@ -5714,7 +5714,7 @@ target "kilted-base-ml-cu128" {
 }
 
 target "kilted-perception-ml-cu128" {
-  inherits = ["_distribution-kilted", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-ml:kilted-perception-cu128",
     "${REGISTRY}/ros-ml:kilted-perception-cu128-torch2.10.0-tf2.20.0",
@@ -5729,7 +5729,7 @@ target "kilted-perception-ml-cu128" {
 }
 
 target "kilted-desktop-ml-cu128" {
-  inherits = ["_distribution-kilted", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cu128-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:kilted-desktop-cu128", "${REGISTRY}/ros-ml:kilted-desktop-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5741,7 +5741,7 @@ target "kilted-desktop-ml-cu128" {
 }
 
 target "kilted-desktop-full-ml-cu128" {
-  inherits = ["_distribution-kilted", "_ml-cu128-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cu128-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-ml:kilted-desktop-full-cu128",
     "${REGISTRY}/ros-ml:kilted-desktop-full-cu128-torch2.10.0-tf2.20.0",
@@ -5756,7 +5756,7 @@ target "kilted-desktop-full-ml-cu128" {
 }
 
 target "kilted-core-ml-cpu" {
-  inherits = ["_distribution-kilted", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:kilted-core-cpu", "${REGISTRY}/ros-ml:kilted-core-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-core") }
   labels = {
@@ -5768,7 +5768,7 @@ target "kilted-core-ml-cpu" {
 }
 
 target "kilted-base-ml-cpu" {
-  inherits = ["_distribution-kilted", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:kilted-base-cpu", "${REGISTRY}/ros-ml:kilted-base-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-base") }
   labels = {
@@ -5780,7 +5780,7 @@ target "kilted-base-ml-cpu" {
 }
 
 target "kilted-perception-ml-cpu" {
-  inherits = ["_distribution-kilted", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:kilted-perception-cpu", "${REGISTRY}/ros-ml:kilted-perception-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-perception") }
   labels = {
@@ -5792,7 +5792,7 @@ target "kilted-perception-ml-cpu" {
 }
 
 target "kilted-desktop-ml-cpu" {
-  inherits = ["_distribution-kilted", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cpu-ubuntu-24-04"]
   tags     = ["${REGISTRY}/ros-ml:kilted-desktop-cpu", "${REGISTRY}/ros-ml:kilted-desktop-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "kilted-desktop") }
   labels = {
@@ -5804,7 +5804,7 @@ target "kilted-desktop-ml-cpu" {
 }
 
 target "kilted-desktop-full-ml-cpu" {
-  inherits = ["_distribution-kilted", "_ml-cpu-ubuntu-24-04"]
+  inherits = ["_distribution-kilted", "_join-ml-cpu-ubuntu-24-04"]
   tags = [
     "${REGISTRY}/ros-ml:kilted-desktop-full-cpu",
     "${REGISTRY}/ros-ml:kilted-desktop-full-cpu-torch2.10.0-tf2.20.0",
@@ -5818,7 +5818,7 @@ target "kilted-desktop-full-ml-cpu" {
   }
 }
 
-target "_cuda-cu128-ubuntu-26-04" {
+target "_join-cuda-cu128-ubuntu-26-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
@@ -5837,7 +5837,7 @@ target "_cuda-cu128-ubuntu-26-04" {
 }
 
 target "lyrical-core-cuda-cu128" {
-  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-core-cu128", "${REGISTRY}/ros-cuda:lyrical-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "lyrical-core") }
   labels = {
@@ -5849,7 +5849,7 @@ target "lyrical-core-cuda-cu128" {
 }
 
 target "lyrical-base-cuda-cu128" {
-  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:lyrical-base-cu128",
     "${REGISTRY}/ros-cuda:lyrical-base-cu128-cuda12.8.90",
@@ -5866,7 +5866,7 @@ target "lyrical-base-cuda-cu128" {
 }
 
 target "lyrical-perception-cuda-cu128" {
-  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-perception-cu128", "${REGISTRY}/ros-cuda:lyrical-perception-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "lyrical-perception") }
   labels = {
@@ -5878,7 +5878,7 @@ target "lyrical-perception-cuda-cu128" {
 }
 
 target "lyrical-desktop-cuda-cu128" {
-  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-desktop-cu128", "${REGISTRY}/ros-cuda:lyrical-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "lyrical-desktop") }
   labels = {
@@ -5890,7 +5890,7 @@ target "lyrical-desktop-cuda-cu128" {
 }
 
 target "lyrical-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-lyrical", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu128-cuda12.8.90",
@@ -5904,7 +5904,7 @@ target "lyrical-desktop-full-cuda-cu128" {
   }
 }
 
-target "_cuda-cu130-ubuntu-26-04" {
+target "_join-cuda-cu130-ubuntu-26-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
@@ -5923,7 +5923,7 @@ target "_cuda-cu130-ubuntu-26-04" {
 }
 
 target "lyrical-core-cuda-cu130" {
-  inherits = ["_distribution-lyrical", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-core-cu130", "${REGISTRY}/ros-cuda:lyrical-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "lyrical-core") }
   labels = {
@@ -5935,7 +5935,7 @@ target "lyrical-core-cuda-cu130" {
 }
 
 target "lyrical-base-cuda-cu130" {
-  inherits = ["_distribution-lyrical", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-base-cu130", "${REGISTRY}/ros-cuda:lyrical-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "lyrical-base") }
   labels = {
@@ -5947,7 +5947,7 @@ target "lyrical-base-cuda-cu130" {
 }
 
 target "lyrical-perception-cuda-cu130" {
-  inherits = ["_distribution-lyrical", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-perception-cu130", "${REGISTRY}/ros-cuda:lyrical-perception-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "lyrical-perception") }
   labels = {
@@ -5959,7 +5959,7 @@ target "lyrical-perception-cuda-cu130" {
 }
 
 target "lyrical-desktop-cuda-cu130" {
-  inherits = ["_distribution-lyrical", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-desktop-cu130", "${REGISTRY}/ros-cuda:lyrical-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "lyrical-desktop") }
   labels = {
@@ -5971,7 +5971,7 @@ target "lyrical-desktop-cuda-cu130" {
 }
 
 target "lyrical-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-lyrical", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu130",
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu130-cuda13.0.96",
@@ -5985,7 +5985,7 @@ target "lyrical-desktop-full-cuda-cu130" {
   }
 }
 
-target "_cuda-cu121-ubuntu-26-04" {
+target "_join-cuda-cu121-ubuntu-26-04" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
@@ -6004,7 +6004,7 @@ target "_cuda-cu121-ubuntu-26-04" {
 }
 
 target "lyrical-core-cuda-cu121" {
-  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu121-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-core-cu121", "${REGISTRY}/ros-cuda:lyrical-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "lyrical-core") }
   labels = {
@@ -6016,7 +6016,7 @@ target "lyrical-core-cuda-cu121" {
 }
 
 target "lyrical-base-cuda-cu121" {
-  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu121-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-base-cu121", "${REGISTRY}/ros-cuda:lyrical-base-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "lyrical-base") }
   labels = {
@@ -6028,7 +6028,7 @@ target "lyrical-base-cuda-cu121" {
 }
 
 target "lyrical-perception-cuda-cu121" {
-  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu121-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-perception-cu121", "${REGISTRY}/ros-cuda:lyrical-perception-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "lyrical-perception") }
   labels = {
@@ -6040,7 +6040,7 @@ target "lyrical-perception-cuda-cu121" {
 }
 
 target "lyrical-desktop-cuda-cu121" {
-  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu121-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:lyrical-desktop-cu121", "${REGISTRY}/ros-cuda:lyrical-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "lyrical-desktop") }
   labels = {
@@ -6052,7 +6052,7 @@ target "lyrical-desktop-cuda-cu121" {
 }
 
 target "lyrical-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-lyrical", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-cuda-cu121-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:lyrical-desktop-full-cu121-cuda12.1.105",
@@ -6066,7 +6066,7 @@ target "lyrical-desktop-full-cuda-cu121" {
   }
 }
 
-target "_torch-cu128-ubuntu-26-04" {
+target "_join-torch-cu128-ubuntu-26-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -6093,7 +6093,7 @@ target "_torch-cu128-ubuntu-26-04" {
 }
 
 target "lyrical-core-torch-cu128" {
-  inherits = ["_distribution-lyrical", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:lyrical-core-cu128", "${REGISTRY}/ros-torch:lyrical-core-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "lyrical-core") }
   labels = {
@@ -6105,7 +6105,7 @@ target "lyrical-core-torch-cu128" {
 }
 
 target "lyrical-base-torch-cu128" {
-  inherits = ["_distribution-lyrical", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:lyrical-base-cu128",
     "${REGISTRY}/ros-torch:lyrical-base-cu128-torch2.10.0",
@@ -6122,7 +6122,7 @@ target "lyrical-base-torch-cu128" {
 }
 
 target "lyrical-perception-torch-cu128" {
-  inherits = ["_distribution-lyrical", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:lyrical-perception-cu128",
     "${REGISTRY}/ros-torch:lyrical-perception-cu128-torch2.10.0",
@@ -6137,7 +6137,7 @@ target "lyrical-perception-torch-cu128" {
 }
 
 target "lyrical-desktop-torch-cu128" {
-  inherits = ["_distribution-lyrical", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:lyrical-desktop-cu128", "${REGISTRY}/ros-torch:lyrical-desktop-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "lyrical-desktop") }
   labels = {
@@ -6149,7 +6149,7 @@ target "lyrical-desktop-torch-cu128" {
 }
 
 target "lyrical-desktop-full-torch-cu128" {
-  inherits = ["_distribution-lyrical", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:lyrical-desktop-full-cu128",
     "${REGISTRY}/ros-torch:lyrical-desktop-full-cu128-torch2.10.0",
@@ -6163,7 +6163,7 @@ target "lyrical-desktop-full-torch-cu128" {
   }
 }
 
-target "_torch-cu130-ubuntu-26-04" {
+target "_join-torch-cu130-ubuntu-26-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -6190,7 +6190,7 @@ target "_torch-cu130-ubuntu-26-04" {
 }
 
 target "lyrical-core-torch-cu130" {
-  inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:lyrical-core-cu130", "${REGISTRY}/ros-torch:lyrical-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "lyrical-core") }
   labels = {
@@ -6202,7 +6202,7 @@ target "lyrical-core-torch-cu130" {
 }
 
 target "lyrical-base-torch-cu130" {
-  inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:lyrical-base-cu130", "${REGISTRY}/ros-torch:lyrical-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "lyrical-base") }
   labels = {
@@ -6214,7 +6214,7 @@ target "lyrical-base-torch-cu130" {
 }
 
 target "lyrical-perception-torch-cu130" {
-  inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:lyrical-perception-cu130",
     "${REGISTRY}/ros-torch:lyrical-perception-cu130-torch2.12.1",
@@ -6229,7 +6229,7 @@ target "lyrical-perception-torch-cu130" {
 }
 
 target "lyrical-desktop-torch-cu130" {
-  inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:lyrical-desktop-cu130", "${REGISTRY}/ros-torch:lyrical-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "lyrical-desktop") }
   labels = {
@@ -6241,7 +6241,7 @@ target "lyrical-desktop-torch-cu130" {
 }
 
 target "lyrical-desktop-full-torch-cu130" {
-  inherits = ["_distribution-lyrical", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-lyrical", "_join-torch-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:lyrical-desktop-full-cu130",
     "${REGISTRY}/ros-torch:lyrical-desktop-full-cu130-torch2.12.1",
@@ -6255,7 +6255,7 @@ target "lyrical-desktop-full-torch-cu130" {
   }
 }
 
-target "_torch-cpu-ubuntu-26-04" {
+target "_join-torch-cpu-ubuntu-26-04" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -6277,7 +6277,7 @@ target "_torch-cpu-ubuntu-26-04" {
 
 target "lyrical-core-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-lyrical", "_join-torch-cpu-ubuntu-26-04"]
   tags        = ["${REGISTRY}/ros-torch:lyrical-core-cpu", "${REGISTRY}/ros-torch:lyrical-core-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "lyrical-core") }
   labels = {
@@ -6290,7 +6290,7 @@ target "lyrical-core-torch-cpu" {
 
 target "lyrical-base-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-lyrical", "_join-torch-cpu-ubuntu-26-04"]
   tags        = ["${REGISTRY}/ros-torch:lyrical-base-cpu", "${REGISTRY}/ros-torch:lyrical-base-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "lyrical-base") }
   labels = {
@@ -6303,7 +6303,7 @@ target "lyrical-base-torch-cpu" {
 
 target "lyrical-perception-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-lyrical", "_join-torch-cpu-ubuntu-26-04"]
   tags        = ["${REGISTRY}/ros-torch:lyrical-perception-cpu", "${REGISTRY}/ros-torch:lyrical-perception-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "lyrical-perception") }
   labels = {
@@ -6316,7 +6316,7 @@ target "lyrical-perception-torch-cpu" {
 
 target "lyrical-desktop-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-lyrical", "_join-torch-cpu-ubuntu-26-04"]
   tags        = ["${REGISTRY}/ros-torch:lyrical-desktop-cpu", "${REGISTRY}/ros-torch:lyrical-desktop-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "lyrical-desktop") }
   labels = {
@@ -6329,7 +6329,7 @@ target "lyrical-desktop-torch-cpu" {
 
 target "lyrical-desktop-full-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-lyrical", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-lyrical", "_join-torch-cpu-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:lyrical-desktop-full-cpu",
     "${REGISTRY}/ros-torch:lyrical-desktop-full-cpu-torch2.10.0",
@@ -6344,7 +6344,7 @@ target "lyrical-desktop-full-torch-cpu" {
 }
 
 target "rolling-core-cuda-cu128" {
-  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-core-cu128", "${REGISTRY}/ros-cuda:rolling-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "rolling-core") }
   labels = {
@@ -6356,7 +6356,7 @@ target "rolling-core-cuda-cu128" {
 }
 
 target "rolling-base-cuda-cu128" {
-  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:rolling-base-cu128",
     "${REGISTRY}/ros-cuda:rolling-base-cu128-cuda12.8.90",
@@ -6372,7 +6372,7 @@ target "rolling-base-cuda-cu128" {
 }
 
 target "rolling-perception-cuda-cu128" {
-  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-perception-cu128", "${REGISTRY}/ros-cuda:rolling-perception-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "rolling-perception") }
   labels = {
@@ -6384,7 +6384,7 @@ target "rolling-perception-cuda-cu128" {
 }
 
 target "rolling-desktop-cuda-cu128" {
-  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-desktop-cu128", "${REGISTRY}/ros-cuda:rolling-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "rolling-desktop") }
   labels = {
@@ -6396,7 +6396,7 @@ target "rolling-desktop-cuda-cu128" {
 }
 
 target "rolling-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-rolling", "_cuda-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu128-cuda12.8.90",
@@ -6411,7 +6411,7 @@ target "rolling-desktop-full-cuda-cu128" {
 }
 
 target "rolling-core-cuda-cu130" {
-  inherits = ["_distribution-rolling", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-core-cu130", "${REGISTRY}/ros-cuda:rolling-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "rolling-core") }
   labels = {
@@ -6423,7 +6423,7 @@ target "rolling-core-cuda-cu130" {
 }
 
 target "rolling-base-cuda-cu130" {
-  inherits = ["_distribution-rolling", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-base-cu130", "${REGISTRY}/ros-cuda:rolling-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "rolling-base") }
   labels = {
@@ -6435,7 +6435,7 @@ target "rolling-base-cuda-cu130" {
 }
 
 target "rolling-perception-cuda-cu130" {
-  inherits = ["_distribution-rolling", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-perception-cu130", "${REGISTRY}/ros-cuda:rolling-perception-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "rolling-perception") }
   labels = {
@@ -6447,7 +6447,7 @@ target "rolling-perception-cuda-cu130" {
 }
 
 target "rolling-desktop-cuda-cu130" {
-  inherits = ["_distribution-rolling", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-desktop-cu130", "${REGISTRY}/ros-cuda:rolling-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "rolling-desktop") }
   labels = {
@@ -6459,7 +6459,7 @@ target "rolling-desktop-cuda-cu130" {
 }
 
 target "rolling-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-rolling", "_cuda-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu130",
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu130-cuda13.0.96",
@@ -6474,7 +6474,7 @@ target "rolling-desktop-full-cuda-cu130" {
 }
 
 target "rolling-core-cuda-cu121" {
-  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu121-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-core-cu121", "${REGISTRY}/ros-cuda:rolling-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "rolling-core") }
   labels = {
@@ -6486,7 +6486,7 @@ target "rolling-core-cuda-cu121" {
 }
 
 target "rolling-base-cuda-cu121" {
-  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu121-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-base-cu121", "${REGISTRY}/ros-cuda:rolling-base-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "rolling-base") }
   labels = {
@@ -6498,7 +6498,7 @@ target "rolling-base-cuda-cu121" {
 }
 
 target "rolling-perception-cuda-cu121" {
-  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu121-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-perception-cu121", "${REGISTRY}/ros-cuda:rolling-perception-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "rolling-perception") }
   labels = {
@@ -6510,7 +6510,7 @@ target "rolling-perception-cuda-cu121" {
 }
 
 target "rolling-desktop-cuda-cu121" {
-  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu121-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-cuda:rolling-desktop-cu121", "${REGISTRY}/ros-cuda:rolling-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "rolling-desktop") }
   labels = {
@@ -6522,7 +6522,7 @@ target "rolling-desktop-cuda-cu121" {
 }
 
 target "rolling-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-rolling", "_cuda-cu121-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-cuda-cu121-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:rolling-desktop-full-cu121-cuda12.1.105",
@@ -6537,7 +6537,7 @@ target "rolling-desktop-full-cuda-cu121" {
 }
 
 target "rolling-core-torch-cu128" {
-  inherits = ["_distribution-rolling", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:rolling-core-cu128", "${REGISTRY}/ros-torch:rolling-core-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "rolling-core") }
   labels = {
@@ -6549,7 +6549,7 @@ target "rolling-core-torch-cu128" {
 }
 
 target "rolling-base-torch-cu128" {
-  inherits = ["_distribution-rolling", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:rolling-base-cu128",
     "${REGISTRY}/ros-torch:rolling-base-cu128-torch2.10.0",
@@ -6565,7 +6565,7 @@ target "rolling-base-torch-cu128" {
 }
 
 target "rolling-perception-torch-cu128" {
-  inherits = ["_distribution-rolling", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:rolling-perception-cu128",
     "${REGISTRY}/ros-torch:rolling-perception-cu128-torch2.10.0",
@@ -6580,7 +6580,7 @@ target "rolling-perception-torch-cu128" {
 }
 
 target "rolling-desktop-torch-cu128" {
-  inherits = ["_distribution-rolling", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu128-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:rolling-desktop-cu128", "${REGISTRY}/ros-torch:rolling-desktop-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "rolling-desktop") }
   labels = {
@@ -6592,7 +6592,7 @@ target "rolling-desktop-torch-cu128" {
 }
 
 target "rolling-desktop-full-torch-cu128" {
-  inherits = ["_distribution-rolling", "_torch-cu128-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu128-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:rolling-desktop-full-cu128",
     "${REGISTRY}/ros-torch:rolling-desktop-full-cu128-torch2.10.0",
@@ -6607,7 +6607,7 @@ target "rolling-desktop-full-torch-cu128" {
 }
 
 target "rolling-core-torch-cu130" {
-  inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:rolling-core-cu130", "${REGISTRY}/ros-torch:rolling-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "rolling-core") }
   labels = {
@@ -6619,7 +6619,7 @@ target "rolling-core-torch-cu130" {
 }
 
 target "rolling-base-torch-cu130" {
-  inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:rolling-base-cu130", "${REGISTRY}/ros-torch:rolling-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "rolling-base") }
   labels = {
@@ -6631,7 +6631,7 @@ target "rolling-base-torch-cu130" {
 }
 
 target "rolling-perception-torch-cu130" {
-  inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:rolling-perception-cu130",
     "${REGISTRY}/ros-torch:rolling-perception-cu130-torch2.12.1",
@@ -6646,7 +6646,7 @@ target "rolling-perception-torch-cu130" {
 }
 
 target "rolling-desktop-torch-cu130" {
-  inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu130-ubuntu-26-04"]
   tags     = ["${REGISTRY}/ros-torch:rolling-desktop-cu130", "${REGISTRY}/ros-torch:rolling-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "rolling-desktop") }
   labels = {
@@ -6658,7 +6658,7 @@ target "rolling-desktop-torch-cu130" {
 }
 
 target "rolling-desktop-full-torch-cu130" {
-  inherits = ["_distribution-rolling", "_torch-cu130-ubuntu-26-04"]
+  inherits = ["_distribution-rolling", "_join-torch-cu130-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:rolling-desktop-full-cu130",
     "${REGISTRY}/ros-torch:rolling-desktop-full-cu130-torch2.12.1",
@@ -6674,7 +6674,7 @@ target "rolling-desktop-full-torch-cu130" {
 
 target "rolling-core-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-rolling", "_join-torch-cpu-ubuntu-26-04"]
   tags        = ["${REGISTRY}/ros-torch:rolling-core-cpu", "${REGISTRY}/ros-torch:rolling-core-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "rolling-core") }
   labels = {
@@ -6687,7 +6687,7 @@ target "rolling-core-torch-cpu" {
 
 target "rolling-base-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-rolling", "_join-torch-cpu-ubuntu-26-04"]
   tags        = ["${REGISTRY}/ros-torch:rolling-base-cpu", "${REGISTRY}/ros-torch:rolling-base-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "rolling-base") }
   labels = {
@@ -6700,7 +6700,7 @@ target "rolling-base-torch-cpu" {
 
 target "rolling-perception-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-rolling", "_join-torch-cpu-ubuntu-26-04"]
   tags        = ["${REGISTRY}/ros-torch:rolling-perception-cpu", "${REGISTRY}/ros-torch:rolling-perception-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "rolling-perception") }
   labels = {
@@ -6713,7 +6713,7 @@ target "rolling-perception-torch-cpu" {
 
 target "rolling-desktop-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-rolling", "_join-torch-cpu-ubuntu-26-04"]
   tags        = ["${REGISTRY}/ros-torch:rolling-desktop-cpu", "${REGISTRY}/ros-torch:rolling-desktop-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "rolling-desktop") }
   labels = {
@@ -6726,7 +6726,7 @@ target "rolling-desktop-torch-cpu" {
 
 target "rolling-desktop-full-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-rolling", "_torch-cpu-ubuntu-26-04"]
+  inherits    = ["_distribution-rolling", "_join-torch-cpu-ubuntu-26-04"]
   tags = [
     "${REGISTRY}/ros-torch:rolling-desktop-full-cpu",
     "${REGISTRY}/ros-torch:rolling-desktop-full-cpu-torch2.10.0",
@@ -6740,7 +6740,7 @@ target "rolling-desktop-full-torch-cpu" {
   }
 }
 
-target "_cuda-cu128-bookworm" {
+target "_join-cuda-cu128-bookworm" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
@@ -6759,7 +6759,7 @@ target "_cuda-cu128-bookworm" {
 }
 
 target "bookworm-core-cuda-cu128" {
-  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-core-cu128", "${REGISTRY}/ros-cuda:bookworm-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -6771,7 +6771,7 @@ target "bookworm-core-cuda-cu128" {
 }
 
 target "bookworm-base-cuda-cu128" {
-  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-base-cu128",
     "${REGISTRY}/ros-cuda:bookworm-base-cu128-cuda12.8.90",
@@ -6787,7 +6787,7 @@ target "bookworm-base-cuda-cu128" {
 }
 
 target "bookworm-robot-cuda-cu128" {
-  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-robot-cu128", "${REGISTRY}/ros-cuda:bookworm-robot-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -6799,7 +6799,7 @@ target "bookworm-robot-cuda-cu128" {
 }
 
 target "bookworm-perception-cuda-cu128" {
-  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-perception-cu128",
     "${REGISTRY}/ros-cuda:bookworm-perception-cu128-cuda12.8.90",
@@ -6814,7 +6814,7 @@ target "bookworm-perception-cuda-cu128" {
 }
 
 target "bookworm-desktop-cuda-cu128" {
-  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-desktop-cu128", "${REGISTRY}/ros-cuda:bookworm-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -6826,7 +6826,7 @@ target "bookworm-desktop-cuda-cu128" {
 }
 
 target "bookworm-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-bookworm", "_cuda-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu128-cuda12.8.90",
@@ -6840,7 +6840,7 @@ target "bookworm-desktop-full-cuda-cu128" {
   }
 }
 
-target "_cuda-cu130-bookworm" {
+target "_join-cuda-cu130-bookworm" {
   target    = "cuda"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
@@ -6859,7 +6859,7 @@ target "_cuda-cu130-bookworm" {
 }
 
 target "bookworm-core-cuda-cu130" {
-  inherits = ["_distribution-bookworm", "_cuda-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu130-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-core-cu130", "${REGISTRY}/ros-cuda:bookworm-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -6871,7 +6871,7 @@ target "bookworm-core-cuda-cu130" {
 }
 
 target "bookworm-base-cuda-cu130" {
-  inherits = ["_distribution-bookworm", "_cuda-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu130-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-base-cu130", "${REGISTRY}/ros-cuda:bookworm-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "bookworm-base") }
   labels = {
@@ -6883,7 +6883,7 @@ target "bookworm-base-cuda-cu130" {
 }
 
 target "bookworm-robot-cuda-cu130" {
-  inherits = ["_distribution-bookworm", "_cuda-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu130-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-robot-cu130", "${REGISTRY}/ros-cuda:bookworm-robot-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -6895,7 +6895,7 @@ target "bookworm-robot-cuda-cu130" {
 }
 
 target "bookworm-perception-cuda-cu130" {
-  inherits = ["_distribution-bookworm", "_cuda-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu130-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-perception-cu130",
     "${REGISTRY}/ros-cuda:bookworm-perception-cu130-cuda13.0.96",
@@ -6910,7 +6910,7 @@ target "bookworm-perception-cuda-cu130" {
 }
 
 target "bookworm-desktop-cuda-cu130" {
-  inherits = ["_distribution-bookworm", "_cuda-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu130-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-desktop-cu130", "${REGISTRY}/ros-cuda:bookworm-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -6922,7 +6922,7 @@ target "bookworm-desktop-cuda-cu130" {
 }
 
 target "bookworm-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-bookworm", "_cuda-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu130-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu130",
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu130-cuda13.0.96",
@@ -6936,7 +6936,7 @@ target "bookworm-desktop-full-cuda-cu130" {
   }
 }
 
-target "_cuda-cu121-bookworm" {
+target "_join-cuda-cu121-bookworm" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
@@ -6955,7 +6955,7 @@ target "_cuda-cu121-bookworm" {
 }
 
 target "bookworm-core-cuda-cu121" {
-  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu121-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-core-cu121", "${REGISTRY}/ros-cuda:bookworm-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -6967,7 +6967,7 @@ target "bookworm-core-cuda-cu121" {
 }
 
 target "bookworm-base-cuda-cu121" {
-  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu121-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-base-cu121", "${REGISTRY}/ros-cuda:bookworm-base-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "bookworm-base") }
   labels = {
@@ -6979,7 +6979,7 @@ target "bookworm-base-cuda-cu121" {
 }
 
 target "bookworm-robot-cuda-cu121" {
-  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu121-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-robot-cu121", "${REGISTRY}/ros-cuda:bookworm-robot-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -6991,7 +6991,7 @@ target "bookworm-robot-cuda-cu121" {
 }
 
 target "bookworm-perception-cuda-cu121" {
-  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu121-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-perception-cu121",
     "${REGISTRY}/ros-cuda:bookworm-perception-cu121-cuda12.1.105",
@@ -7006,7 +7006,7 @@ target "bookworm-perception-cuda-cu121" {
 }
 
 target "bookworm-desktop-cuda-cu121" {
-  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu121-bookworm"]
   tags     = ["${REGISTRY}/ros-cuda:bookworm-desktop-cu121", "${REGISTRY}/ros-cuda:bookworm-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -7018,7 +7018,7 @@ target "bookworm-desktop-cuda-cu121" {
 }
 
 target "bookworm-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-bookworm", "_cuda-cu121-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-cuda-cu121-bookworm"]
   tags = [
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:bookworm-desktop-full-cu121-cuda12.1.105",
@@ -7032,7 +7032,7 @@ target "bookworm-desktop-full-cuda-cu121" {
   }
 }
 
-target "_torch-cu128-bookworm" {
+target "_join-torch-cu128-bookworm" {
   target    = "torch"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -7059,7 +7059,7 @@ target "_torch-cu128-bookworm" {
 }
 
 target "bookworm-core-torch-cu128" {
-  inherits = ["_distribution-bookworm", "_torch-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-torch:bookworm-core-cu128", "${REGISTRY}/ros-torch:bookworm-core-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -7071,7 +7071,7 @@ target "bookworm-core-torch-cu128" {
 }
 
 target "bookworm-base-torch-cu128" {
-  inherits = ["_distribution-bookworm", "_torch-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-torch:bookworm-base-cu128",
     "${REGISTRY}/ros-torch:bookworm-base-cu128-torch2.10.0",
@@ -7087,7 +7087,7 @@ target "bookworm-base-torch-cu128" {
 }
 
 target "bookworm-robot-torch-cu128" {
-  inherits = ["_distribution-bookworm", "_torch-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-torch:bookworm-robot-cu128", "${REGISTRY}/ros-torch:bookworm-robot-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -7099,7 +7099,7 @@ target "bookworm-robot-torch-cu128" {
 }
 
 target "bookworm-perception-torch-cu128" {
-  inherits = ["_distribution-bookworm", "_torch-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-torch:bookworm-perception-cu128",
     "${REGISTRY}/ros-torch:bookworm-perception-cu128-torch2.10.0",
@@ -7114,7 +7114,7 @@ target "bookworm-perception-torch-cu128" {
 }
 
 target "bookworm-desktop-torch-cu128" {
-  inherits = ["_distribution-bookworm", "_torch-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-torch:bookworm-desktop-cu128", "${REGISTRY}/ros-torch:bookworm-desktop-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -7126,7 +7126,7 @@ target "bookworm-desktop-torch-cu128" {
 }
 
 target "bookworm-desktop-full-torch-cu128" {
-  inherits = ["_distribution-bookworm", "_torch-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-torch:bookworm-desktop-full-cu128",
     "${REGISTRY}/ros-torch:bookworm-desktop-full-cu128-torch2.10.0",
@@ -7140,7 +7140,7 @@ target "bookworm-desktop-full-torch-cu128" {
   }
 }
 
-target "_torch-cu130-bookworm" {
+target "_join-torch-cu130-bookworm" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -7167,7 +7167,7 @@ target "_torch-cu130-bookworm" {
 }
 
 target "bookworm-core-torch-cu130" {
-  inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu130-bookworm"]
   tags     = ["${REGISTRY}/ros-torch:bookworm-core-cu130", "${REGISTRY}/ros-torch:bookworm-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -7179,7 +7179,7 @@ target "bookworm-core-torch-cu130" {
 }
 
 target "bookworm-base-torch-cu130" {
-  inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu130-bookworm"]
   tags     = ["${REGISTRY}/ros-torch:bookworm-base-cu130", "${REGISTRY}/ros-torch:bookworm-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "bookworm-base") }
   labels = {
@@ -7191,7 +7191,7 @@ target "bookworm-base-torch-cu130" {
 }
 
 target "bookworm-robot-torch-cu130" {
-  inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu130-bookworm"]
   tags     = ["${REGISTRY}/ros-torch:bookworm-robot-cu130", "${REGISTRY}/ros-torch:bookworm-robot-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -7203,7 +7203,7 @@ target "bookworm-robot-torch-cu130" {
 }
 
 target "bookworm-perception-torch-cu130" {
-  inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu130-bookworm"]
   tags = [
     "${REGISTRY}/ros-torch:bookworm-perception-cu130",
     "${REGISTRY}/ros-torch:bookworm-perception-cu130-torch2.12.1",
@@ -7218,7 +7218,7 @@ target "bookworm-perception-torch-cu130" {
 }
 
 target "bookworm-desktop-torch-cu130" {
-  inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu130-bookworm"]
   tags     = ["${REGISTRY}/ros-torch:bookworm-desktop-cu130", "${REGISTRY}/ros-torch:bookworm-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -7230,7 +7230,7 @@ target "bookworm-desktop-torch-cu130" {
 }
 
 target "bookworm-desktop-full-torch-cu130" {
-  inherits = ["_distribution-bookworm", "_torch-cu130-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-torch-cu130-bookworm"]
   tags = [
     "${REGISTRY}/ros-torch:bookworm-desktop-full-cu130",
     "${REGISTRY}/ros-torch:bookworm-desktop-full-cu130-torch2.12.1",
@@ -7244,7 +7244,7 @@ target "bookworm-desktop-full-torch-cu130" {
   }
 }
 
-target "_torch-cpu-bookworm" {
+target "_join-torch-cpu-bookworm" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -7266,7 +7266,7 @@ target "_torch-cpu-bookworm" {
 
 target "bookworm-core-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_torch-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-torch-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-torch:bookworm-core-cpu", "${REGISTRY}/ros-torch:bookworm-core-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -7279,7 +7279,7 @@ target "bookworm-core-torch-cpu" {
 
 target "bookworm-base-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_torch-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-torch-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-torch:bookworm-base-cpu", "${REGISTRY}/ros-torch:bookworm-base-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "bookworm-base") }
   labels = {
@@ -7292,7 +7292,7 @@ target "bookworm-base-torch-cpu" {
 
 target "bookworm-robot-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_torch-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-torch-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-torch:bookworm-robot-cpu", "${REGISTRY}/ros-torch:bookworm-robot-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -7305,7 +7305,7 @@ target "bookworm-robot-torch-cpu" {
 
 target "bookworm-perception-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_torch-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-torch-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-torch:bookworm-perception-cpu", "${REGISTRY}/ros-torch:bookworm-perception-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "bookworm-perception") }
   labels = {
@@ -7318,7 +7318,7 @@ target "bookworm-perception-torch-cpu" {
 
 target "bookworm-desktop-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_torch-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-torch-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-torch:bookworm-desktop-cpu", "${REGISTRY}/ros-torch:bookworm-desktop-cpu-torch2.10.0"]
   contexts    = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -7331,7 +7331,7 @@ target "bookworm-desktop-torch-cpu" {
 
 target "bookworm-desktop-full-torch-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_torch-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-torch-cpu-bookworm"]
   tags = [
     "${REGISTRY}/ros-torch:bookworm-desktop-full-cpu",
     "${REGISTRY}/ros-torch:bookworm-desktop-full-cpu-torch2.10.0",
@@ -7345,7 +7345,7 @@ target "bookworm-desktop-full-torch-cpu" {
   }
 }
 
-target "_tensorflow-cu128-bookworm" {
+target "_join-tensorflow-cu128-bookworm" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -7372,7 +7372,7 @@ target "_tensorflow-cu128-bookworm" {
 }
 
 target "bookworm-core-tensorflow-cu128" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-core-cu128", "${REGISTRY}/ros-tf:bookworm-core-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -7384,7 +7384,7 @@ target "bookworm-core-tensorflow-cu128" {
 }
 
 target "bookworm-base-tensorflow-cu128" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-tf:bookworm-base-cu128",
     "${REGISTRY}/ros-tf:bookworm-base-cu128-tf2.20.0",
@@ -7400,7 +7400,7 @@ target "bookworm-base-tensorflow-cu128" {
 }
 
 target "bookworm-robot-tensorflow-cu128" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-robot-cu128", "${REGISTRY}/ros-tf:bookworm-robot-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -7412,7 +7412,7 @@ target "bookworm-robot-tensorflow-cu128" {
 }
 
 target "bookworm-perception-tensorflow-cu128" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-perception-cu128", "${REGISTRY}/ros-tf:bookworm-perception-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-perception") }
   labels = {
@@ -7424,7 +7424,7 @@ target "bookworm-perception-tensorflow-cu128" {
 }
 
 target "bookworm-desktop-tensorflow-cu128" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-desktop-cu128", "${REGISTRY}/ros-tf:bookworm-desktop-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -7436,7 +7436,7 @@ target "bookworm-desktop-tensorflow-cu128" {
 }
 
 target "bookworm-desktop-full-tensorflow-cu128" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-desktop-full-cu128", "${REGISTRY}/ros-tf:bookworm-desktop-full-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-desktop-full") }
   labels = {
@@ -7447,7 +7447,7 @@ target "bookworm-desktop-full-tensorflow-cu128" {
   }
 }
 
-target "_tensorflow-cpu-bookworm" {
+target "_join-tensorflow-cpu-bookworm" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -7468,7 +7468,7 @@ target "_tensorflow-cpu-bookworm" {
 }
 
 target "bookworm-core-tensorflow-cpu" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cpu-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cpu-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-core-cpu", "${REGISTRY}/ros-tf:bookworm-core-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -7480,7 +7480,7 @@ target "bookworm-core-tensorflow-cpu" {
 }
 
 target "bookworm-base-tensorflow-cpu" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cpu-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cpu-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-base-cpu", "${REGISTRY}/ros-tf:bookworm-base-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-base") }
   labels = {
@@ -7492,7 +7492,7 @@ target "bookworm-base-tensorflow-cpu" {
 }
 
 target "bookworm-robot-tensorflow-cpu" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cpu-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cpu-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-robot-cpu", "${REGISTRY}/ros-tf:bookworm-robot-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -7504,7 +7504,7 @@ target "bookworm-robot-tensorflow-cpu" {
 }
 
 target "bookworm-perception-tensorflow-cpu" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cpu-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cpu-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-perception-cpu", "${REGISTRY}/ros-tf:bookworm-perception-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-perception") }
   labels = {
@@ -7516,7 +7516,7 @@ target "bookworm-perception-tensorflow-cpu" {
 }
 
 target "bookworm-desktop-tensorflow-cpu" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cpu-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cpu-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-desktop-cpu", "${REGISTRY}/ros-tf:bookworm-desktop-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -7528,7 +7528,7 @@ target "bookworm-desktop-tensorflow-cpu" {
 }
 
 target "bookworm-desktop-full-tensorflow-cpu" {
-  inherits = ["_distribution-bookworm", "_tensorflow-cpu-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-tensorflow-cpu-bookworm"]
   tags     = ["${REGISTRY}/ros-tf:bookworm-desktop-full-cpu", "${REGISTRY}/ros-tf:bookworm-desktop-full-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-desktop-full") }
   labels = {
@@ -7539,7 +7539,7 @@ target "bookworm-desktop-full-tensorflow-cpu" {
   }
 }
 
-target "_ml-cu128-bookworm" {
+target "_join-ml-cu128-bookworm" {
   target    = "ml"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -7570,7 +7570,7 @@ target "_ml-cu128-bookworm" {
 }
 
 target "bookworm-core-ml-cu128" {
-  inherits = ["_distribution-bookworm", "_ml-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-ml-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-ml:bookworm-core-cu128", "${REGISTRY}/ros-ml:bookworm-core-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -7582,7 +7582,7 @@ target "bookworm-core-ml-cu128" {
 }
 
 target "bookworm-base-ml-cu128" {
-  inherits = ["_distribution-bookworm", "_ml-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-ml-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-ml:bookworm-base-cu128",
     "${REGISTRY}/ros-ml:bookworm-base-cu128-torch2.10.0-tf2.20.0",
@@ -7598,7 +7598,7 @@ target "bookworm-base-ml-cu128" {
 }
 
 target "bookworm-robot-ml-cu128" {
-  inherits = ["_distribution-bookworm", "_ml-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-ml-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-ml:bookworm-robot-cu128", "${REGISTRY}/ros-ml:bookworm-robot-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -7610,7 +7610,7 @@ target "bookworm-robot-ml-cu128" {
 }
 
 target "bookworm-perception-ml-cu128" {
-  inherits = ["_distribution-bookworm", "_ml-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-ml-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-ml:bookworm-perception-cu128",
     "${REGISTRY}/ros-ml:bookworm-perception-cu128-torch2.10.0-tf2.20.0",
@@ -7625,7 +7625,7 @@ target "bookworm-perception-ml-cu128" {
 }
 
 target "bookworm-desktop-ml-cu128" {
-  inherits = ["_distribution-bookworm", "_ml-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-ml-cu128-bookworm"]
   tags     = ["${REGISTRY}/ros-ml:bookworm-desktop-cu128", "${REGISTRY}/ros-ml:bookworm-desktop-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -7637,7 +7637,7 @@ target "bookworm-desktop-ml-cu128" {
 }
 
 target "bookworm-desktop-full-ml-cu128" {
-  inherits = ["_distribution-bookworm", "_ml-cu128-bookworm"]
+  inherits = ["_distribution-bookworm", "_join-ml-cu128-bookworm"]
   tags = [
     "${REGISTRY}/ros-ml:bookworm-desktop-full-cu128",
     "${REGISTRY}/ros-ml:bookworm-desktop-full-cu128-torch2.10.0-tf2.20.0",
@@ -7651,7 +7651,7 @@ target "bookworm-desktop-full-ml-cu128" {
   }
 }
 
-target "_ml-cpu-bookworm" {
+target "_join-ml-cpu-bookworm" {
   target    = "ml"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -7677,7 +7677,7 @@ target "_ml-cpu-bookworm" {
 
 target "bookworm-core-ml-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_ml-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-ml-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-ml:bookworm-core-cpu", "${REGISTRY}/ros-ml:bookworm-core-cpu-torch2.10.0-tf2.20.0"]
   contexts    = { ros = image("ros", "bookworm-core") }
   labels = {
@@ -7690,7 +7690,7 @@ target "bookworm-core-ml-cpu" {
 
 target "bookworm-base-ml-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_ml-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-ml-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-ml:bookworm-base-cpu", "${REGISTRY}/ros-ml:bookworm-base-cpu-torch2.10.0-tf2.20.0"]
   contexts    = { ros = image("ros", "bookworm-base") }
   labels = {
@@ -7703,7 +7703,7 @@ target "bookworm-base-ml-cpu" {
 
 target "bookworm-robot-ml-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_ml-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-ml-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-ml:bookworm-robot-cpu", "${REGISTRY}/ros-ml:bookworm-robot-cpu-torch2.10.0-tf2.20.0"]
   contexts    = { ros = image("ros", "bookworm-robot") }
   labels = {
@@ -7716,7 +7716,7 @@ target "bookworm-robot-ml-cpu" {
 
 target "bookworm-perception-ml-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_ml-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-ml-cpu-bookworm"]
   tags = [
     "${REGISTRY}/ros-ml:bookworm-perception-cpu",
     "${REGISTRY}/ros-ml:bookworm-perception-cpu-torch2.10.0-tf2.20.0",
@@ -7732,7 +7732,7 @@ target "bookworm-perception-ml-cpu" {
 
 target "bookworm-desktop-ml-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_ml-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-ml-cpu-bookworm"]
   tags        = ["${REGISTRY}/ros-ml:bookworm-desktop-cpu", "${REGISTRY}/ros-ml:bookworm-desktop-cpu-torch2.10.0-tf2.20.0"]
   contexts    = { ros = image("ros", "bookworm-desktop") }
   labels = {
@@ -7745,7 +7745,7 @@ target "bookworm-desktop-ml-cpu" {
 
 target "bookworm-desktop-full-ml-cpu" {
   description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
-  inherits    = ["_distribution-bookworm", "_ml-cpu-bookworm"]
+  inherits    = ["_distribution-bookworm", "_join-ml-cpu-bookworm"]
   tags = [
     "${REGISTRY}/ros-ml:bookworm-desktop-full-cpu",
     "${REGISTRY}/ros-ml:bookworm-desktop-full-cpu-torch2.10.0-tf2.20.0",
@@ -7759,7 +7759,7 @@ target "bookworm-desktop-full-ml-cpu" {
   }
 }
 
-target "_cuda-cu128-trixie" {
+target "_join-cuda-cu128-trixie" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu128") }
@@ -7778,7 +7778,7 @@ target "_cuda-cu128-trixie" {
 }
 
 target "trixie-core-cuda-cu128" {
-  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-core-cu128", "${REGISTRY}/ros-cuda:trixie-core-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -7790,7 +7790,7 @@ target "trixie-core-cuda-cu128" {
 }
 
 target "trixie-base-cuda-cu128" {
-  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-cuda:trixie-base-cu128",
     "${REGISTRY}/ros-cuda:trixie-base-cu128-cuda12.8.90",
@@ -7806,7 +7806,7 @@ target "trixie-base-cuda-cu128" {
 }
 
 target "trixie-robot-cuda-cu128" {
-  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-robot-cu128", "${REGISTRY}/ros-cuda:trixie-robot-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -7818,7 +7818,7 @@ target "trixie-robot-cuda-cu128" {
 }
 
 target "trixie-perception-cuda-cu128" {
-  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-perception-cu128", "${REGISTRY}/ros-cuda:trixie-perception-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -7830,7 +7830,7 @@ target "trixie-perception-cuda-cu128" {
 }
 
 target "trixie-desktop-cuda-cu128" {
-  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-desktop-cu128", "${REGISTRY}/ros-cuda:trixie-desktop-cu128-cuda12.8.90"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -7842,7 +7842,7 @@ target "trixie-desktop-cuda-cu128" {
 }
 
 target "trixie-desktop-full-cuda-cu128" {
-  inherits = ["_distribution-trixie", "_cuda-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu128",
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu128-cuda12.8.90",
@@ -7856,7 +7856,7 @@ target "trixie-desktop-full-cuda-cu128" {
   }
 }
 
-target "_cuda-cu130-trixie" {
+target "_join-cuda-cu130-trixie" {
   target    = "cuda"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { part-cuda = part("cuda-cu130") }
@@ -7875,7 +7875,7 @@ target "_cuda-cu130-trixie" {
 }
 
 target "trixie-core-cuda-cu130" {
-  inherits = ["_distribution-trixie", "_cuda-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-core-cu130", "${REGISTRY}/ros-cuda:trixie-core-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -7887,7 +7887,7 @@ target "trixie-core-cuda-cu130" {
 }
 
 target "trixie-base-cuda-cu130" {
-  inherits = ["_distribution-trixie", "_cuda-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-base-cu130", "${REGISTRY}/ros-cuda:trixie-base-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "trixie-base") }
   labels = {
@@ -7899,7 +7899,7 @@ target "trixie-base-cuda-cu130" {
 }
 
 target "trixie-robot-cuda-cu130" {
-  inherits = ["_distribution-trixie", "_cuda-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-robot-cu130", "${REGISTRY}/ros-cuda:trixie-robot-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -7911,7 +7911,7 @@ target "trixie-robot-cuda-cu130" {
 }
 
 target "trixie-perception-cuda-cu130" {
-  inherits = ["_distribution-trixie", "_cuda-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-perception-cu130", "${REGISTRY}/ros-cuda:trixie-perception-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -7923,7 +7923,7 @@ target "trixie-perception-cuda-cu130" {
 }
 
 target "trixie-desktop-cuda-cu130" {
-  inherits = ["_distribution-trixie", "_cuda-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-desktop-cu130", "${REGISTRY}/ros-cuda:trixie-desktop-cu130-cuda13.0.96"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -7935,7 +7935,7 @@ target "trixie-desktop-cuda-cu130" {
 }
 
 target "trixie-desktop-full-cuda-cu130" {
-  inherits = ["_distribution-trixie", "_cuda-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu130-trixie"]
   tags = [
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu130",
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu130-cuda13.0.96",
@@ -7949,7 +7949,7 @@ target "trixie-desktop-full-cuda-cu130" {
   }
 }
 
-target "_cuda-cu121-trixie" {
+target "_join-cuda-cu121-trixie" {
   target    = "cuda"
   platforms = platforms(["linux/amd64"])
   contexts  = { part-cuda = part("cuda-cu121") }
@@ -7968,7 +7968,7 @@ target "_cuda-cu121-trixie" {
 }
 
 target "trixie-core-cuda-cu121" {
-  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu121-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-core-cu121", "${REGISTRY}/ros-cuda:trixie-core-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -7980,7 +7980,7 @@ target "trixie-core-cuda-cu121" {
 }
 
 target "trixie-base-cuda-cu121" {
-  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu121-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-base-cu121", "${REGISTRY}/ros-cuda:trixie-base-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "trixie-base") }
   labels = {
@@ -7992,7 +7992,7 @@ target "trixie-base-cuda-cu121" {
 }
 
 target "trixie-robot-cuda-cu121" {
-  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu121-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-robot-cu121", "${REGISTRY}/ros-cuda:trixie-robot-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -8004,7 +8004,7 @@ target "trixie-robot-cuda-cu121" {
 }
 
 target "trixie-perception-cuda-cu121" {
-  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu121-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-perception-cu121", "${REGISTRY}/ros-cuda:trixie-perception-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -8016,7 +8016,7 @@ target "trixie-perception-cuda-cu121" {
 }
 
 target "trixie-desktop-cuda-cu121" {
-  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu121-trixie"]
   tags     = ["${REGISTRY}/ros-cuda:trixie-desktop-cu121", "${REGISTRY}/ros-cuda:trixie-desktop-cu121-cuda12.1.105"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -8028,7 +8028,7 @@ target "trixie-desktop-cuda-cu121" {
 }
 
 target "trixie-desktop-full-cuda-cu121" {
-  inherits = ["_distribution-trixie", "_cuda-cu121-trixie"]
+  inherits = ["_distribution-trixie", "_join-cuda-cu121-trixie"]
   tags = [
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu121",
     "${REGISTRY}/ros-cuda:trixie-desktop-full-cu121-cuda12.1.105",
@@ -8042,7 +8042,7 @@ target "trixie-desktop-full-cuda-cu121" {
   }
 }
 
-target "_torch-cu128-trixie" {
+target "_join-torch-cu128-trixie" {
   target    = "torch"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -8069,7 +8069,7 @@ target "_torch-cu128-trixie" {
 }
 
 target "trixie-core-torch-cu128" {
-  inherits = ["_distribution-trixie", "_torch-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-core-cu128", "${REGISTRY}/ros-torch:trixie-core-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -8081,7 +8081,7 @@ target "trixie-core-torch-cu128" {
 }
 
 target "trixie-base-torch-cu128" {
-  inherits = ["_distribution-trixie", "_torch-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-torch:trixie-base-cu128",
     "${REGISTRY}/ros-torch:trixie-base-cu128-torch2.10.0",
@@ -8097,7 +8097,7 @@ target "trixie-base-torch-cu128" {
 }
 
 target "trixie-robot-torch-cu128" {
-  inherits = ["_distribution-trixie", "_torch-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-robot-cu128", "${REGISTRY}/ros-torch:trixie-robot-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -8109,7 +8109,7 @@ target "trixie-robot-torch-cu128" {
 }
 
 target "trixie-perception-torch-cu128" {
-  inherits = ["_distribution-trixie", "_torch-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-perception-cu128", "${REGISTRY}/ros-torch:trixie-perception-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -8121,7 +8121,7 @@ target "trixie-perception-torch-cu128" {
 }
 
 target "trixie-desktop-torch-cu128" {
-  inherits = ["_distribution-trixie", "_torch-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-desktop-cu128", "${REGISTRY}/ros-torch:trixie-desktop-cu128-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -8133,7 +8133,7 @@ target "trixie-desktop-torch-cu128" {
 }
 
 target "trixie-desktop-full-torch-cu128" {
-  inherits = ["_distribution-trixie", "_torch-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-torch:trixie-desktop-full-cu128",
     "${REGISTRY}/ros-torch:trixie-desktop-full-cu128-torch2.10.0",
@@ -8147,7 +8147,7 @@ target "trixie-desktop-full-torch-cu128" {
   }
 }
 
-target "_torch-cu130-trixie" {
+target "_join-torch-cu130-trixie" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -8174,7 +8174,7 @@ target "_torch-cu130-trixie" {
 }
 
 target "trixie-core-torch-cu130" {
-  inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-core-cu130", "${REGISTRY}/ros-torch:trixie-core-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -8186,7 +8186,7 @@ target "trixie-core-torch-cu130" {
 }
 
 target "trixie-base-torch-cu130" {
-  inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-base-cu130", "${REGISTRY}/ros-torch:trixie-base-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-base") }
   labels = {
@@ -8198,7 +8198,7 @@ target "trixie-base-torch-cu130" {
 }
 
 target "trixie-robot-torch-cu130" {
-  inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-robot-cu130", "${REGISTRY}/ros-torch:trixie-robot-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -8210,7 +8210,7 @@ target "trixie-robot-torch-cu130" {
 }
 
 target "trixie-perception-torch-cu130" {
-  inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-perception-cu130", "${REGISTRY}/ros-torch:trixie-perception-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -8222,7 +8222,7 @@ target "trixie-perception-torch-cu130" {
 }
 
 target "trixie-desktop-torch-cu130" {
-  inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu130-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-desktop-cu130", "${REGISTRY}/ros-torch:trixie-desktop-cu130-torch2.12.1"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -8234,7 +8234,7 @@ target "trixie-desktop-torch-cu130" {
 }
 
 target "trixie-desktop-full-torch-cu130" {
-  inherits = ["_distribution-trixie", "_torch-cu130-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cu130-trixie"]
   tags = [
     "${REGISTRY}/ros-torch:trixie-desktop-full-cu130",
     "${REGISTRY}/ros-torch:trixie-desktop-full-cu130-torch2.12.1",
@@ -8248,7 +8248,7 @@ target "trixie-desktop-full-torch-cu130" {
   }
 }
 
-target "_torch-cpu-trixie" {
+target "_join-torch-cpu-trixie" {
   target    = "torch"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -8269,7 +8269,7 @@ target "_torch-cpu-trixie" {
 }
 
 target "trixie-core-torch-cpu" {
-  inherits = ["_distribution-trixie", "_torch-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-core-cpu", "${REGISTRY}/ros-torch:trixie-core-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -8281,7 +8281,7 @@ target "trixie-core-torch-cpu" {
 }
 
 target "trixie-base-torch-cpu" {
-  inherits = ["_distribution-trixie", "_torch-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-base-cpu", "${REGISTRY}/ros-torch:trixie-base-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-base") }
   labels = {
@@ -8293,7 +8293,7 @@ target "trixie-base-torch-cpu" {
 }
 
 target "trixie-robot-torch-cpu" {
-  inherits = ["_distribution-trixie", "_torch-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-robot-cpu", "${REGISTRY}/ros-torch:trixie-robot-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -8305,7 +8305,7 @@ target "trixie-robot-torch-cpu" {
 }
 
 target "trixie-perception-torch-cpu" {
-  inherits = ["_distribution-trixie", "_torch-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-perception-cpu", "${REGISTRY}/ros-torch:trixie-perception-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -8317,7 +8317,7 @@ target "trixie-perception-torch-cpu" {
 }
 
 target "trixie-desktop-torch-cpu" {
-  inherits = ["_distribution-trixie", "_torch-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-desktop-cpu", "${REGISTRY}/ros-torch:trixie-desktop-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -8329,7 +8329,7 @@ target "trixie-desktop-torch-cpu" {
 }
 
 target "trixie-desktop-full-torch-cpu" {
-  inherits = ["_distribution-trixie", "_torch-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-torch-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-torch:trixie-desktop-full-cpu", "${REGISTRY}/ros-torch:trixie-desktop-full-cpu-torch2.10.0"]
   contexts = { ros = image("ros", "trixie-desktop-full") }
   labels = {
@@ -8340,7 +8340,7 @@ target "trixie-desktop-full-torch-cpu" {
   }
 }
 
-target "_tensorflow-cu128-trixie" {
+target "_join-tensorflow-cu128-trixie" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -8367,7 +8367,7 @@ target "_tensorflow-cu128-trixie" {
 }
 
 target "trixie-core-tensorflow-cu128" {
-  inherits = ["_distribution-trixie", "_tensorflow-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-core-cu128", "${REGISTRY}/ros-tf:trixie-core-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -8379,7 +8379,7 @@ target "trixie-core-tensorflow-cu128" {
 }
 
 target "trixie-base-tensorflow-cu128" {
-  inherits = ["_distribution-trixie", "_tensorflow-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-tf:trixie-base-cu128",
     "${REGISTRY}/ros-tf:trixie-base-cu128-tf2.20.0",
@@ -8395,7 +8395,7 @@ target "trixie-base-tensorflow-cu128" {
 }
 
 target "trixie-robot-tensorflow-cu128" {
-  inherits = ["_distribution-trixie", "_tensorflow-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-robot-cu128", "${REGISTRY}/ros-tf:trixie-robot-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -8407,7 +8407,7 @@ target "trixie-robot-tensorflow-cu128" {
 }
 
 target "trixie-perception-tensorflow-cu128" {
-  inherits = ["_distribution-trixie", "_tensorflow-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-perception-cu128", "${REGISTRY}/ros-tf:trixie-perception-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -8419,7 +8419,7 @@ target "trixie-perception-tensorflow-cu128" {
 }
 
 target "trixie-desktop-tensorflow-cu128" {
-  inherits = ["_distribution-trixie", "_tensorflow-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-desktop-cu128", "${REGISTRY}/ros-tf:trixie-desktop-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -8431,7 +8431,7 @@ target "trixie-desktop-tensorflow-cu128" {
 }
 
 target "trixie-desktop-full-tensorflow-cu128" {
-  inherits = ["_distribution-trixie", "_tensorflow-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-desktop-full-cu128", "${REGISTRY}/ros-tf:trixie-desktop-full-cu128-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-desktop-full") }
   labels = {
@@ -8442,7 +8442,7 @@ target "trixie-desktop-full-tensorflow-cu128" {
   }
 }
 
-target "_tensorflow-cpu-trixie" {
+target "_join-tensorflow-cpu-trixie" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -8463,7 +8463,7 @@ target "_tensorflow-cpu-trixie" {
 }
 
 target "trixie-core-tensorflow-cpu" {
-  inherits = ["_distribution-trixie", "_tensorflow-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-core-cpu", "${REGISTRY}/ros-tf:trixie-core-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -8475,7 +8475,7 @@ target "trixie-core-tensorflow-cpu" {
 }
 
 target "trixie-base-tensorflow-cpu" {
-  inherits = ["_distribution-trixie", "_tensorflow-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-base-cpu", "${REGISTRY}/ros-tf:trixie-base-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-base") }
   labels = {
@@ -8487,7 +8487,7 @@ target "trixie-base-tensorflow-cpu" {
 }
 
 target "trixie-robot-tensorflow-cpu" {
-  inherits = ["_distribution-trixie", "_tensorflow-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-robot-cpu", "${REGISTRY}/ros-tf:trixie-robot-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -8499,7 +8499,7 @@ target "trixie-robot-tensorflow-cpu" {
 }
 
 target "trixie-perception-tensorflow-cpu" {
-  inherits = ["_distribution-trixie", "_tensorflow-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-perception-cpu", "${REGISTRY}/ros-tf:trixie-perception-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -8511,7 +8511,7 @@ target "trixie-perception-tensorflow-cpu" {
 }
 
 target "trixie-desktop-tensorflow-cpu" {
-  inherits = ["_distribution-trixie", "_tensorflow-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-desktop-cpu", "${REGISTRY}/ros-tf:trixie-desktop-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -8523,7 +8523,7 @@ target "trixie-desktop-tensorflow-cpu" {
 }
 
 target "trixie-desktop-full-tensorflow-cpu" {
-  inherits = ["_distribution-trixie", "_tensorflow-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-tensorflow-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-tf:trixie-desktop-full-cpu", "${REGISTRY}/ros-tf:trixie-desktop-full-cpu-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-desktop-full") }
   labels = {
@@ -8534,7 +8534,7 @@ target "trixie-desktop-full-tensorflow-cpu" {
   }
 }
 
-target "_ml-cu128-trixie" {
+target "_join-ml-cu128-trixie" {
   target    = "ml"
   platforms = platforms(["linux/amd64"])
   contexts = {
@@ -8565,7 +8565,7 @@ target "_ml-cu128-trixie" {
 }
 
 target "trixie-core-ml-cu128" {
-  inherits = ["_distribution-trixie", "_ml-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-ml:trixie-core-cu128", "${REGISTRY}/ros-ml:trixie-core-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -8577,7 +8577,7 @@ target "trixie-core-ml-cu128" {
 }
 
 target "trixie-base-ml-cu128" {
-  inherits = ["_distribution-trixie", "_ml-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-ml:trixie-base-cu128",
     "${REGISTRY}/ros-ml:trixie-base-cu128-torch2.10.0-tf2.20.0",
@@ -8593,7 +8593,7 @@ target "trixie-base-ml-cu128" {
 }
 
 target "trixie-robot-ml-cu128" {
-  inherits = ["_distribution-trixie", "_ml-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-ml:trixie-robot-cu128", "${REGISTRY}/ros-ml:trixie-robot-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -8605,7 +8605,7 @@ target "trixie-robot-ml-cu128" {
 }
 
 target "trixie-perception-ml-cu128" {
-  inherits = ["_distribution-trixie", "_ml-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-ml:trixie-perception-cu128",
     "${REGISTRY}/ros-ml:trixie-perception-cu128-torch2.10.0-tf2.20.0",
@@ -8620,7 +8620,7 @@ target "trixie-perception-ml-cu128" {
 }
 
 target "trixie-desktop-ml-cu128" {
-  inherits = ["_distribution-trixie", "_ml-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cu128-trixie"]
   tags     = ["${REGISTRY}/ros-ml:trixie-desktop-cu128", "${REGISTRY}/ros-ml:trixie-desktop-cu128-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -8632,7 +8632,7 @@ target "trixie-desktop-ml-cu128" {
 }
 
 target "trixie-desktop-full-ml-cu128" {
-  inherits = ["_distribution-trixie", "_ml-cu128-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cu128-trixie"]
   tags = [
     "${REGISTRY}/ros-ml:trixie-desktop-full-cu128",
     "${REGISTRY}/ros-ml:trixie-desktop-full-cu128-torch2.10.0-tf2.20.0",
@@ -8646,7 +8646,7 @@ target "trixie-desktop-full-ml-cu128" {
   }
 }
 
-target "_ml-cpu-trixie" {
+target "_join-ml-cpu-trixie" {
   target    = "ml"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
@@ -8671,7 +8671,7 @@ target "_ml-cpu-trixie" {
 }
 
 target "trixie-core-ml-cpu" {
-  inherits = ["_distribution-trixie", "_ml-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-ml:trixie-core-cpu", "${REGISTRY}/ros-ml:trixie-core-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-core") }
   labels = {
@@ -8683,7 +8683,7 @@ target "trixie-core-ml-cpu" {
 }
 
 target "trixie-base-ml-cpu" {
-  inherits = ["_distribution-trixie", "_ml-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-ml:trixie-base-cpu", "${REGISTRY}/ros-ml:trixie-base-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-base") }
   labels = {
@@ -8695,7 +8695,7 @@ target "trixie-base-ml-cpu" {
 }
 
 target "trixie-robot-ml-cpu" {
-  inherits = ["_distribution-trixie", "_ml-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-ml:trixie-robot-cpu", "${REGISTRY}/ros-ml:trixie-robot-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-robot") }
   labels = {
@@ -8707,7 +8707,7 @@ target "trixie-robot-ml-cpu" {
 }
 
 target "trixie-perception-ml-cpu" {
-  inherits = ["_distribution-trixie", "_ml-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-ml:trixie-perception-cpu", "${REGISTRY}/ros-ml:trixie-perception-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-perception") }
   labels = {
@@ -8719,7 +8719,7 @@ target "trixie-perception-ml-cpu" {
 }
 
 target "trixie-desktop-ml-cpu" {
-  inherits = ["_distribution-trixie", "_ml-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cpu-trixie"]
   tags     = ["${REGISTRY}/ros-ml:trixie-desktop-cpu", "${REGISTRY}/ros-ml:trixie-desktop-cpu-torch2.10.0-tf2.20.0"]
   contexts = { ros = image("ros", "trixie-desktop") }
   labels = {
@@ -8731,7 +8731,7 @@ target "trixie-desktop-ml-cpu" {
 }
 
 target "trixie-desktop-full-ml-cpu" {
-  inherits = ["_distribution-trixie", "_ml-cpu-trixie"]
+  inherits = ["_distribution-trixie", "_join-ml-cpu-trixie"]
   tags = [
     "${REGISTRY}/ros-ml:trixie-desktop-full-cpu",
     "${REGISTRY}/ros-ml:trixie-desktop-full-cpu-torch2.10.0-tf2.20.0",

@@ -325,7 +325,7 @@ def _joined_images(catalogue: Catalogue) -> Iterator[Target]:
     for image in catalogue.images:
         if image.stack is None:
             continue
-        common = f"_{image.framework}-{image.stack}-{names.os_slug(image.os)}"
+        common = names.joined_target(image.framework, image.stack, image.os)
         if common not in seen:
             seen.add(common)
             yield common, _join(matrix, image)

@@ -43,6 +43,10 @@ def run(main: click.Command, interrupted: str = "interrupted", arguments: Sequen
     except (KeyboardInterrupt, click.Abort):
         click.echo(f"\n{interrupted}", err=True)
         return INTERRUPTED
+    except UnicodeDecodeError as error:
+        found = error.object[max(0, error.start - 30) : error.start].decode(errors="replace")
+        click.echo(f"{click.style('error:', fg='red', bold=True)} a file is not UTF-8, after {found!r}", err=True)
+        return 1
     except BrokenPipeError:  # the reader of our output is gone: `… --list | head`
         sys.stderr.close()
     except OSError as error:

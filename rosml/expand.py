@@ -13,7 +13,7 @@ from rosml.errors import RosmlError
 from rosml.model import ANY_PYTHON, FAMILIES, Distribution, Framework, Matrix, Part, Size, Stack
 from rosml.problems import SHOWN, InputError, listed, unknown
 from rosml.problems import Path as Place
-from rosml.source import Document, read
+from rosml.source import Document, read, shown
 from rosml.structure import validate
 
 
@@ -187,15 +187,32 @@ def load(file: Path, root: Path = ROOT) -> Catalogue:
 
 
 def current_locks(catalogue: Catalogue, root: Path) -> frozenset[str]:
-    """The locks that are there. One of a framework counts only if it holds the release that the stack has now."""
-    present = set(names.locks(root))
+    """The locks that can be used: theirs is the head of the file, they pin something by its hash, and one of a framework
+    holds the release that the stack has now."""
+    present = names.locks(root)
+    found: set[str] = set()
     for payload in catalogue.payloads:
         stack = catalogue.matrix.stacks[payload.stack]
         version = stack.release(payload.part) if payload.part in FAMILIES else None
-        for lock in present.intersection(payload.locks) if version else ():
-            if f"=={version} " not in (text := (root / lock).read_text()) and f"=={version}+" not in text:
-                present.discard(lock)
-    return frozenset(present)
+        for architecture, lock in zip(payload.architectures, payload.locks, strict=True):
+            text = _text(root / lock) if lock in present else ""
+            head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
+            current = version is None or f"=={version} " in text or f"=={version}+" in text
+            if text.startswith(f"{head}\n") and "--hash=sha256:" in text and current:
+                found.add(lock)
+    return frozenset(found)
+
+
+def _text(file: Path) -> str:
+    """A lock's text.
+
+    Raises:
+        RosmlError: it is there and cannot be read: that is another matter than a lock that nobody made yet.
+    """
+    try:
+        return file.read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", "give this user read access") from None
 
 
 def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
@@ -409,6 +426,19 @@ def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
             if owners.setdefault(tag, image.target) != image.target:
                 text = f"{image.target} and {owners[tag]} would both have the tag {tag}; rename one"
                 yield ("distributions", image.distribution), text
+    kinds: dict[str, tuple[str, str | None, str]] = {}
+    for image in catalogue.images:
+        kind = (image.framework, image.stack, image.os)
+        common = names.joined_target(*kind)
+        if image.stack and kinds.setdefault(common, kind) != kind:
+            yield (
+                ("stacks", image.stack),
+                f"{image.stack} and {kinds[common][1]} would share the target {common}; rename one",
+            )
+    for axis in ("distributions", "components", "frameworks", "stacks"):
+        for name in getattr(catalogue.matrix, axis):
+            if name in owners or name in {payload.target for payload in catalogue.payloads}:
+                yield (axis, name), f"the group {name} would have the name of a target; rename it"
     for payload in catalogue.payloads:
         if payload.target in owners:
             yield ("stacks", payload.stack), f"{payload.target} is a payload and an image; rename one"

@@ -48,6 +48,11 @@ class Inputs:
             attributes = self._resolved(target)
             arguments = {name: text for name, value in attributes["args"].items() if (text := self._text(value))}
             inputs = {"platform": self.catalogue.matrix.architectures[architecture].platform}
+            if attributes["target"] not in self._stages:
+                raise RosmlError(
+                    f"the Dockerfile has no stage {attributes['target']}, which {target} is built from",
+                    remedy="write it there as 'FROM … AS name' on one line, or rename the framework in matrix.yaml",
+                )
             inputs["Dockerfile: before the first stage"] = self._stages[""].digest
             inputs |= self._stage(attributes["target"], attributes["contexts"], arguments, architecture)
             inputs |= {f"argument {name}": value for name, value in arguments.items()}

@@ -11,6 +11,7 @@ per part. What a part holds follows from the dependency graph alone:
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import tempfile
@@ -182,7 +183,7 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
         for name in sorted(request.provided):
             command += ["--no-emit-package", name]
         try:
-            done = subprocess.run(command, cwd=base, capture_output=True, text=True, check=False)
+            done = subprocess.run(command, cwd=base, env=_environment(), capture_output=True, text=True, check=False)
         except FileNotFoundError:
             raise RosmlError(f"'{uv}' is not installed", remedy="run 'make up', which installs it") from None
         if done.returncode != 0 and request.asks_pytorch and _no_answer(done.stderr):
@@ -194,6 +195,19 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
             )
         pins = parse(output.read_text())
     return pins if request.asks_pytorch else _with_known_wheels(request, pins)
+
+
+def _environment() -> dict[str, str]:
+    """The user's environment without settings of uv that would change what it resolves to; indexes and caches stay."""
+    changing = (
+        "UV_RESOLUTION",
+        "UV_PRERELEASE",
+        "UV_EXCLUDE_NEWER",
+        "UV_CONSTRAINT",
+        "UV_OVERRIDE",
+        "UV_TORCH_BACKEND",
+    )
+    return {name: value for name, value in os.environ.items() if name not in changing}
 
 
 class Unreachable(RosmlError):
@@ -285,7 +299,7 @@ def package_name(requirement: str) -> str:
 def render(request: Request, part: str, pins: list[Pin]) -> str:
     """The text of a part's lock. It names no index and no date: the same resolution gives the same bytes."""
     lines = [
-        f"# Part '{part}' of stack {request.stack}, Python {_python(request, part)}, {request.architecture}.",
+        names.lock_head(request.stack, request.architecture, _python(request, part), part),
         "# Made by scripts/lock.py (make locks) from matrix.yaml; do not edit.",
     ]
     for pin in pins:
@@ -366,15 +380,17 @@ class _Outcome:
 
 def _outcome(request: Request, root: Path, uv: str, upgrade: bool) -> _Outcome:
     earlier = {
-        str(file.relative_to(root)): file.read_text()
+        str(file.relative_to(root)): file.read_text(errors="replace")
         for python in (request.python, ANY_PYTHON)
         for file in sorted((root / "locks" / request.stack / request.architecture / python).glob("*.txt"))
     }
-    previous, reason = "\n".join(earlier.values()), ""
+    # Versions are what an earlier lock is asked for. Its hashes come anew from the index: a false one would stay for ever.
+    previous = "".join(f"{pin.name}=={pin.version}\n" for text in earlier.values() for pin in parse(text))
+    reason = ""
     try:
         pins = resolve(request, uv, upgrade, previous)
     except Unreachable as error:
-        if all(_path(request, family) in earlier for family in request.roots):
+        if all(_path(request, part) in earlier for part in ("common", *request.roots)):
             return _Outcome(request, kept=earlier, reason=error.message)
         here = {family: wanted for family, wanted in request.roots.items() if family not in request.elsewhere}
         request = replace(request, roots=here, elsewhere={})

@@ -33,6 +33,11 @@ def os_target(os: str) -> str:
     return f"_os-{os_slug(os)}"
 
 
+def joined_target(framework: str, stack: str | None, os: str) -> str:
+    """The abstract target of images of one framework, stack and operating system."""
+    return f"_join-{framework}-{stack}-{os_slug(os)}"
+
+
 def os_variable(os: str) -> str:
     """The bake variable that holds an operating system's base image."""
     return "OS_" + os_slug(os).replace("-", "_").upper()
@@ -58,6 +63,11 @@ def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
     return f"locks/{stack}/{architecture}/{python}/{part}.txt"
 
 
+def lock_head(stack: str, architecture: str, python: str, part: str) -> str:
+    """The first line of a lock: whose it is."""
+    return f"# Part '{part}' of stack {stack}, Python {python}, {architecture}."
+
+
 def locks(root: Path) -> frozenset[str]:
     """The locks that are there, relative to the project's root."""
-    return frozenset(str(file.relative_to(root)) for file in (root / "locks").rglob("*.txt"))
+    return frozenset(str(file.relative_to(root)) for file in (root / "locks").rglob("*.txt") if file.is_file())

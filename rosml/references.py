@@ -31,6 +31,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         _duplicates,
         _axes,
         _operating_systems,
+        _same_python,
         _components,
         _frameworks,
         _releases,
@@ -97,6 +98,19 @@ def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
         path: Path = ("operating_systems", name)
         yield from _each((*path, "architectures"), "architecture", os.architectures, matrix.architectures)
         yield from _placeholders((*path, "tools"), os.tools, ())
+
+
+def _same_python(matrix: Matrix) -> Iterator[Finding]:
+    """Payloads are shared by all systems with a Python version, so these must agree on what payloads depend on."""
+    first: dict[str, str] = {}
+    for name, os in matrix.operating_systems.items():
+        other = first.setdefault(os.python, name)
+        for key in ("numpy", "provides"):
+            if getattr(matrix.operating_systems[other], key) != getattr(os, key):
+                yield (
+                    ("operating_systems", name, key),
+                    f"{name} and {other} have Python {os.python} and so the same payloads, but another '{key}'; they must agree",
+                )
 
 
 def _components(matrix: Matrix) -> Iterator[Finding]:

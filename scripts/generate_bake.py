@@ -59,6 +59,8 @@ def main(
         raise click.UsageError("--json belongs to --list, --diff and --shards")
     if output and (list_ or diff is not None or explain is not None):
         raise click.UsageError("--output belongs to writing, --check and --shards")
+    if output and output.exists() and output.resolve() == matrix.resolve():
+        raise click.UsageError(f"--output {output} would overwrite the matrix; name another file")
     from rosml import expand
 
     catalogue = expand.load(matrix, ROOT)

@@ -45,7 +45,7 @@ def main(upgrade: bool, check: bool, stacks: tuple[str, ...], matrix: Path) -> N
             raise RosmlError(unknown("stack", name, catalogue.matrix.stacks), exit_code=2)
     locks = lock(catalogue, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
     there = {path for path in names.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
-    earlier = {path: (ROOT / path).read_text() for path in there & locks.texts.keys()}
+    earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
     for path in stale:
         click.echo(f"{path}: {'would change' if check else 'written'}")

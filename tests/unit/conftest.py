@@ -16,7 +16,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and some CI le
     signal.signal(signal.SIGINT, signal.default_int_handler)
 set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
 
-from rosml import expand, source  # noqa: E402
+from rosml import expand, names, source  # noqa: E402
 
 SMALL = f"""\
 version: 1
@@ -102,6 +102,8 @@ disk:
 rates: {{packages: 10, payloads: 100, test: 5}}
 """
 
+PINS = "torch==2.10.0 \\\n    --hash=sha256:0\ntensorflow==2.20.0 \\\n    --hash=sha256:0\n"
+
 Parse = Callable[[str], expand.Catalogue]
 
 
@@ -112,9 +114,11 @@ def parse(text: str) -> expand.Catalogue:
 
 def write_locks(root: Path, catalogue: expand.Catalogue) -> None:
     """Every lock of a catalogue, as far as it is looked at without a build."""
-    for lock in {lock for payload in catalogue.payloads for lock in payload.locks}:
-        (root / lock).parent.mkdir(parents=True, exist_ok=True)
-        (root / lock).write_text("torch==2.10.0 \\\ntensorflow==2.20.0 \\\n")
+    for payload in catalogue.payloads:
+        for architecture, lock in zip(payload.architectures, payload.locks, strict=True):
+            head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
+            (root / lock).parent.mkdir(parents=True, exist_ok=True)
+            (root / lock).write_text(f"{head}\n{PINS}")
 
 
 def changed(old: str, new: str, text: str = SMALL) -> str:

@@ -192,6 +192,7 @@ EXITS: dict[str, tuple[list[str], int, str]] = {
     "output of a difference": (["--diff", "HEAD", "--output", "x"], 2, "belongs to writing"),
     "same matrix": (["--diff", str(ROOT / "matrix.yaml")], 0, "0 added, 0 removed, 0 changed, "),
     "plan and list": (["--shards", "2", "--list"], 2, "use one of them"),
+    "output on the matrix": (["--output", str(ROOT / "matrix.yaml")], 2, "would overwrite the matrix"),
     "output of a list": (["--list", "--output", "x"], 2, "belongs to writing"),
     "unknown option": (["--chek"], 2, "--check"),
     "no such matrix": (["--matrix", "/nowhere/matrix.yaml"], 2, "no such file"),

@@ -106,6 +106,16 @@ def test_no_long_term_release_no_latest() -> None:
     assert not [tag for image in without.images for tag in image.tags if tag.endswith(":latest")]
 
 
+def test_a_group_named_like_a_target() -> None:
+    with pytest.raises(RosmlError, match="the group alpha-core would have the name of a target; rename it"):
+        parse(SMALL.replace("  omega:", "  alpha-core:"))
+
+
+def test_systems_with_one_python_agree_on_what_payloads_depend_on() -> None:
+    with pytest.raises(RosmlError, match=r"ubuntu-26.04 and ubuntu-24.04 have Python 3.12 and so the same payloads"):
+        parse(SMALL.replace('python: "3.14"\n', 'python: "3.12"\n'))
+
+
 def test_names_and_tags_are_unique(real: Catalogue) -> None:
     tags = [tag for image in real.images for tag in image.tags]
     assert len(tags) == len(set(tags))
@@ -141,10 +151,28 @@ def test_a_lock_of_another_release_is_none(small: Catalogue, tmp_path: Path) -> 
     write_locks(tmp_path, small)
     assert all(image.locked for image in load(tmp_path / "matrix.yaml", tmp_path).images)
     torch = tmp_path / "locks/cu1/amd64/3.12/torch.txt"
-    torch.write_text("torch==2.10.0+cpu \\\n")
-    assert load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-torch-cu1").locked
-    torch.write_text("torch==2.9.1 \\\ntorch-model-archiver==2.10.0 \\\n".replace("2.10.0", "2.10.1"))
-    assert not load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-torch-cu1").locked
+    whole = torch.read_text()
+
+    def locked() -> bool:
+        return load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-torch-cu1").locked
+
+    assert locked()
+    for text, counts in {
+        whole.replace("torch==2.10.0", "torch==2.10.0+cpu"): True,
+        whole.replace("torch==2.10.0", "torch==2.9.1"): False,
+        whole.replace("3.12", "3.14"): False,
+        whole.replace("--hash=sha256:", "#"): False,
+        "\x00\ufffd": False,
+        "": False,
+    }.items():
+        torch.write_text(text)
+        assert locked() == counts, text
+    torch.unlink()
+    torch.mkdir()
+    assert not locked()
+    torch.rmdir()
+    torch.symlink_to("nowhere")
+    assert not locked()
 
 
 def test_a_default_stack_that_nothing_has() -> None:

@@ -497,6 +497,26 @@ def test_one_stack(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "no stack named 'cp'; did you mean 'cpu'" in capsys.readouterr().err
 
 
+def test_false_hashes_do_not_stay(checkout: Path) -> None:
+    """Versions of an earlier lock are asked for; its hashes are not."""
+    run(checkout)
+    torch = checkout / "locks/cu1/amd64/3.12/torch.txt"
+    torch.write_text(torch.read_text().replace("sha256:ee", "sha256:00"))
+    assert run(checkout, "--check") == 1
+    assert "--hash" not in (checkout / "seen-out.txt").read_text()
+    assert run(checkout) == 0
+    assert "sha256:ee" in torch.read_text()
+
+
+def test_settings_of_uv_that_change_what_it_resolves_to(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("UV_RESOLUTION", "lowest")
+    monkeypatch.setenv("UV_INDEX_MARK", "kept")
+    lock.resolve(request(), fake_uv(tmp_path, 'env >"$(dirname "$0")/env"; ' + RESOLVES))
+    env = (tmp_path / "env").read_text()
+    assert "UV_RESOLUTION" not in env
+    assert "UV_INDEX_MARK=kept" in env
+
+
 def test_locks_that_nothing_needs(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
     run(checkout)
     (checkout / "locks/old.txt").write_text("")
