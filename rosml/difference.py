@@ -9,7 +9,7 @@ import subprocess
 import tarfile
 import tempfile
 from collections.abc import Iterable, Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 
@@ -33,12 +33,14 @@ class Change:
 
 @dataclass(frozen=True)
 class Difference:
-    """Targets of images that are added and removed, and why the others changed. `same`: how many did not."""
+    """Targets of images that are added and removed, and why the others changed. `same`: how many did not. `tags`: those
+    that lead from one image to another now, or from one that stays to none."""
 
     added: tuple[str, ...]
     removed: tuple[str, ...]
     changed: dict[str, tuple[Change, ...]]
     same: int
+    tags: dict[str, tuple[str, str | None]] = field(default_factory=dict)
 
 
 def since(version: str, now: Inputs) -> Difference:
@@ -82,7 +84,16 @@ def between(old: Inputs, new: Inputs) -> Difference:
     found = {target: _ordered(reasons(target)) for target in now if target in was}
     changed = {target: why for target, why in found.items() if why}
     added, removed = tuple(name for name in now if name not in was), tuple(name for name in was if name not in now)
-    return Difference(added, removed, changed, len(found) - len(changed))
+    return Difference(added, removed, changed, len(found) - len(changed), _moved(old.catalogue, new.catalogue))
+
+
+def _moved(old: expand.Catalogue, new: expand.Catalogue) -> dict[str, tuple[str, str | None]]:
+    before, after = ({tag: image.target for image in side.images for tag in image.tags} for side in (old, new))
+    return {
+        tag: (target, after.get(tag))
+        for tag, target in before.items()
+        if after.get(tag) != target and (tag in after or target in new.by_target)
+    }
 
 
 def as_json(difference: Difference) -> str:
@@ -95,6 +106,8 @@ def rows(difference: Difference) -> Iterator[tuple[str, str, str]]:
     for kind in ("added", "removed"):
         if targets := getattr(difference, kind):
             yield kind, "", _some(targets)
+    for tag, (was, now) in difference.tags.items():
+        yield "tag moved" if now else "tag gone", f"{was} → {now or 'nothing'}", tag
     reached: dict[Change, list[str]] = {}
     for target, why in difference.changed.items():
         # Labels spell out what the other inputs say, for each image in its own words.
@@ -115,7 +128,7 @@ def print_table(difference: Difference) -> None:
     from rosml.listing import console
 
     table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for column in ("images are", "because of", "images"):
+    for column in ("what", "why", "which"):
         table.add_column(column, overflow="fold")
     for row in rows(difference):
         table.add_row(*map(Text, row))

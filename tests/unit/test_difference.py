@@ -53,7 +53,7 @@ def found(folder: Path, *arguments: str) -> dict[str, Any]:
     done = diff(folder, *arguments, "--json")
     assert (done.returncode, done.stderr) == (0, "")
     result: dict[str, Any] = json.loads(done.stdout)
-    assert list(result) == ["added", "removed", "changed", "same"]
+    assert list(result) == ["added", "removed", "changed", "same", "tags"]
     return result
 
 
@@ -221,6 +221,22 @@ def test_labels_are_told_where_nothing_else_changed() -> None:
     address = since(changed("source: https://example.org/images\n", ""))
     ((_, why, _),) = difference.rows(address)
     assert why == "label org.opencontainers.image.source: https://example.org/images → nothing"
+
+
+def test_tags_that_move(capsys: pytest.CaptureFixture[str]) -> None:
+    """A newer long-term release takes `latest`: nobody should learn of that from their own image."""
+    newer = changed("    apt: {channel: snapshot", "    eol: 2031-05-31\n    lts: true\n    apt: {channel: snapshot")
+    found = difference.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, parse(newer)))
+    assert found.tags == {
+        "ros:latest": ("alpha-base", "omega-base"),
+        "ros-torch:latest": ("alpha-base-torch-cu1", "omega-base-torch-cpu"),
+        "ros-cuda:latest": ("alpha-base-cuda-cu1", None),
+        "ros-ml:latest": ("alpha-base-ml-cu1", None),
+    }
+    difference.print_table(found)
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert ["tag", "moved", "alpha-base", "→", "omega-base", "ros:latest"] in lines
+    assert ["tag", "gone", "alpha-base-ml-cu1", "→", "nothing", "ros-ml:latest"] in lines
 
 
 def test_an_architecture_that_is_added() -> None:
