@@ -68,7 +68,7 @@ def since(text: str, root: Path = ROOT) -> difference.Difference:
 def test_nothing_differs(repository: Path) -> None:
     """Neither in a clean checkout, nor after changes that reach no image."""
     count = len(parse(SMALL).images)
-    assert found(repository, "HEAD") == {"added": [], "removed": [], "changed": {}, "same": count}
+    assert found(repository, "HEAD") == {"added": [], "removed": [], "changed": {}, "same": count, "tags": {}}
     (repository / "matrix.yaml").write_text(f"# A comment.\n{SMALL}")
     (repository / "README.md").write_text("")
     cache = repository / "components/payload/__pycache__"
