@@ -17,7 +17,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosml import base_images, builder, forecast, names, registry, results, verify
+from rosml import bake, base_images, builder, files, forecast, names, registry, results, verify
 from rosml.errors import RosmlError
 from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
 from rosml.problems import listed
@@ -119,14 +119,12 @@ class Publisher:
         catalogue: all that the matrix describes.
         say: told what is going on, a line at a time.
         namespace: first part of the repositories' names.
-        bake_file: what buildx reads, rendered from the same catalogue.
     """
 
     services: Services
     catalogue: Catalogue
     say: Callable[[str], None]
     namespace: str = NAMESPACE
-    bake_file: Path = Path("docker-bake.hcl")
 
     @property
     def prefix(self) -> str:
@@ -171,6 +169,14 @@ class Publisher:
         self._remember(result)
         return result
 
+    def _bake_file(self, image: Image) -> Path:
+        """The part of the bake file that an image and its tests need."""
+        folder = self.services.state / "bake"
+        folder.mkdir(parents=True, exist_ok=True)
+        file = folder / f"{image.target}.hcl"
+        files.write(file, bake.excerpt(self.catalogue, (image.target, image.test_target)))
+        return file
+
     def _base_images(self, image: Image, result: Result) -> dict[str, str]:
         """Variables of the bake file that say where base images are."""
         assembled_on = {self.catalogue.payload_by_name[name].os for name in image.parts}
@@ -190,7 +196,7 @@ class Publisher:
         output = f"type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
         sets = (f"{image.target}.output={output}", f"{image.target}.tags=")
         progress, metadata = builder.run(
-            self.services, builder.Bake(image.target, f"build-{image.target}", self.bake_file, sets, variables)
+            self.services, builder.Bake(image.target, f"build-{image.target}", self._bake_file(image), sets, variables)
         )
         result.work.update(progress.phases())
         result.reused = _reused(progress.reused())
@@ -221,7 +227,7 @@ class Publisher:
             f"{name}.args.TEST_ATTEMPT={attempt}",
         )
         progress, _ = builder.run(
-            self.services, builder.Bake(name, f"test-{image.target}", self.bake_file, sets, variables)
+            self.services, builder.Bake(name, f"test-{image.target}", self._bake_file(image), sets, variables)
         )
         for phase, seconds in progress.phases().items():
             result.work[phase] = result.work.get(phase, 0.0) + seconds

@@ -52,11 +52,10 @@ def image(target: str, matrix: Path, namespace: str, check: bool, as_json: bool)
     if check:
         return
     services = Services.load(ROOT)
-    own = matrix.resolve() == ROOT / "matrix.yaml"
-    bake_file = ROOT / "docker-bake.hcl" if own else services.state / "docker-bake.hcl"
-    if files.write(bake_file, bake.render(catalogue)):
+    bake_file = ROOT / "docker-bake.hcl"
+    if matrix.resolve() == ROOT / "matrix.yaml" and files.write(bake_file, bake.render(catalogue)):
         say(f"{bake_file.name} was not up to date with {matrix.name}: written anew")
-    result = Publisher(services, catalogue, say, namespace, bake_file).publish(target)
+    result = Publisher(services, catalogue, say, namespace).publish(target)
     click.echo(json.dumps(result.to_json(), indent=2) if as_json else text(result))
 
 

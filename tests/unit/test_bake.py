@@ -321,6 +321,16 @@ def test_broken_digests_fail() -> None:
         printed("bookworm-base", DIGESTS='{"bookworm-core": ')
 
 
+def test_an_excerpt_prints_as_the_whole(real: Catalogue, tmp_path: Path) -> None:
+    """With all that an image and its test stand on, and little else."""
+    image = real.image("bookworm-base-torch-cu128")
+    file = tmp_path / "excerpt.hcl"
+    file.write_text(bake.excerpt(real, (image.target, image.test_target)))
+    for target in (image.target, image.test_target):
+        assert printed(target, file=file) == printed(target)
+    assert file.stat().st_size < (ROOT / "docker-bake.hcl").stat().st_size / 20
+
+
 def test_one_platform() -> None:
     """PLATFORM restricts a target and all that it stands on."""
     targets = printed("jazzy-base", PLATFORM="linux/arm64")

@@ -111,7 +111,7 @@ class Stage:
         """Publishes as the command does."""
         facts = json.loads((self.folder / ".state/services.json").read_text())
         found = services(self.folder, **{**facts, **changes})
-        return Publisher(found, self.catalogue, self.said.append, bake_file=self.folder / "x.hcl").publish(target)
+        return Publisher(found, self.catalogue, self.said.append).publish(target)
 
     def calls(self, start: str) -> list[str]:
         """The calls that start in some way."""
@@ -349,7 +349,9 @@ def test_command(checkout: Stage, capsys: pytest.CaptureFixture[str]) -> None:
     assert f"FROM             {checkout.registry}/rosml/ros-torch:alpha-base-cu1\n" in done.out
     assert "==> docker-bake.hcl was not up to date with matrix.yaml: written anew\n" in done.err
     assert "==> structure tests, inside the image\n" in done.err
-    assert f"buildx bake --file {checkout.folder}/docker-bake.hcl" in checkout.calls("buildx bake")[0]
+    excerpt = checkout.folder / f".state/bake/{TARGET}.hcl"
+    assert f"buildx bake --file {excerpt}" in checkout.calls("buildx bake")[0]
+    assert excerpt.read_text().count(f'target "{TARGET}"') == 1
     assert f'target "{TARGET}"' in (checkout.folder / "docker-bake.hcl").read_text()
 
 
@@ -358,7 +360,7 @@ def test_command_with_another_matrix_leaves_the_bake_file_alone(checkout: Stage)
     arguments = ["image", "--matrix", str(checkout.folder / "mine.yaml"), "--namespace", "try", "--json", TARGET]
     assert command.run(script.cli, arguments=arguments) == 0
     assert not (checkout.folder / "docker-bake.hcl").exists()
-    assert f"--file {checkout.folder}/.state/docker-bake.hcl" in checkout.calls("buildx bake")[0]
+    assert f"--file {checkout.folder}/.state/bake/{TARGET}.hcl" in checkout.calls("buildx bake")[0]
 
 
 def test_command_json(checkout: Stage, capsys: pytest.CaptureFixture[str]) -> None:
