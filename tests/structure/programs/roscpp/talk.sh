@@ -3,10 +3,12 @@
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 work=$(mktemp -d)
-export ROS_MASTER_URI=http://127.0.0.1:11411 ROS_IP=127.0.0.1 ROS_HOME=$work/ros HOME=$work
+# Build steps may share the machine's network: tests of two images at a time must not meet.
+port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+export ROS_MASTER_URI=http://127.0.0.1:$port ROS_IP=127.0.0.1 ROS_HOME=$work/ros HOME=$work
 trap 'jobs -p | xargs --no-run-if-empty kill 2>/dev/null || true; wait 2>/dev/null || true; rm -rf "$work"' EXIT
 
-roscore -p 11411 >"$work/roscore.log" 2>&1 &
+roscore -p "$port" >"$work/roscore.log" 2>&1 &
 # shellcheck disable=SC2046  # pkg-config prints words
 g++ -O0 -o "$work/node" "$here/node.cpp" $(pkg-config --cflags --libs roscpp std_msgs)
 

@@ -9,7 +9,8 @@ cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_
   -DCMAKE_INSTALL_PREFIX="$work/installed" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
 # The path of torch.utils.cmake_prefix_path leads there as well. The same folder again: the compiler is known there.
 site=$(python3 -c 'import importlib.util as u; print(u.find_spec("torch").submodule_search_locations[0])')
-cmake -B "$work/build" -DTorch_DIR="$site/share/cmake/Torch" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
+cmake -S "$here" -B "$work/build" -DTorch_DIR="$site/share/cmake/Torch" >"$work/log" 2>&1 ||
+  { cat "$work/log" >&2; exit 1; }
 cmake --build "$work/build" >"$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
 cmake --install "$work/build" >/dev/null
 env -u LD_LIBRARY_PATH "$work/installed/bin/torch_program"
