@@ -24,6 +24,9 @@ PAYLOAD_PARTS = 3
 SECOND_IMAGE_SECONDS = 20.0
 """What building, testing and tagging a second image with the same payload may take beyond the ROS packages."""
 
+ROS_SECONDS = 5.2
+"""What installing bookworm-base's packages took on the machine for which the above holds."""
+
 SECOND_IMAGE_BYTES = 100_000_000
 
 
@@ -56,9 +59,11 @@ def test_a_second_image_with_the_same_payload_costs_next_to_nothing(published: P
     assert second.layers[:-PAYLOAD_PARTS] != first.layers[:-PAYLOAD_PARTS]
     assert second.result["uploaded"] < SECOND_IMAGE_BYTES
     beyond = seconds_beyond_ros(second)
-    if beyond > SECOND_IMAGE_SECONDS:  # a machine that was busy just then gets another chance, with another image
+    # How fast the machine is just now, as installing the same ROS packages tells in the same run.
+    slower = max(1.0, second.result["work"].get("install ROS packages", 0.0) / ROS_SECONDS)
+    if beyond > SECOND_IMAGE_SECONDS * slower:  # one that was busy just then gets another chance, with another image
         beyond = min(beyond, seconds_beyond_ros(published("bookworm-robot-torch-cu128")))
-    assert beyond <= SECOND_IMAGE_SECONDS, second.result
+    assert beyond <= SECOND_IMAGE_SECONDS * slower, second.result
 
 
 def seconds_beyond_ros(image: Published) -> float:
