@@ -435,9 +435,10 @@ def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
                 ("stacks", image.stack),
                 f"{image.stack} and {kinds[common][1]} would share the target {common}; rename one",
             )
+    taken = owners.keys() | {payload.target for payload in catalogue.payloads}
     for axis in ("distributions", "components", "frameworks", "stacks"):
         for name in getattr(catalogue.matrix, axis):
-            if name in owners or name in {payload.target for payload in catalogue.payloads}:
+            if name in taken:
                 yield (axis, name), f"the group {name} would have the name of a target; rename it"
     for payload in catalogue.payloads:
         if payload.target in owners:

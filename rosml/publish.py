@@ -150,17 +150,18 @@ class Publisher:
 
         self.say("base image")
         variables = self._base_images(image, result)
+        bake_file = self._bake_file(image)
         clock.lap("base image")
 
         self.say(f"build {target} and push it by digest")
         before = _folder_bytes(self.services.state / "registry")
-        self._build(image, variables, result)
+        self._build(image, bake_file, variables, result)
         built.add([target, image.parent, *image.parts])
         result.uploaded = _folder_bytes(self.services.state / "registry") - before
         clock.lap("build and push")
 
         self.say("structure tests, inside the image")
-        self._test(image, variables, result)
+        self._test(image, bake_file, variables, result)
         clock.lap("structure tests")
 
         self.say("index and tags")
@@ -191,12 +192,12 @@ class Publisher:
                 result.base = f"{reference} ({made if self.services.mirror else 'the official image'})"
         return variables
 
-    def _build(self, image: Image, variables: dict[str, str], result: Result) -> None:
+    def _build(self, image: Image, bake_file: Path, variables: dict[str, str], result: Result) -> None:
         repository = f"{self.prefix}/{image.repository}"
         output = f"type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
         sets = (f"{image.target}.output={output}", f"{image.target}.tags=")
         progress, metadata = builder.run(
-            self.services, builder.Bake(image.target, f"build-{image.target}", self._bake_file(image), sets, variables)
+            self.services, builder.Bake(image.target, f"build-{image.target}", bake_file, sets, variables)
         )
         result.work.update(progress.phases())
         result.reused = _reused(progress.reused())
@@ -207,7 +208,7 @@ class Publisher:
             layer.size for layer in registry.layers(self.services, f"{repository}@{result.manifest}")
         )
 
-    def _test(self, image: Image, variables: dict[str, str], result: Result) -> None:
+    def _test(self, image: Image, bake_file: Path, variables: dict[str, str], result: Result) -> None:
         reference = f"{self.prefix}/{image.repository}@{result.manifest}"
         folder = self.services.state / "tests" / image.target
         metadata, report_folder = folder / "metadata", folder / "report"
@@ -226,9 +227,7 @@ class Publisher:
             f"{name}.contexts.metadata={metadata}",
             f"{name}.args.TEST_ATTEMPT={attempt}",
         )
-        progress, _ = builder.run(
-            self.services, builder.Bake(name, f"test-{image.target}", self._bake_file(image), sets, variables)
-        )
+        progress, _ = builder.run(self.services, builder.Bake(name, f"test-{image.target}", bake_file, sets, variables))
         for phase, seconds in progress.phases().items():
             result.work[phase] = result.work.get(phase, 0.0) + seconds
         if any("/run/tests/run.sh" in step.name for step in progress.reused()):
