@@ -1,6 +1,8 @@
 # The few commands a newcomer needs. `make` alone lists them.
 # The image to build or explain; `make image` without it builds matrix.yaml's default.target.
 TARGET ?=
+# Groups whose images `make list` lists: distributions, components, frameworks, stacks.
+GROUP ?=
 # What `make diff` compares with: a git revision, or another matrix file.
 REV ?= HEAD
 # Among how many machines `make plan` deals the images out.
@@ -17,7 +19,7 @@ export UV_CACHE_DIR ?= $(CURDIR)/.state/uv
 export HYPOTHESIS_STORAGE_DIRECTORY ?= $(CURDIR)/.state/cache/hypothesis
 export TARGET REV
 # A ROS workspace sets them; they would change what our Python imports.
-unexport PYTHONPATH PYTHONHOME
+unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
@@ -44,8 +46,8 @@ unit: .python ## the linters and the unit tests: no builder, two minutes
 bench: .python ## how fast the generator is: the real matrix, and up to 10,000 images
 	@$(RUN) scripts/bench.py
 
-list: .python ## every image that can be built
-	@$(RUN) scripts/generate_bake.py --list
+list: .python ## every image that can be built, or those of groups: make list GROUP="jazzy torch"
+	@$(RUN) scripts/generate_bake.py --list $(patsubst %,--group=%,$(GROUP))
 
 explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot
 	@$(RUN) scripts/generate_bake.py --explain "$$TARGET"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 from collections.abc import Sequence
@@ -30,6 +31,7 @@ def run(main: click.Command, interrupted: str = "interrupted", arguments: Sequen
     signal.signal(signal.SIGTERM, _terminate)
     try:
         main(None if arguments is None else list(arguments), standalone_mode=False)
+        sys.stdout.flush()
     except RosmlError as error:
         # Problems of the matrix begin with file and line, where editors and CI look for them.
         head = "" if isinstance(error, InputError) else click.style("error: ", fg="red", bold=True)
@@ -48,7 +50,7 @@ def run(main: click.Command, interrupted: str = "interrupted", arguments: Sequen
         click.echo(f"{click.style('error:', fg='red', bold=True)} a file is not UTF-8, after {found!r}", err=True)
         return 1
     except BrokenPipeError:  # the reader of our output is gone: `… --list | head`
-        sys.stderr.close()
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains when it ends
     except OSError as error:
         click.echo(f"{click.style('error:', fg='red', bold=True)} {error}", err=True)
         return 1

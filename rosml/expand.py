@@ -372,8 +372,9 @@ FLOATING = "base"
 
 
 def _latest(matrix: Matrix) -> str | None:
-    """The newest long-term distribution: the one that lives longest."""
-    living = [(row.eol, name) for name, row in matrix.distributions.items() if row.lts and row.eol]
+    """The newest long-term distribution that has the component of the short tags: the one that lives longest."""
+    rows = matrix.distributions.items()
+    living = [(row.eol, name) for name, row in rows if row.lts and row.eol and FLOATING in row.present]
     return max(living)[1] if living else None
 
 

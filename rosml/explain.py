@@ -38,6 +38,8 @@ def explain(catalogue: Catalogue, name: str) -> str:
         return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {users} images"
     if name in catalogue.groups:
         return f"{name}: a group of {len(catalogue.groups[name])} targets; see them with: make list"
+    if any(name in image.groups for image in catalogue.images):
+        return f"{name}: a group of no targets: none of its images has a lock; {MAKE_LOCKS}"
     if reason := why_not(catalogue, name):
         return reason
     candidates = [*catalogue.by_target, *catalogue.groups]

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from rosml.errors import RosmlError
 from rosml.expand import MAKE_LOCKS, Catalogue, Image
 from rosml.inputs import Inputs
+from rosml.problems import listed, unknown
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -39,9 +42,21 @@ def facts(image: Image) -> dict[str, Any]:
     }
 
 
-def as_json(inputs: Inputs) -> str:
-    """All images, in the order of the matrix, with the digests of their inputs by architecture."""
-    images = inputs.catalogue.images
+def members(catalogue: Catalogue, groups: Sequence[str] = ()) -> tuple[Image, ...]:
+    """The images that are in all of some groups, those without a lock among them, in the order of the matrix.
+
+    Raises:
+        RosmlError: there is no such group (exit code 2).
+    """
+    known = {group for image in catalogue.images for group in image.groups}
+    for name in groups:
+        if name not in known:
+            raise RosmlError(unknown("group", name, sorted(known)), f"there is {listed(sorted(known))}", exit_code=2)
+    return tuple(image for image in catalogue.images if set(groups) <= set(image.groups))
+
+
+def as_json(inputs: Inputs, images: Sequence[Image]) -> str:
+    """Images with the digests of their inputs by architecture."""
     return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
 
 
@@ -49,25 +64,31 @@ def console() -> Console:
     """Where tables go: one line for each row, also where nobody watches and the terminal's width is unknown."""
     from rich.console import Console  # slow to import, and only needed here
 
-    terminal = Console(highlight=False, soft_wrap=True)
-    return terminal if terminal.is_terminal else Console(highlight=False, width=400)
+    class Output(Console):
+        def on_broken_pipe(self) -> None:
+            """Raises BrokenPipeError, which `command.run` knows: a reader that has seen enough is no failure."""
+            raise BrokenPipeError
+
+    terminal = Output(highlight=False, soft_wrap=True)
+    return terminal if terminal.is_terminal else Output(highlight=False, width=400)
 
 
-def print_table(catalogue: Catalogue) -> None:
-    """Prints all images."""
+def print_table(images: Sequence[Image]) -> None:
+    """Prints images, a row each."""
     from rich.table import Table  # slow to import, and only needed here
 
     table = Table(box=None, header_style="bold", pad_edge=False)
     for column in ("target", "versions", "platforms", "main tag", ""):
         table.add_column(column, no_wrap=True)
     table.add_column("GB unpacked (forecast)", justify="right", no_wrap=True)
-    for image in catalogue.images:
+    for image in images:
         versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
         platforms = ", ".join(image.platforms)
         state = "" if image.locked else "no lock"
         table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
     out = console()
     out.print(table)
-    out.print(f"{len(catalogue.images)} images, {len(catalogue.payloads)} payloads", style="dim")
-    if unlocked := [image.target for image in catalogue.images if not image.locked]:
+    payloads = {name for image in images for name in image.parts}
+    out.print(f"{len(images)} images, {len(payloads)} payloads", style="dim")
+    if unlocked := [image.target for image in images if not image.locked]:
         out.print(f"{len(unlocked)} have no lock and cannot be built yet; {MAKE_LOCKS}", style="yellow")

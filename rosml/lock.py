@@ -15,8 +15,9 @@ import os
 import re
 import subprocess
 import tempfile
+import threading
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -26,6 +27,7 @@ from rosml import names
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.model import ANY_PYTHON, FAMILIES, Family, Matrix
+from rosml.problems import listed
 
 _PIN = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==(?P<version>[^\s;\\]+)")
 
@@ -79,7 +81,7 @@ class Request:
         return any(not wheel.digest for wheel in self.elsewhere.values())
 
     def __str__(self) -> str:
-        return f"stack {self.stack}, Python {self.python}, {self.architecture}"
+        return f"stack {self.stack}, Python {self.python}, {self.architecture} ({listed(list(self.roots))})"
 
 
 @dataclass(frozen=True)
@@ -145,12 +147,51 @@ def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, famil
     return Elsewhere(f"{requirement}+{facts.accelerator}", digests.get(python, ""), release.requires)
 
 
-def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: str = "") -> list[Pin]:
+class Uv:
+    """Runs uv, in several threads at a time; all of them can be ended from another one."""
+
+    def __init__(self, command: str = "uv") -> None:
+        self.command = command
+        self._running: set[subprocess.Popen[str]] = set()
+        self._ended = False
+        self._lock = threading.Lock()
+
+    def __call__(self, arguments: Sequence[str], folder: Path) -> tuple[int, str]:
+        """Runs it in a folder; returns its exit status and what it said on stderr.
+
+        Raises:
+            RosmlError: it is not installed, or `end` was called.
+        """
+        pipe = subprocess.PIPE
+        with self._lock:
+            if self._ended:
+                raise RosmlError("interrupted")
+            try:
+                command = [self.command, *arguments]
+                process = subprocess.Popen(command, cwd=folder, env=_environment(), stdout=pipe, stderr=pipe, text=True)
+            except FileNotFoundError:
+                raise RosmlError(f"'{self.command}' is not installed", "run 'make up', which installs it") from None
+            self._running.add(process)
+        with process:
+            _, said = process.communicate()
+        with self._lock:
+            self._running.discard(process)
+        return process.returncode, said
+
+    def end(self) -> None:
+        """Ends those that run, and starts no more: uv waits minutes for an index that does not answer."""
+        with self._lock:
+            self._ended = True
+            for process in self._running:
+                process.terminate()
+
+
+def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") -> list[Pin]:
     """Resolves a request with ``uv pip compile``.
 
     Args:
         request: what to resolve.
-        uv: the command to run.
+        uv: what to resolve with.
         upgrade: take the newest versions that fit; otherwise keep those of ``previous`` where they still fit.
         previous: requirements of an earlier lock.
 
@@ -174,7 +215,7 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
         output = base / "out.txt"
         if previous and not upgrade:
             output.write_text(previous)
-        command = [uv, "pip", "compile", "--quiet", "--generate-hashes", "--only-binary", ":all:", "--no-header"]
+        command = ["pip", "compile", "--quiet", "--generate-hashes", "--only-binary", ":all:", "--no-header"]
         command += ["--no-config", "--annotation-style", "split", "--no-emit-index-url"]
         command += ["--python-version", request.python, "--python-platform", request.wheels]
         command += ["--constraint", "constraints.txt", "in.txt", "--output-file", "out.txt"]
@@ -182,15 +223,12 @@ def resolve(request: Request, uv: str = "uv", upgrade: bool = True, previous: st
             command += ["--torch-backend", "cpu"]
         for name in sorted(request.provided):
             command += ["--no-emit-package", name]
-        try:
-            done = subprocess.run(command, cwd=base, env=_environment(), capture_output=True, text=True, check=False)
-        except FileNotFoundError:
-            raise RosmlError(f"'{uv}' is not installed", remedy="run 'make up', which installs it") from None
-        if done.returncode != 0 and request.asks_pytorch and _no_answer(done.stderr):
-            raise Unreachable(done.stderr)
-        if done.returncode != 0:
+        status, said = uv(command, base)
+        if status != 0 and request.asks_pytorch and _no_answer(said):
+            raise Unreachable(said)
+        if status != 0:
             raise RosmlError(
-                f"{request} does not resolve:\n{done.stderr.strip()}",
+                f"{request} does not resolve:\n{said.strip()}",
                 remedy="relax the stack's versions or constraints in matrix.yaml, or check that the index answers",
             )
         pins = parse(output.read_text())
@@ -341,13 +379,15 @@ def lock(
             part that is the same for both.
     """
     wanted = [request for request in requests(catalogue) if not stacks or request.stack in stacks]
+    run = Uv(uv)
     with ThreadPoolExecutor(WORKERS) as pool:  # mostly waits for the indexes
-        futures = [pool.submit(_outcome, request, root, uv, upgrade) for request in wanted]
+        futures = [pool.submit(_outcome, request, root, run, upgrade) for request in wanted]
         try:
             for number, future in enumerate(as_completed(futures), 1):
                 say(f"[{number} of {len(wanted)}] {future.result().request}: resolved")
-        except BaseException:  # also Ctrl-C: what has not begun is not worth waiting for
+        except BaseException:  # also Ctrl-C: nothing of it is worth waiting for
             pool.shutdown(wait=False, cancel_futures=True)
+            run.end()
             raise
         outcomes = [future.result() for future in futures]
     parts: dict[str, dict[str, Pin]] = {}
@@ -361,7 +401,7 @@ def lock(
             _merge(path, parts.setdefault(path, {}), content)
     for path, pins in parts.items():
         texts[path] = render(*headers[path], sorted(pins.values(), key=lambda pin: pin.name))
-    return Locks(texts, {str(outcome.request): outcome.reason for outcome in outcomes if outcome.reason})
+    return Locks(texts, {name: reason for outcome in outcomes for name, reason in outcome.left_out.items()})
 
 
 WORKERS = 8
@@ -370,15 +410,15 @@ WORKERS = 8
 
 @dataclass(frozen=True)
 class _Outcome:
-    """What a request came to: pins, locks that stay as they are, and why something was left out."""
+    """What a request came to: pins, locks that stay as they are, and what was left out, with the reason."""
 
     request: Request
     pins: list[Pin] = field(default_factory=list)
     kept: Mapping[str, str] = field(default_factory=dict)
-    reason: str = ""
+    left_out: Mapping[str, str] = field(default_factory=dict)
 
 
-def _outcome(request: Request, root: Path, uv: str, upgrade: bool) -> _Outcome:
+def _outcome(request: Request, root: Path, uv: Uv, upgrade: bool) -> _Outcome:
     earlier = {
         str(file.relative_to(root)): file.read_text(errors="replace")
         for python in (request.python, ANY_PYTHON)
@@ -386,17 +426,18 @@ def _outcome(request: Request, root: Path, uv: str, upgrade: bool) -> _Outcome:
     }
     # Versions are what an earlier lock is asked for. Its hashes come anew from the index: a false one would stay for ever.
     previous = "".join(f"{pin.name}=={pin.version}\n" for text in earlier.values() for pin in parse(text))
-    reason = ""
+    left_out: dict[str, str] = {}
     try:
         pins = resolve(request, uv, upgrade, previous)
     except Unreachable as error:
         if all(_path(request, part) in earlier for part in ("common", *request.roots)):
-            return _Outcome(request, kept=earlier, reason=error.message)
+            return _Outcome(request, kept=earlier, left_out={str(request): error.message})
         here = {family: wanted for family, wanted in request.roots.items() if family not in request.elsewhere}
-        request = replace(request, roots=here, elsewhere={})
-        pins, reason = resolve(request, uv, upgrade, previous) if here else [], error.message
+        asked, request = request, replace(request, roots=here, elsewhere={})
+        left_out = {str(asked): error.message}
+        pins = resolve(request, uv, upgrade, previous) if here else []
     _one_cuda(request, pins)
-    return _Outcome(request, pins, reason=reason)
+    return _Outcome(request, pins, left_out=left_out)
 
 
 def _path(request: Request, part: str) -> str:

@@ -30,6 +30,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
     for check in (
         _duplicates,
         _axes,
+        _architectures,
         _operating_systems,
         _same_python,
         _components,
@@ -91,6 +92,18 @@ def _axes(matrix: Matrix) -> Iterator[Finding]:
         other = slugs.setdefault(names.os_slug(name), name)
         if other != name:
             yield ("operating_systems", name), f"{name!r} and {other!r} would have the same target; rename one"
+
+
+def _architectures(matrix: Matrix) -> Iterator[Finding]:
+    """BuildKit tells a build step its architecture as the second word of the platform; locks are found by that name."""
+    for name, architecture in matrix.architectures.items():
+        told = architecture.platform.split("/")[1]
+        if told != name:
+            yield (
+                ("architectures", name, "platform"),
+                f"BuildKit calls the architecture of {architecture.platform} {told!r}, and locks are found by that name;"
+                f" rename {name!r} to it, or correct the platform",
+            )
 
 
 def _operating_systems(matrix: Matrix) -> Iterator[Finding]:

@@ -65,7 +65,7 @@ def shown(file: FilePath) -> str:
     """A file's name for messages: short where it lies below the current folder."""
     try:
         return str(file.resolve().relative_to(FilePath.cwd()))
-    except (ValueError, OSError):
+    except (ValueError, OSError, RuntimeError):  # elsewhere, or a link that leads to itself
         return str(file)
 
 
@@ -168,8 +168,22 @@ def _syntax(error: yaml.MarkedYAMLError) -> Problem:
     what = error.problem or error.context or "not YAML"
     if "\\t" in what or "'\t'" in what or "tab character" in what:
         return Problem(line, column, "", "a tab; indent with spaces")
-    context = f" ({error.context})" if error.context and error.context != what else ""
-    return Problem(line, column, "", f"not YAML: {what}{context}")
+    if error.context_mark and what == "could not find expected ':'":  # the line after the one with the mistake
+        line, column = error.context_mark.line + 1, error.context_mark.column + 1
+    remedy = next((remedy for sign, remedy in _REMEDIES.items() if sign in what), "")
+    return Problem(line, column, "", "; ".join(part for part in (f"not YAML: {what}", remedy) if part))
+
+
+_REMEDIES = {
+    "could not find expected ':'": "a key is followed by a colon and a space, as in 'ros: 2'",
+    "mapping values are not allowed": "indent keys of one level alike, "
+    "put a space after each colon, and text with ': ' in it in quotes",
+    "did not find expected key": "look at this line and those above for a quote that is left open, or another indentation",
+    "found unexpected end of stream": "look above for a quote that is left open",
+    "did not find expected ','": "close the bracket, and put commas between its items",
+    "cannot start any token": "put the text in quotes",
+}
+"""What to do about the parser's complaints, which speak of its own work; by what they say."""
 
 
 def _place(node: Any, text: str = "") -> Place:

@@ -65,6 +65,8 @@ def _complaint(kind: str, context: Mapping[str, Any], value: Any, written: str, 
     if kind == "string_type":
         quoted = isinstance(value, (int, float, date)) and written
         remedy = f'write it in quotes: "{written}"' if quoted else ""
+        if isinstance(value, tuple):
+            remedy = "write it without brackets"
         return _join(f"expected text, found {_found(value, written)}", remedy)
     if kind == "string_pattern_mismatch":
         return f"expected {MEANING.get(context['pattern'], 'text')}, found {_found(value)}"

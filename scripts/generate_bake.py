@@ -5,6 +5,8 @@ images, and plans their build in CI.
 \b
 Examples:
   generate_bake.py                        after a change of matrix.yaml (make generate)
+  generate_bake.py --list --group jazzy --group torch
+                                          images of jazzy with torch (make list GROUP="jazzy torch")
   generate_bake.py --diff HEAD            what the uncommitted changes would build anew, and why
   generate_bake.py --diff v1.2 --json     the same since a tag, all of it, for machines
   generate_bake.py --diff other.yaml      what differs from another matrix
@@ -29,6 +31,13 @@ COMMAND = "make generate"
 @click.command(help=__doc__)
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
 @click.option("--list", "list_", is_flag=True, help="List every image with its facts.")
+@click.option(
+    "--group",
+    "groups",
+    multiple=True,
+    metavar="NAME",
+    help="With --list: only images of this group; of all, if repeated.",
+)
 @click.option("--json", "as_json", is_flag=True, help="With --list, --diff and --shards: as JSON.")
 @click.option(
     "--diff", metavar="REV", help="Say which images differ from a git revision or another matrix file, and why."
@@ -46,6 +55,7 @@ COMMAND = "make generate"
 def main(
     check: bool,
     list_: bool,
+    groups: tuple[str, ...],
     as_json: bool,
     diff: str | None,
     explain: str | None,
@@ -57,6 +67,8 @@ def main(
         raise click.UsageError("--check, --list, --diff, --explain and --shards do different things; use one of them")
     if as_json and not list_ and diff is None and shards is None:
         raise click.UsageError("--json belongs to --list, --diff and --shards")
+    if groups and not list_:
+        raise click.UsageError("--group belongs to --list")
     if output and (list_ or diff is not None or explain is not None):
         raise click.UsageError("--output belongs to writing, --check and --shards")
     if output and output.exists() and output.resolve() == matrix.resolve():
@@ -67,10 +79,11 @@ def main(
     if list_:
         from rosml import inputs, listing
 
+        images = listing.members(catalogue, groups)
         if as_json:
-            click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue)), nl=False)
+            click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
         else:
-            listing.print_table(catalogue)
+            listing.print_table(images)
     elif diff is not None:
         from rosml import difference, inputs
 

@@ -106,6 +106,25 @@ def test_no_long_term_release_no_latest() -> None:
     assert not [tag for image in without.images for tag in image.tags if tag.endswith(":latest")]
 
 
+def test_latest_is_of_a_distribution_that_has_the_component_of_the_short_tags() -> None:
+    newer = parse(changed("components: [core, base]\n    default_stack: cpu\n",
+                          "components: [core]\n    default_stack: cpu\n    eol: 2040-01-01\n    lts: true\n"))  # fmt: skip
+    assert [image.target for image in newer.images if "ros:latest" in image.tags] == ["alpha-base"]
+
+
+def test_a_group_without_a_lock_is_explained(small: Catalogue) -> None:
+    locks = {lock for payload in small.payloads if payload.stack != "cpu" for lock in payload.locks}
+    said = explain(with_locks(small, locks), "cpu")
+    assert said.startswith("cpu: a group of no targets: none of its images has a lock; run 'make locks'")
+
+
+def test_locks_that_cannot_be_read_are_not_taken_for_missing(tmp_path: Path) -> None:
+    assert names.locks(tmp_path) == frozenset()
+    (tmp_path / "locks").write_text("")
+    with pytest.raises(RosmlError, match="locks: Not a directory"):
+        names.locks(tmp_path)
+
+
 def test_a_group_named_like_a_target() -> None:
     with pytest.raises(RosmlError, match="the group alpha-core would have the name of a target; rename it"):
         parse(SMALL.replace("  omega:", "  alpha-core:"))

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import re
 import signal
+import subprocess
+import sys
+import time
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -236,7 +239,7 @@ def fake_uv(folder: Path, text: str = RESOLVES, resolved: str = RESOLVED) -> str
 
 def test_resolve(tmp_path: Path) -> None:
     wanted = request(constraints=("keras<4",), provided={"setuptools": "78.1.1", "packaging": "25.0"})
-    assert lock.resolve(wanted, fake_uv(tmp_path)) == lock.parse(RESOLVED)
+    assert lock.resolve(wanted, lock.Uv(fake_uv(tmp_path))) == lock.parse(RESOLVED)
     (call,) = calls(tmp_path)
     for words in (
         "uv pip compile --quiet --generate-hashes --only-binary :all: ",
@@ -256,22 +259,22 @@ def test_resolve(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("upgrade", [False, True])
 def test_earlier_versions_stay_unless_upgraded(tmp_path: Path, upgrade: bool) -> None:
-    lock.resolve(request(), fake_uv(tmp_path), upgrade, "numpy==1.0")
+    lock.resolve(request(), lock.Uv(fake_uv(tmp_path)), upgrade, "numpy==1.0")
     assert (tmp_path / "seen-out.txt").exists() == (not upgrade)
 
 
 def test_uv_is_missing(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="'/nowhere/uv' is not installed") as caught:
-        lock.resolve(request(), "/nowhere/uv")
+        lock.resolve(request(), lock.Uv("/nowhere/uv"))
     assert "make up" in caught.value.remedy
 
 
 def test_uv_fails(tmp_path: Path) -> None:
     uv = fake_uv(tmp_path, UV + "echo 'no solution: numpy<2 and numpy>=2' >&2; exit 1")
     with pytest.raises(RosmlError) as caught:
-        lock.resolve(request(), uv)
+        lock.resolve(request(), lock.Uv(uv))
     assert caught.value.message == (
-        "stack cu1, Python 3.12, amd64 does not resolve:\nno solution: numpy<2 and numpy>=2"
+        "stack cu1, Python 3.12, amd64 (torch and tensorflow) does not resolve:\nno solution: numpy<2 and numpy>=2"
     )
     assert "matrix.yaml" in caught.value.remedy
 
@@ -336,7 +339,7 @@ def test_a_wheel_that_is_known_by_its_digest(tmp_path: Path) -> None:
     """Only what it requires is resolved, on the usual index; the wheel is added with its digest, above that."""
     resolved = "jinja2==3.1 \\\n    --hash=sha256:j\n    # via -r in.txt\nnumpy==1.26.4\n"
     pins = lock.resolve(
-        request(roots={"torch": "torch==2.10.0"}, elsewhere=ELSEWHERE), fake_uv(tmp_path, resolved=resolved)
+        request(roots={"torch": "torch==2.10.0"}, elsewhere=ELSEWHERE), lock.Uv(fake_uv(tmp_path, resolved=resolved))
     )
     assert (tmp_path / "seen-in.txt").read_text() == "jinja2\nTyping_Extensions>=4.10\nnumpy<2\n"
     assert "--torch-backend" not in calls(tmp_path)[0]
@@ -345,7 +348,7 @@ def test_a_wheel_that_is_known_by_its_digest(tmp_path: Path) -> None:
 
 
 def test_a_wheel_that_pytorchs_own_index_has_to_be_asked_for(tmp_path: Path) -> None:
-    lock.resolve(request(roots={"torch": "torch==2.10.0"}, elsewhere=UNKNOWN), fake_uv(tmp_path))
+    lock.resolve(request(roots={"torch": "torch==2.10.0"}, elsewhere=UNKNOWN), lock.Uv(fake_uv(tmp_path)))
     assert (tmp_path / "seen-in.txt").read_text() == "torch==2.10.0+cpu\nnumpy<2\n"
     assert " --torch-backend cpu" in calls(tmp_path)[0]
 
@@ -381,7 +384,10 @@ def test_the_rest_of_a_stack_is_locked_where_that_index_does_not_answer(tmp_path
     assert "locks/cpu/arm64/3.12/torch.txt" in locks.texts
     assert "locks/cpu/amd64/3.12/tensorflow.txt" in locks.texts
     assert "locks/cpu/amd64/3.12/torch.txt" not in locks.texts
-    assert locks.left_out.keys() == {"stack cpu, Python 3.12, amd64", "stack cpu, Python 3.14, amd64"}
+    assert locks.left_out.keys() == {
+        "stack cpu, Python 3.12, amd64 (torch and tensorflow)",
+        "stack cpu, Python 3.14, amd64 (torch)",
+    }
     reason = "PyTorch's own index does not answer (Name or service not known)"
     assert set(locks.left_out.values()) == {reason}
 
@@ -399,7 +405,7 @@ def test_locks_stay_that_were_made_where_that_index_answers(tmp_path: Path) -> N
 def test_another_failure_of_that_request_is_one(tmp_path: Path) -> None:
     uv = fake_uv(tmp_path, UV + "echo 'no solution found' >&2; exit 1")
     with pytest.raises(RosmlError, match="does not resolve:\nno solution found"):
-        lock.resolve(request(elsewhere=UNKNOWN), uv)
+        lock.resolve(request(elsewhere=UNKNOWN), lock.Uv(uv))
 
 
 APART = changed(
@@ -511,7 +517,8 @@ def test_false_hashes_do_not_stay(checkout: Path) -> None:
 def test_settings_of_uv_that_change_what_it_resolves_to(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("UV_RESOLUTION", "lowest")
     monkeypatch.setenv("UV_INDEX_MARK", "kept")
-    lock.resolve(request(), fake_uv(tmp_path, 'env >"$(dirname "$0")/env"; ' + RESOLVES))
+    uv = fake_uv(tmp_path, 'env >"$(dirname "$0")/env"; ' + RESOLVES)
+    lock.resolve(request(), lock.Uv(uv))
     env = (tmp_path / "env").read_text()
     assert "UV_RESOLUTION" not in env
     assert "UV_INDEX_MARK=kept" in env
@@ -549,3 +556,25 @@ def test_command_when_uv_fails(checkout: Path, capsys: pytest.CaptureFixture[str
     assert "does not resolve:\nno answer from the index\n" in done
     assert "remedy: relax the stack's versions" in done
     assert not (checkout / "locks").exists()
+
+
+def test_a_signal_ends_every_resolution_at_once(checkout: Path) -> None:
+    """A signal to the command alone, as `kill` and CI send it: uv would wait for its index for minutes."""
+    uv = 'touch "$(dirname "$0")/began-$$"; exec sleep 60'
+    fake_uv(checkout, uv)
+    argv = [sys.executable, str(ROOT / "scripts/lock.py"), "--matrix", str(checkout / "matrix.yaml"), "--check"]
+    with subprocess.Popen(argv, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            deadline = time.monotonic() + 20
+            while len(list(checkout.glob("began-*"))) < 4 and time.monotonic() < deadline:
+                time.sleep(0.05)
+            began = time.monotonic()
+            process.send_signal(signal.SIGTERM)
+            _, said = process.communicate(timeout=20)
+        finally:
+            process.kill()
+    assert process.returncode == command.INTERRUPTED
+    assert said.endswith("interrupted\n")
+    assert time.monotonic() - began < 10
+    left = [file.name for file in checkout.glob("began-*") if Path(f"/proc/{file.name.partition('-')[2]}").exists()]
+    assert not left, "no uv is left behind"

@@ -102,7 +102,7 @@ WRONG = {
     "list for text": (
         "    tools: colcon\n    codename: noble",
         "    tools: [colcon]\n    codename: noble",
-        "15:5: operating_systems.ubuntu-24.04.tools: expected text, found a list",
+        "15:5: operating_systems.ubuntu-24.04.tools: expected text, found a list; write it without brackets",
     ),
     "empty list": (
         "components: [core, base]",
@@ -355,7 +355,53 @@ WRONG = {
     "open brace": (
         "lts: true",
         "lts: {",
-        "58:7: not YAML: did not find expected ',' or '}' (while parsing a flow mapping)",
+        "58:7: not YAML: did not find expected ',' or '}'; close the bracket, and put commas between its items",
+    ),
+    "no space after a colon": (
+        "lts: true",
+        "lts:true",
+        "56:5: not YAML: could not find expected ':'; a key is followed by a colon and a space, as in 'ros: 2'",
+    ),
+    "no space after the first colon": (
+        "    os: ubuntu-24.04\n    ros: 2",
+        "    os:ubuntu-24.04\n    ros: 2",
+        "51:8: not YAML: mapping values are not allowed in this context; indent keys of one level alike, "
+        "put a space after each colon, and text with ': ' in it in quotes",
+    ),
+    "open quote": (
+        'numpy: "<2"',
+        'numpy: "<2',
+        "21:14: not YAML: did not find expected key; "
+        "look at this line and those above for a quote that is left open, or another indentation",
+    ),
+    "another indentation": (
+        "    lts: true",
+        "   lts: true",
+        "56:4: not YAML: did not find expected key; "
+        "look at this line and those above for a quote that is left open, or another indentation",
+    ),
+    "list for a version": (
+        'python: "3.12"',
+        'python: ["3.12"]',
+        "12:5: operating_systems.ubuntu-24.04.python: expected text, found a list; write it without brackets",
+    ),
+    "architecture that is none of BuildKit's": (
+        "arm64: {platform: linux/arm64,",
+        "arm64: {platform: linux/arm/v7,",
+        "7:11: architectures.arm64.platform: BuildKit calls the architecture of linux/arm/v7 'arm', and locks are found "
+        "by that name; rename 'arm64' to it, or correct the platform",
+    ),
+    "two architectures of one platform": (
+        "arm64: {platform: linux/arm64,",
+        "arm64: {platform: linux/amd64,",
+        "7:11: architectures.arm64.platform: BuildKit calls the architecture of linux/amd64 'amd64', and locks are found "
+        "by that name; rename 'arm64' to it, or correct the platform",
+    ),
+    "registry with two ports": (
+        "registry: localhost:5000",
+        "registry: localhost:::5000",
+        "2:1: registry: expected a registry without https://, such as ghcr.io/owner or localhost:5000, "
+        "found 'localhost:::5000'",
     ),
     "second document": (
         "distributions:",
@@ -427,6 +473,13 @@ def test_folder(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="cannot be read: Is a directory") as caught:
         expand.load(tmp_path)
     assert caught.value.exit_code == 2
+
+
+def test_link_that_leads_to_itself(tmp_path: Path) -> None:
+    link = tmp_path / "loop.yaml"
+    link.symlink_to(link)
+    with pytest.raises(RosmlError, match=r"loop\.yaml: cannot be read: Too many levels of symbolic links"):
+        expand.load(link)
 
 
 def test_file_name_with_nul() -> None:

@@ -154,7 +154,7 @@ def test_a_lock_of_a_wheel_that_is_there_alone_can_be_made_and_installed(
 ) -> None:
     for key, value in index.environment.items():
         monkeypatch.setenv(key, value)
-    pins = lock.resolve(REQUEST, uv)
+    pins = lock.resolve(REQUEST, lock.Uv(uv))
     digest = hashlib.sha256(index.wheels["torch"][1]).hexdigest()
     assert [(pin.name, pin.version, pin.hashes) for pin in pins if pin.name == "torch"] == [
         ("torch", "2.10.0+cpu", (f"sha256:{digest}",))
@@ -183,7 +183,7 @@ def test_an_index_that_does_not_answer(uv: str, monkeypatch: pytest.MonkeyPatch,
     for key, value in {**index.environment, "HTTPS_PROXY": "http://127.0.0.1:1"}.items():
         monkeypatch.setenv(key, value)
     with pytest.raises(lock.Unreachable, match="PyTorch's own index does not answer") as caught:
-        lock.resolve(REQUEST, uv)
+        lock.resolve(REQUEST, lock.Uv(uv))
     assert "make locks" in caught.value.remedy
 
 
@@ -193,5 +193,5 @@ def test_an_index_without_the_wheel(uv: str, monkeypatch: pytest.MonkeyPatch, in
     for key, value in index.environment.items():
         monkeypatch.setenv(key, value)
     with pytest.raises(RosmlError, match="does not resolve") as caught:
-        lock.resolve(REQUEST, uv)
+        lock.resolve(REQUEST, lock.Uv(uv))
     assert not isinstance(caught.value, lock.Unreachable)
