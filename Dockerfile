@@ -19,10 +19,12 @@ ARG PART=common
 # ---- ROS ------------------------------------------------------------------------------------------------------------
 # Steps mount just the files they use: a change elsewhere does not run them again.
 FROM os AS base
+ARG NUMPY
 RUN --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/base/install.sh,target=/run/components/base/install.sh \
     --mount=type=secret,id=ca-bundle \
     /run/components/base/install.sh
+COPY --chmod=644 components/base/pip.conf /etc/pip.conf
 COPY --chmod=755 components/base/entrypoint.sh /entrypoint.sh
 ENV LANG=C.utf8 \
     PYTHONIOENCODING=utf-8 \

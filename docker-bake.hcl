@@ -178,36 +178,42 @@ target "_os-ubuntu-20-04" {
   inherits  = ["_base"]
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_20_04 }
+  args      = { NUMPY = "<2" }
 }
 
 target "_os-ubuntu-22-04" {
   inherits  = ["_base"]
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
+  args      = { NUMPY = "<2" }
 }
 
 target "_os-ubuntu-24-04" {
   inherits  = ["_base"]
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
+  args      = { NUMPY = "<2" }
 }
 
 target "_os-ubuntu-26-04" {
   inherits  = ["_base"]
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
+  args      = { NUMPY = ">=2.3,<2.4" }
 }
 
 target "_os-bookworm" {
   inherits  = ["_base"]
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
+  args      = { NUMPY = "<2" }
 }
 
 target "_os-trixie" {
   inherits  = ["_base"]
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
+  args      = { NUMPY = ">=2.2,<2.3" }
 }
 
 # ---- ROS images: a chain of components -----------------------------------------------------------------------------

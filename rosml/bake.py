@@ -211,6 +211,7 @@ def _operating_systems(catalogue: Catalogue) -> Iterator[Target]:
             "inherits": ["_base"],
             "platforms": _platforms(matrix.architectures[name].platform for name in system.architectures),
             "contexts": {"os": Expression(names.os_variable(os))},
+            "args": {"NUMPY": system.numpy},
         }
         yield names.os_target(os), attributes
 

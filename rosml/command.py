@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import io
 import os
 import signal
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from types import FrameType
 
 import click
@@ -29,15 +31,24 @@ def run(main: click.Command, interrupted: str = "interrupted", arguments: Sequen
         The exit code: 0, 1 for work that failed, 2 for wrong input, 130 when interrupted.
     """
     signal.signal(signal.SIGTERM, _terminate)
+    for stream in (sys.stdout, sys.stderr):  # an arrow, or a file's name, that the terminal cannot show
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
     try:
-        main(None if arguments is None else list(arguments), standalone_mode=False)
-        sys.stdout.flush()
+        with main.make_context(
+            Path(sys.argv[0]).name, list(sys.argv[1:] if arguments is None else arguments)
+        ) as context:
+            main.invoke(context)
+        if sys.stdout:
+            sys.stdout.flush()
     except RosmlError as error:
         # Problems of the matrix begin with file and line, where editors and CI look for them.
         head = "" if isinstance(error, InputError) else click.style("error: ", fg="red", bold=True)
         click.echo(head + error.message, err=True)
         if error.remedy:
             click.echo(f"{click.style('remedy:', bold=True)} {error.remedy}", err=True)
+        return error.exit_code
+    except click.exceptions.Exit as error:  # --help
         return error.exit_code
     except click.ClickException as error:
         error.show()

@@ -11,6 +11,10 @@ from dataclasses import dataclass
 _FROM = re.compile(r"FROM\s+(?:--\S+\s+)*(?P<base>\S+)(?:\s+AS\s+(?P<name>\S+))?")
 
 
+_COMMENT = re.compile(r"\s*#(?!\s*(?:syntax|escape)\s*=)")
+"""A comment, but for the directives at a Dockerfile's top."""
+
+
 @dataclass(frozen=True)
 class Stage:
     """A stage. Values may hold `${ARGUMENTS}`, as they are written.
@@ -40,7 +44,7 @@ def parse(text: str) -> dict[str, Stage]:
 
 
 def _stage(text: str, base: tuple[str, ...]) -> Stage:
-    lines = [line.rstrip() for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    lines = [line.rstrip() for line in text.splitlines() if line.strip() and not _COMMENT.match(line)]
     # In a here-document such lines are content.
     decisive = text if "<<" in text else "\n".join(lines)
     instructions = "\n".join(lines).replace("\\\n", " ").splitlines()

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rosml import ROOT, names, rules
 from rosml.errors import RosmlError
-from rosml.model import ANY_PYTHON, FAMILIES, Distribution, Framework, Matrix, Part, Size, Stack
+from rosml.model import ANY_PYTHON, Distribution, Framework, Matrix, Part, Size, Stack
 from rosml.problems import SHOWN, InputError, listed, unknown
 from rosml.problems import Path as Place
 from rosml.source import Document, read, shown
@@ -70,6 +70,7 @@ class Image:
         locks: locks of its payloads.
         unlocked: those that are missing; without all of them it cannot be built, and is in no group.
         disk: forecast of its size with everything below it.
+        budget: MB that its payloads may have together in the registry; None if that is left open.
     """
 
     target: str
@@ -94,6 +95,7 @@ class Image:
     locks: tuple[str, ...]
     disk: Size
     unlocked: tuple[str, ...] = ()
+    budget: int | None = None
 
     @property
     def locked(self) -> bool:
@@ -187,20 +189,17 @@ def load(file: Path, root: Path = ROOT) -> Catalogue:
 
 
 def current_locks(catalogue: Catalogue, root: Path) -> frozenset[str]:
-    """The locks that can be used: theirs is the head of the file, they pin something by its hash, and one of a framework
-    holds the release that the stack has now."""
+    """The locks that can be used: they are there, whole, and hold what the facts say now."""
+    from rosml import lockfile  # needs the types from here
+
     present = names.locks(root)
-    found: set[str] = set()
-    for payload in catalogue.payloads:
-        stack = catalogue.matrix.stacks[payload.stack]
-        version = stack.release(payload.part) if payload.part in FAMILIES else None
-        for architecture, lock in zip(payload.architectures, payload.locks, strict=True):
-            text = _text(root / lock) if lock in present else ""
-            head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
-            current = version is None or f"=={version} " in text or f"=={version}+" in text
-            if text.startswith(f"{head}\n") and "--hash=sha256:" in text and current:
-                found.add(lock)
-    return frozenset(found)
+    return frozenset(
+        lock
+        for payload in catalogue.payloads
+        for architecture, lock in zip(payload.architectures, payload.locks, strict=True)
+        if lock in present
+        and lockfile.current(_text(root / lock), payload, catalogue.matrix.stacks[payload.stack], architecture)
+    )
 
 
 def _text(file: Path) -> str:
@@ -336,6 +335,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
             *(matrix.disk.components[link] for link in chain),
             *(payload.disk for payload in kind.payloads),
         ),
+        budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.framework),
     )
 
 

@@ -18,9 +18,13 @@ from rosml import bake, dockerfile
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload
 from rosml.hcl import Expression
+from rosml.problems import listed
 
 TARGET = "target "
 """How names of inputs begin whose value is the digest of another target: `target bookworm-core`."""
+
+UNPINNED = "not pinned"
+"""The value of a base image without a digest; also of a context that no target gives."""
 
 MISSING = "missing"
 """The value of a file that is not there."""
@@ -35,6 +39,7 @@ class Inputs:
         self._targets = bake.targets(catalogue)
         self._variables = bake.variables(catalogue.matrix)
         file = root / "Dockerfile"
+        self._ignored = _rules(root / ".dockerignore")
         self._stages = dockerfile.parse(file.read_text(encoding="utf-8") if file.is_file() else "")
         self._attributes: dict[str, Mapping[str, Any]] = {}
         self._files: dict[str, dict[str, str]] = {}
@@ -54,6 +59,7 @@ class Inputs:
                     remedy="write it there as 'FROM … AS name' on one line, or rename the framework in matrix.yaml",
                 )
             inputs["Dockerfile: before the first stage"] = self._stages[""].digest
+            inputs[".dockerignore"] = self._ignored
             inputs |= self._stage(attributes["target"], attributes["contexts"], arguments, architecture)
             inputs |= {f"argument {name}": value for name, value in arguments.items()}
             inputs |= {
@@ -61,6 +67,38 @@ class Inputs:
             }
             self._known[key] = inputs
         return self._known[key]
+
+    def check(self) -> None:
+        """Checks that the Dockerfile can build what the catalogue describes: every framework has a stage, which takes
+        exactly the framework's parts.
+
+        Raises:
+            RosmlError: it cannot.
+        """
+        seen: set[tuple[str, str | None]] = set()
+        for image in self.catalogue.images:
+            if (kind := (image.framework, image.stack)) in seen:
+                continue
+            seen.add(kind)
+            used = self.of(image.target, image.architectures[0])
+            given = self._resolved(image.target)["contexts"]
+            missing = [name.removeprefix("base image ") for name, value in used.items() if value == UNPINNED]
+            idle = [
+                name
+                for name, value in given.items()
+                if not self._context(value, image.architectures[0]).items() <= used.items()
+            ]
+            if missing or idle:
+                stage = self._resolved(image.target)["target"]
+                wrong = (
+                    f"needs {listed(missing)}, which {image.target} does not have"
+                    if missing
+                    else f"does not take {listed(idle)}"
+                )
+                raise RosmlError(
+                    f"the Dockerfile's stage {stage} {wrong}",
+                    f"correct the parts of framework {image.framework} in matrix.yaml, or write a stage for it",
+                )
 
     def digest(self, target: str, architecture: str) -> str:
         """The digest of a target's inputs."""
@@ -132,7 +170,9 @@ class Inputs:
             found = sorted(self.root.glob(pattern))
             paths = [file for path in found for file in (sorted(path.rglob("*")) if path.is_dir() else [path])]
             # Python's caches differ between checkouts; .dockerignore keeps them from the build.
-            files = [path for path in paths if path.is_file() and "__pycache__" not in path.parts]
+            files = [
+                path for path in paths if (path.is_file() or path.is_symlink()) and "__pycache__" not in path.parts
+            ]
             digests = {path.relative_to(self.root).as_posix(): _file(path) for path in files}
             self._files[source] = digests or {pattern: MISSING}
         return self._files[source]
@@ -140,7 +180,7 @@ class Inputs:
 
 def _base_image(reference: str) -> dict[str, str]:
     name, _, digest = reference.partition("@")
-    return {f"base image {name}": digest or "not pinned"}
+    return {f"base image {name}": digest or UNPINNED}
 
 
 def _filled(text: str, values: Mapping[str, str]) -> str:
@@ -153,7 +193,16 @@ def _filled(text: str, values: Mapping[str, str]) -> str:
         raise RosmlError(f"Dockerfile: {text}: no target says what to fill in", remedy="give it a value") from None
 
 
+def _rules(file: Path) -> str:
+    """A digest of a .dockerignore's rules: they decide what reaches the builder."""
+    text = file.read_text(encoding="utf-8", errors="replace") if file.is_file() else ""
+    rules = [line.strip() for line in text.splitlines() if line.strip() and not line.strip().startswith("#")]
+    return hashlib.sha256("\n".join(rules).encode()).hexdigest()
+
+
 def _file(path: Path) -> str:
+    if path.is_symlink():  # which the builder takes as it is
+        return f"link to {path.readlink()}"
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
     return f"{digest} executable" if path.stat().st_mode & 0o100 else digest
 

@@ -26,9 +26,11 @@ from typing import NamedTuple
 from rosml import names
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
+from rosml.lockfile import cuda_packages, package_name, versions
 from rosml.model import ANY_PYTHON, FAMILIES, Family, Matrix
 from rosml.problems import listed
 
+_HASH = re.compile(r"sha256:[0-9a-f]+")
 _PIN = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==(?P<version>[^\s;\\]+)")
 
 
@@ -168,7 +170,9 @@ class Uv:
                 raise RosmlError("interrupted")
             try:
                 command = [self.command, *arguments]
-                process = subprocess.Popen(command, cwd=folder, env=_environment(), stdout=pipe, stderr=pipe, text=True)
+                process = subprocess.Popen(
+                    command, cwd=folder, env=_environment(), stdout=pipe, stderr=pipe, text=True, errors="replace"
+                )
             except FileNotFoundError:
                 raise RosmlError(f"'{self.command}' is not installed", "run 'make up', which installs it") from None
             self._running.add(process)
@@ -226,13 +230,37 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
         status, said = uv(command, base)
         if status != 0 and request.asks_pytorch and _no_answer(said):
             raise Unreachable(said)
+        if status < 0:
+            raise RosmlError(f"uv was ended by signal {-status} while it resolved {request}", "run it again")
         if status != 0:
             raise RosmlError(
                 f"{request} does not resolve:\n{said.strip()}",
                 remedy="relax the stack's versions or constraints in matrix.yaml, or check that the index answers",
             )
-        pins = parse(output.read_text())
+        pins = parse(output.read_text(errors="replace") if output.exists() else "")
+    _believable(request, pins)
     return pins if request.asks_pytorch else _with_known_wheels(request, pins)
+
+
+def _believable(request: Request, pins: list[Pin]) -> None:
+    """Checks that uv's answer is one: what was asked for, at its version, and a hash of every package.
+
+    Raises:
+        RosmlError: it is not, although uv reported success.
+    """
+    found = {pin.name: pin.version.partition("+")[0] for pin in pins}
+    asked = [
+        wanted for family, wanted in request.roots.items() if request.asks_pytorch or family not in request.elsewhere
+    ]
+    wrong = [wanted for wanted in asked if found.get(package_name(wanted)) != wanted.split("==")[1].partition("+")[0]]
+    wrong += [
+        f"{pin.name} without a sha256" for pin in pins if not pin.hashes or not all(map(_HASH.fullmatch, pin.hashes))
+    ]
+    if wrong:
+        raise RosmlError(
+            f"uv's answer for {request} cannot be used: {listed(wrong[:5])} {'is' if len(wrong) == 1 else 'are'} not in it",
+            "check which uv this is (uv --version; 'make up' installs the pinned one), then run it again",
+        )
 
 
 def _environment() -> dict[str, str]:
@@ -327,11 +355,6 @@ def split(pins: list[Pin], roots: Mapping[str, str]) -> dict[str, list[Pin]]:
         else:
             parts[owners[0]].append(pin)
     return {part: sorted(content, key=lambda pin: pin.name) for part, content in parts.items() if content}
-
-
-def package_name(requirement: str) -> str:
-    """``tensorflow_cpu[x]==2.20.0`` -> ``tensorflow-cpu``, as uv spells it."""
-    return re.sub(r"[-_.]+", "-", re.split(r"[\[=<>!~;\s]", requirement, maxsplit=1)[0]).lower()
 
 
 def render(request: Request, part: str, pins: list[Pin]) -> str:
@@ -473,10 +496,9 @@ def _one_cuda(request: Request, pins: list[Pin]) -> None:
     nvidia = {pin.name: pin.version for pin in pins if pin.name.startswith("nvidia-")}
     major = request.cuda.get("cuda", "").split(".")[0]
     wrong = [f"{name} {version}" for name, version in nvidia.items() if not _of_generation(name, major)]
-    for fact, package in (("cuda", "cuda-runtime"), ("cudnn", "cudnn"), ("nccl", "nccl")):
-        for name in (f"nvidia-{package}", f"nvidia-{package}-cu{major}"):
-            if name in nvidia and nvidia[name] != request.cuda.get(fact, nvidia[name]):
-                wrong.append(f"{name} {nvidia[name]} (the stack says {request.cuda[fact]})")
+    for fact, name in cuda_packages(request.cuda.get("cuda", "")):
+        if name in nvidia and nvidia[name] != request.cuda.get(fact, nvidia[name]):
+            wrong.append(f"{name} {nvidia[name]} (the stack says {request.cuda[fact]})")
     if wrong:
         raise RosmlError(
             f"{request} would carry other NVIDIA packages than it promises: {', '.join(wrong)}",
@@ -510,8 +532,3 @@ def moves(old: Mapping[str, str], new: Mapping[str, str]) -> Counter[Move]:
             if before.get(name) != after.get(name):
                 counted[Move(path.split("/")[1], name, before.get(name, ""), after.get(name, ""))] += 1
     return counted
-
-
-def versions(text: str) -> dict[str, str]:
-    """Package names and versions of a lock."""
-    return {pin.name: pin.version for pin in parse(text)}

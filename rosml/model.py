@@ -300,6 +300,10 @@ class Disk(Facts):
     os: Size = Field(description="operating system with the essentials")
     components: dict[Name, Size] = Field(description="component -> size")
     parts: dict[Name, dict[Part, Size]] = Field(description="stack -> payload part -> size")
+    budgets: dict[Name, dict[Name, Megabytes]] = Field(
+        default={},
+        description="stack -> framework -> MB that its payloads may have together in the registry; more fails the tests",
+    )
 
 
 class Rates(Facts):

@@ -173,6 +173,9 @@ def _frameworks(matrix: Matrix) -> Iterator[Finding]:
         for part in PARTS[2:]:
             if part in framework.parts and part not in framework.releases:
                 yield (*path, "parts"), f"{part} is not among the releases; add it to 'releases'"
+        if framework.parts and "cuda" not in framework.parts and "cuda" in framework.accelerators:
+            text = "on stacks with CUDA it needs the part cuda; add it to 'parts', or say 'accelerators: [cpu]'"
+            yield (*path, "parts"), text
         if framework.releases and "common" not in framework.parts:
             yield (*path, "parts"), "frameworks with releases need the part common; add it to 'parts'"
         plain += not framework.parts
@@ -293,6 +296,13 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
         for name in known:
             if name not in forecasts:
                 yield ("disk", section), f"no forecast for {kind} {name}; add '{name}: …', a guess will do"
+    for name, budgets in matrix.disk.budgets.items():
+        if name not in matrix.stacks:
+            yield ("disk", "budgets", name), unknown("stack", name, matrix.stacks)
+        carrying = [framework for framework, facts in matrix.frameworks.items() if facts.parts]
+        for framework in budgets:
+            if framework not in carrying:
+                yield ("disk", "budgets", name, framework), unknown("framework with parts", framework, carrying)
     for name, stack in matrix.stacks.items():
         used = {part for framework in matrix.frameworks.values() for part in framework.parts}
         needed = [

@@ -35,11 +35,15 @@ def read(state: Path, namespace: str, catalogue: Catalogue) -> list[Record]:
 def _record(file: Path) -> Record:
     try:
         content = json.loads(file.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise RosmlError(f"{file}: no record: {error}", remedy="delete it and publish that image again") from None
-    if not isinstance(content, dict) or not {"target", "seconds", "passed"} <= content.keys():
+    if not isinstance(content, dict) or not all(isinstance(content.get(key), kind) for key, kind in _FACTS.items()):
         raise RosmlError(f"{file}: no record of a published image", remedy="delete it and publish that image again")
     return content
+
+
+_FACTS = {"target": str, "seconds": dict, **dict.fromkeys(("passed", "failed", "compressed", "unpacked"), int)}
+"""What the table needs of a record."""
 
 
 def rows(records: Iterable[Record]) -> Iterator[tuple[str, ...]]:

@@ -23,6 +23,7 @@ def stack_reason(matrix: Matrix, os: str, framework: str, stack: str | None) -> 
         return _pairing(framework, facts, stack)
     return (
         _accelerator(framework, facts, stack, matrix.stacks[stack])
+        or _parts(framework, facts, stack, matrix.stacks[stack])
         or _releases(framework, facts, stack, matrix.stacks[stack])
         or _apart(framework, facts, stack, matrix.stacks[stack])
         or _python(matrix, os, facts, matrix.stacks[stack])
@@ -77,6 +78,10 @@ def _accelerator(name: str, framework: Framework, stack: str, facts: Stack) -> s
     if facts.accelerator in framework.accelerators:
         return None
     return f"framework {name} needs accelerator {listed(framework.accelerators)}, and stack {stack} has {facts.accelerator}"
+
+
+def _parts(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
+    return None if parts(framework, facts) else f"stack {stack} has nothing that framework {name} takes"
 
 
 def _releases(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 import json
+import sys
 from typing import Any
 
+from rosml.errors import RosmlError
 from rosml.model import Matrix
 
 
 def render() -> str:
-    """The JSON Schema (draft 2020-12)."""
+    """The JSON Schema (draft 2020-12).
+
+    Raises:
+        RosmlError: Python dropped the docstrings, some of which are descriptions there.
+    """
+    if sys.flags.optimize > 1:
+        raise RosmlError("Python runs without docstrings, which the schema shows", "unset PYTHONOPTIMIZE", exit_code=2)
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "$comment": "Generated from rosml/model.py by scripts/generate_bake.py",

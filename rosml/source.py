@@ -85,17 +85,17 @@ def read(file: FilePath) -> Document:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise RosmlError(f"{name}: cannot be read: {reason}", exit_code=2) from None
+    return parse(content, name)
+
+
+def parse(content: bytes, name: str = "matrix.yaml") -> Document:
+    """Parses YAML text; raises as `read` does."""
     if len(content) > MAX_BYTES:
         raise RosmlError(
             f"{name}: larger than {MAX_BYTES // 1024} KiB, which no matrix needs",
             remedy="check that this is the right file",
             exit_code=2,
         )
-    return parse(content, name)
-
-
-def parse(content: bytes, name: str = "matrix.yaml") -> Document:
-    """Parses YAML text; see `read`."""
     text = _decode(content, name)
     document = Document(name)
     try:

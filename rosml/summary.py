@@ -29,6 +29,7 @@ def duration(seconds: float) -> str:
 def text(result: Result) -> str:
     """The summary as aligned lines."""
     moved = ", ".join(result.moved) if result.moved else "none: all pointed here already"
+    shared = f" ({size(result.payloads)} of it payloads, which other images share)" if result.payloads else ""
     rows = [
         ("FROM", result.reference),
         ("digest", result.digest),
@@ -36,7 +37,7 @@ def text(result: Result) -> str:
         ("tags moved", moved),
         ("base image", result.base),
         ("build on it", result.builder),
-        ("size", f"{size(result.compressed)} compressed, {size(result.unpacked)} unpacked"),
+        ("size", f"{size(result.compressed)} compressed{shared}, {size(result.unpacked)} unpacked"),
         ("new in registry", size(max(0, result.uploaded))),
         ("structure tests", f"{result.passed} passed, {result.failed} failed"),
         ("time", f"{duration(sum(result.seconds.values()))}: {_parts(result.seconds)}"),

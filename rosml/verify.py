@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -26,12 +26,27 @@ class Outcome:
     detail: str = ""
 
 
+def within_budget(budget: int, found: int) -> Outcome:
+    """The test of a tag's size budget.
+
+    Args:
+        budget: MB (10^6 bytes) that the payloads of the tag may have in the registry.
+        found: bytes that they have.
+    """
+    detail = f"{found / 1e6:.0f} MB; matrix.yaml: disk.budgets allows {budget} MB"
+    return Outcome("size", "the payloads keep within the tag's budget", found <= budget * 1_000_000, 0.0, detail)
+
+
 @dataclass(frozen=True)
 class Report:
     """All structure tests of an image, and the size of its unpacked root file system in bytes."""
 
     outcomes: tuple[Outcome, ...]
     unpacked: int
+
+    def with_outcome(self, outcome: Outcome) -> Report:
+        """The report with one more test."""
+        return replace(self, outcomes=(*self.outcomes, outcome))
 
     @property
     def passed(self) -> int:

@@ -107,8 +107,9 @@ def main(
         else:
             plan.print_table(planned)
     else:
-        from rosml import bake
+        from rosml import bake, inputs
 
+        inputs.Inputs(ROOT, catalogue).check()
         wanted = {output or ROOT / "docker-bake.hcl": bake.render(catalogue)}
         if output is None:
             from rosml import readme, schema

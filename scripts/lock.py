@@ -47,11 +47,11 @@ def main(upgrade: bool, check: bool, stacks: tuple[str, ...], matrix: Path) -> N
     there = {path for path in names.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
-    for path in stale:
+    for path in () if check else stale:
+        (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
+        files.write(ROOT / path, locks.texts[path])
+    for path in stale:  # when all is written: whoever reads along may stop reading
         click.echo(f"{path}: {'would change' if check else 'written'}")
-        if not check:
-            (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
-            files.write(ROOT / path, locks.texts[path])
     print_moves(moves(earlier, {path: locks.texts[path] for path in stale if path in earlier}))
     for path in sorted(there - locks.texts.keys()):
         click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it")

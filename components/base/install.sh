@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Essentials that every image has (shared/CONTRACT: "Present"), whatever its ROS distribution.
+#   NUMPY  range of numpy versions that ROS's packages work with, such as <2
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
@@ -31,5 +32,17 @@ ln -s /usr/bin/tini /tini
 if owner=$(getent passwd 1000); then userdel --remove "${owner%%:*}"; fi
 
 mkdir -p /docker-ros/ws
+
+# What pip keeps to (pip.conf): newer ones break what the distribution's packages and ROS's tools were built with.
+# numpy: cv_bridge's ABI, vision_opencv#535; setuptools: colcon --symlink-install, colcon-core#696 (where the
+# distribution's own is older); empy: message generation, rosidl#779.
+constraints=/usr/local/share/rosml/constraints.txt
+mkdir -p "$(dirname $constraints)"
+{
+  echo "numpy${NUMPY:?}"
+  setuptools=$(dpkg-query --show --showformat '${Version}' python3-setuptools)
+  if dpkg --compare-versions "$setuptools" lt 80; then echo 'setuptools<80'; fi
+  echo 'empy<4'
+} >$constraints
 
 "$here/../build/clean.sh"

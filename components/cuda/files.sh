@@ -4,9 +4,6 @@
 set -euo pipefail
 
 libraries=${OUT:?}/usr/lib/${TRIPLET:?}
-# Every package brings a nvidia/__init__.py or none; with none it is a namespace package, which other wheels join.
-rm -f "$OUT${SITE:?}/nvidia/__init__.py"
-
 while IFS= read -r library; do
   name=$(basename "$library")
   if [[ -L $libraries/$name ]]; then echo "cuda: two packages bring $name" >&2 && exit 1; fi
@@ -14,4 +11,4 @@ while IFS= read -r library; do
   # the name that `-lcudart` asks for
   plain=${name%%.so*}.so
   [[ -L $libraries/$plain ]] || ln -s "$name" "$libraries/$plain"
-done < <(find "$OUT$SITE/nvidia" -path '*/lib/*.so*' -type f | sort)
+done < <(find "$OUT${SITE:?}/nvidia" -path '*/lib/*.so*' -type f | sort)

@@ -4,7 +4,7 @@
 #   PYTHON     3.11, ...; "any" for a part that does not depend on the Python version
 #   TARGETARCH amd64 | arm64 (set by BuildKit)
 #   LOCK       the requirements file with hashes
-# A part's own steps are in components/<part>/files.sh; they get OUT (/out), SITE (where packages go) and TRIPLET.
+# What a part leaves out is in components/<part>/prune.txt, its own steps are in files.sh; they get OUT (/out), SITE (where packages go) and TRIPLET.
 # The result depends on the lock and on these scripts alone: not on the day, the machine or the build folder.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -37,11 +37,13 @@ uv pip install --no-deps --require-hashes --only-binary :all: --link-mode hardli
 rm -rf /out/.cache "$OUT$SITE/.lock"
 
 "$here/relocate_scripts.py"
+"$here/records.py" prune
 
 # What the part holds, for the login banner and for whoever asks: no import, no package manager needed.
 mkdir -p "$OUT/usr/local/share/rosml/versions.d"
 sed -n 's/^\([A-Za-z0-9._-]*\)==\([^ ]*\).*/\1 \2/p' "$LOCK" >"$OUT/usr/local/share/rosml/versions.d/$PART"
 
 if [[ -x $here/../part/files.sh ]]; then "$here/../part/files.sh"; fi
+"$here/records.py" verify
 [[ $PYTHON == any ]] || "$here/bytecode.sh"
 "$here/normalise.sh"

@@ -23,6 +23,19 @@ version=${version##*-}
 # so that it reads to the end: nm would fail where nobody listens.
 exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c " $1" >/dev/null; }
 
+# `pip install` of what depends on "tensorflow" must find it, also where the wheel that carries it is called otherwise
+# (tensorflow-cpu): a package without files that says so.
+if [[ $wheel != tensorflow-* ]]; then
+  alias=$OUT$SITE/tensorflow-$version.dist-info
+  mkdir "$alias"
+  printf '%s\n' 'Metadata-Version: 2.1' 'Name: tensorflow' "Version: $version" \
+    "Summary: Stands for ${wheel%%-*}, which is the same package under another name" \
+    "Requires-Dist: ${wheel%%-*}==$version" >"$alias/METADATA"
+  printf '%s\n' 'Wheel-Version: 1.0' 'Generator: rosml' 'Root-Is-Purelib: true' 'Tag: py3-none-any' >"$alias/WHEEL"
+  echo rosml >"$alias/INSTALLER"
+  for file in INSTALLER METADATA RECORD WHEEL; do echo "${alias##*/}/$file,,"; done >"$alias/RECORD"
+fi
+
 # What tf.sysconfig.get_compile_flags() says, without running it: the target may be another architecture. TensorFlow
 # compiles Eigen with this alignment on all architectures:
 # https://github.com/tensorflow/tensorflow/blob/v2.13.1/third_party/eigen3/eigen_archive.BUILD

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import textwrap
 from collections.abc import Callable
 from pathlib import Path
@@ -9,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT, base_images, builder, registry, verify
-from rosml.expand import Catalogue
+from rosml.expand import Catalogue, Payload
+from rosml.publish import COMPRESSION
 from rosml.services import Services
 from tests.e2e.conftest import NAMESPACE, Published, publish, run
 
@@ -101,23 +103,55 @@ def test_a_payload_assembled_again_elsewhere_has_the_same_digest(
 ) -> None:
     """Without any cache, in another folder: the same lock gives the same layer."""
     image = published("bookworm-core-tensorflow-cpu")
-    repository = f"{services.registry}/{NAMESPACE}/payload"
-    again = []
-    for name in image.image.parts:
-        payload = catalogue.payload_by_name[name]
-        output = f"type=image,name={repository},push=true,push-by-digest=true,compression=zstd,compression-level=3"
-        bake = builder.Bake(
-            payload.target,
-            f"again-{name}",
-            ROOT / "docker-bake.hcl",
-            (f"{payload.target}.output={output},oci-mediatypes=true", f"{payload.target}.tags=", "*.no-cache=true"),
-            {"REGISTRY": f"{services.registry}/{NAMESPACE}", "OS_BOOKWORM": base_image(image), "PLATFORM": PLATFORM},
-        )
-        _, metadata = builder.run(services_in(services, checkout), bake)
-        again += [
-            layer.digest for layer in registry.layers(services, f"{repository}@{metadata['containerimage.digest']}")
-        ]
+    elsewhere = services_in(services, checkout)
+    again = [
+        layer
+        for name in image.image.parts
+        for layer in push_payload(elsewhere, image, catalogue.payload_by_name[name], "*.no-cache=true")
+    ]
     assert again == image.layers[-len(again) :]
+
+
+def push_payload(services: Services, image: Published, payload: Payload, *sets: str) -> list[str]:
+    """Pushes a payload as an image of its own, by its name as a tag; returns its layers."""
+    repository = f"{services.registry}/{NAMESPACE}/payload"
+    bake = builder.Bake(
+        payload.target,
+        f"payload-{payload.name}",
+        ROOT / "docker-bake.hcl",
+        (f"{payload.target}.output=type=image,push=true,{COMPRESSION}", *sets),
+        {"REGISTRY": f"{services.registry}/{NAMESPACE}", "OS_BOOKWORM": base_image(image), "PLATFORM": PLATFORM},
+    )
+    builder.run(services, bake)
+    return [layer.digest for layer in registry.layers(services, f"{repository}:{payload.name}")]
+
+
+def test_payloads_are_added_to_an_image_of_ones_own(
+    services: Services, published: Publish, catalogue: Catalogue, tmp_path: Path
+) -> None:
+    """COPY --link, as the README shows it: PyTorch in a Debian image that has Python and nothing of ours."""
+    image = published(FIRST)
+    layers = [
+        layer for name in image.image.parts for layer in push_payload(services, image, catalogue.payload_by_name[name])
+    ]
+    assert layers == image.layers[-PAYLOAD_PARTS:], "the payload as an image of its own is the same layer"
+    shutil.copy(ROOT / "components/build/network.sh", tmp_path)
+    copies = [f"COPY --link --from={services.registry}/{NAMESPACE}/payload:{name} / /" for name in image.image.parts]
+    (tmp_path / "Dockerfile").write_text(
+        textwrap.dedent(f"""\
+            FROM {image.result["base"].split()[0]}
+            RUN --mount=type=bind,source=network.sh,target=/network.sh --mount=type=secret,id=ca-bundle \\
+                bash -c '. /network.sh && apt-get update && apt-get install --yes python3'
+        """)
+        + "\n".join(copies)
+        + "\nRUN python3 -c 'import torch; assert (torch.ones(2) @ torch.ones(2)).item() == 2; print(torch.__version__)'\n"
+    )
+    secret = ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
+    outcome = run(
+        *services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", *secret, str(tmp_path),
+        env=services.environment(),
+    )  # fmt: skip
+    assert outcome.code == 0, outcome.err
 
 
 def base_image(image: Published) -> str:

@@ -102,7 +102,10 @@ disk:
 rates: {{packages: 10, payloads: 100, test: 5}}
 """
 
-PINS = "torch==2.10.0 \\\n    --hash=sha256:0\ntensorflow==2.20.0 \\\n    --hash=sha256:0\n"
+PINS = "".join(
+    f"{package} \\\n    --hash=sha256:{'0' * 64}\n"
+    for package in ("torch==2.10.0", "tensorflow==2.20.0", "tensorflow-cpu==2.20.0")
+)
 
 Parse = Callable[[str], expand.Catalogue]
 

@@ -5,6 +5,7 @@ CMake configures, nothing is compiled: whether programs build and run is tested 
 
 from __future__ import annotations
 
+import importlib.metadata
 import os
 import shutil
 import subprocess
@@ -199,6 +200,16 @@ def test_the_path_that_torch_tells_leads_to_the_package_without_a_toolkit(tmp_pa
 
 
 # ---- TensorFlow ------------------------------------------------------------------------------------------------------
+
+
+def test_what_depends_on_tensorflow_finds_it_under_its_other_name(newer: Path) -> None:
+    """tensorflow-cpu is a package of another name: pip would download TensorFlow again."""
+    site = str(newer / SITE)
+    (found,) = importlib.metadata.distributions(name="tensorflow", path=[site])
+    assert found.version == "2.20.0"
+    assert found.requires == ["tensorflow_cpu==2.20.0"]
+    assert found.files
+    assert all(Path(str(file.locate())).exists() for file in found.files)
 
 
 def test_a_client_session_is_built_where_the_wheel_has_none(tmp_path: Path, newer: Path) -> None:

@@ -95,6 +95,23 @@ def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
         "    for _ in range(100_000): click.echo('line')\n"
         "sys.exit(command.run(main))\n"
     )
-    pipe = f"'{sys.executable}' '{script}' | head -1"
-    done = subprocess.run(["sh", "-c", pipe], capture_output=True, text=True, check=False, timeout=30)
-    assert (done.stdout, done.stderr) == ("line\n", "")
+    pipe = f"set -o pipefail; '{sys.executable}' '{script}' | head -1"
+    done = subprocess.run(["bash", "-c", pipe], capture_output=True, text=True, check=False, timeout=30)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "line\n", "")
+
+
+@pytest.mark.parametrize(
+    "shell", ['"$0" "$1" >&-', 'PYTHONIOENCODING=latin-1 "$0" "$1"', 'LC_ALL=C PYTHONUTF8=0 "$0" "$1"']
+)
+def test_output_that_is_closed_or_knows_few_letters(shell: str, tmp_path: Path) -> None:
+    script = tmp_path / "x.py"
+    script.write_text(
+        f"import sys; sys.path.insert(0, {str(ROOT)!r})\n"
+        "import click; from rosml import command\n"
+        "@click.command()\n"
+        "def main() -> None: click.echo('a → b')\n"
+        "sys.exit(command.run(main))\n"
+    )
+    done = subprocess.run(["bash", "-c", shell, sys.executable, script], capture_output=True, check=False, timeout=30)
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout in (b"", b"a \\u2192 b\n", "a → b\n".encode())

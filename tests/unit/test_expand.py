@@ -118,6 +118,36 @@ def test_a_group_without_a_lock_is_explained(small: Catalogue) -> None:
     assert said.startswith("cpu: a group of no targets: none of its images has a lock; run 'make locks'")
 
 
+@pytest.mark.parametrize(
+    ("package", "current"),
+    [
+        ("nvidia-cuda-runtime-cu12==12.8.90", True),
+        ("nvidia-cuda-runtime-cu12==12.8.93", False),
+        ("nvidia-cudnn-cu12==9.10.2.21", True),
+        ("nvidia-cudnn-cu12==9.10.2.22", False),
+        ("nvidia-cudnn==9.10.2.22", False),
+        ("nvidia-cublas-cu12==1", True),
+    ],
+)
+def test_a_lock_with_another_cuda_than_the_stack_promises_is_none(
+    package: str, current: bool, small: Catalogue, tmp_path: Path
+) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    write_locks(tmp_path, small)
+    cuda = tmp_path / "locks/cu1/amd64/any/cuda.txt"
+    head = cuda.read_text().splitlines()[0]
+    cuda.write_text(f"{head}\n{package} \\\n    --hash=sha256:{'0' * 64}\n")
+    assert load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-cuda-cu1").locked == current
+
+
+def test_a_framework_that_takes_nothing_of_a_stack_is_not_there() -> None:
+    catalogue = parse(changed("parts: [cuda], accelerators: [cuda]}", "parts: [cuda]}"))
+    assert "alpha-core-cuda-cu1" in catalogue.by_target
+    assert why_not(catalogue, "alpha-core-cuda-cpu") == (
+        "alpha-core-cuda-cpu does not exist: stack cpu has nothing that framework cuda takes."
+    )
+
+
 def test_locks_that_cannot_be_read_are_not_taken_for_missing(tmp_path: Path) -> None:
     assert names.locks(tmp_path) == frozenset()
     (tmp_path / "locks").write_text("")
@@ -180,6 +210,10 @@ def test_a_lock_of_another_release_is_none(small: Catalogue, tmp_path: Path) -> 
         whole.replace("torch==2.10.0", "torch==2.10.0+cpu"): True,
         whole.replace("torch==2.10.0", "torch==2.9.1"): False,
         whole.replace("3.12", "3.14"): False,
+        whole.replace("torch==2.10.0", "torch==2.9.1").replace("tensorflow==2.20.0", "tensorflow==2.10.0"): False,
+        whole[:-20]: False,
+        f"{whole}-r /etc/passwd\n": False,
+        f"{whole}x @ https://example.org/x.whl\n": False,
         whole.replace("--hash=sha256:", "#"): False,
         "\x00\ufffd": False,
         "": False,

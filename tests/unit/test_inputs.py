@@ -72,6 +72,7 @@ def reached(catalogue: Catalogue, images: bool, parts: set[str]) -> set[tuple[st
 FILES: dict[str, tuple[bool, set[str]]] = {
     "components/base/entrypoint.sh": (True, set()),
     "components/base/install.sh": (True, set()),
+    "components/base/pip.conf": (True, set()),
     "components/build/clean.sh": (True, set()),
     "components/build/network.sh": (True, PARTS),
     "components/ros/install.sh": (True, set()),
@@ -82,6 +83,8 @@ FILES: dict[str, tuple[bool, set[str]]] = {
     "components/tensorflow/client_session/client_session.cc": (False, {"tensorflow"}),
     "components/tensorflow/install-compiler.sh": (False, {"tensorflow"}),
     "components/cuda/files.sh": (False, {"cuda"}),
+    "components/cuda/prune.txt": (False, {"cuda"}),
+    "components/payload/records.py": (False, PARTS),
     "components/payload/bytecode.sh": (False, PARTS),
     "components/payload/install-assembler.sh": (False, PARTS),
     "tools/requirements.txt": (False, PARTS),
@@ -149,7 +152,7 @@ def test_every_file_that_reaches_the_builder_is_an_input(real: Catalogue) -> Non
         todo |= {(name.removeprefix(TARGET), architecture) for name in found if name.startswith(TARGET)} - seen
     files = {path for folder in ("components", "locks") for path in (ROOT / folder).rglob("*") if path.is_file()}
     wanted = {path.relative_to(ROOT).as_posix() for path in files if "__pycache__" not in path.parts}
-    assert {name for name in used if (ROOT / name).is_file()} == wanted | {"tools/requirements.txt"}
+    assert {name for name in used if (ROOT / name).is_file()} == wanted | {"tools/requirements.txt", ".dockerignore"}
 
 
 # ---- The matrix ------------------------------------------------------------------------------------------------------
@@ -164,7 +167,6 @@ INDIFFERENT = {
     "default": ("target: alpha-core-torch-cu1", "target: alpha-core"),
     "tags": ("default_stack: cu1", "default_stack: cpu"),
     "repository": ("repository: ros-ml,", "repository: ros-all,"),
-    "numpy": ('numpy: "<2"', 'numpy: "<3"'),  # reaches images by way of the locks
 }
 
 
@@ -201,6 +203,11 @@ def named(start: str) -> Callable[[Catalogue], set[str]]:
 DECISIVE: dict[str, tuple[str, str, Callable[[Catalogue], set[str]]]] = {
     "digest of a system": (f"digest: sha256:{'2' * 64}", f"digest: sha256:{'3' * 64}", on("ubuntu-26.04")),
     "digest of the first system": (f"digest: sha256:{'1' * 64}", f"digest: sha256:{'3' * 64}", on("ubuntu-24.04")),
+    "what pip keeps numpy to": (
+        'numpy: "<2"',
+        'numpy: "<1.27"',
+        lambda c: {i.target for i in c.images if i.os == "ubuntu-24.04"},
+    ),
     "day of the snapshot": ("date: 2026-11-01", "date: 2026-11-02", named("omega-")),
     "apt channel": ("channel: snapshot, date: 2026-11-01", "channel: final", named("omega-")),
     "suite": ("codename: resolute", "codename: questing", named("omega-")),
@@ -292,6 +299,70 @@ def test_what_cannot_be_followed_is_an_error(source: str, project: Path, small: 
         stream.write(f"FROM os AS base\nCOPY {source} /x\n")
     with pytest.raises(RosmlError, match="Dockerfile"):
         Inputs(project, small).digest("alpha-core", "amd64")
+
+
+BUILDABLE: dict[str, tuple[str, str, str]] = {
+    "a framework without a stage": (
+        "  ml: {repository: ros-ml,",
+        "  jax: {repository: ros-ml,",
+        "the Dockerfile has no stage jax, which alpha-core-jax-cu1 is built from",
+    ),
+    "a framework called like another stage": (
+        "  ml: {repository: ros-ml,",
+        "  ros: {repository: ros-ml,",
+        "the Dockerfile's stage ros needs parent, which alpha-core-ros-cu1 does not have",
+    ),
+    "a stage that leaves out a part": (
+        "parts: [cuda, common, torch], releases: [torch]}",
+        "parts: [cuda, common, torch, tensorflow], releases: [torch, tensorflow]}",
+        "the Dockerfile's stage torch does not take part-tensorflow",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BUILDABLE)
+def test_what_the_dockerfile_cannot_build_is_an_error(name: str, project: Path) -> None:
+    old, new, message = BUILDABLE[name]
+    with pytest.raises(RosmlError) as caught:
+        Inputs(project, expand.catalogue(source.parse(changed(old, new).encode()))).check()
+    assert message in caught.value.message
+    assert "matrix.yaml" in caught.value.remedy
+
+
+def test_the_dockerfile_can_build_ours(real: Catalogue, small: Catalogue, project: Path) -> None:
+    Inputs(ROOT, real).check()
+    Inputs(project, small).check()
+
+
+def test_rules_of_dockerignore_count_and_its_comments_do_not(project: Path) -> None:
+    rules = project / ".dockerignore"
+    rules.write_text("*.pyc\n")
+    before = digests(project)
+    rules.write_text("# why\n\n*.pyc  \n")
+    assert digests(project) == before
+    rules.write_text("*.pyc\ncomponents/ros/keys\n")
+    assert differing(before, digests(project)) == set(before)
+
+
+def test_a_link_is_what_it_leads_to_by_name(project: Path, small: Catalogue) -> None:
+    """The builder gets the link itself, which may lead nowhere there."""
+    before = digests(project)
+    clean = project / "components/build/clean.sh"
+    clean.rename(project / "clean.sh")
+    clean.symlink_to("../../clean.sh")
+    moved = digests(project)
+    assert differing(before, moved) == reached(small, True, set())
+    clean.unlink()
+    clean.symlink_to("nowhere")
+    assert differing(moved, digests(project)) == reached(small, True, set())
+
+
+@pytest.mark.parametrize("directive", ["# syntax=docker/dockerfile:1", "# escape=`"])
+def test_directives_of_the_dockerfile_count(directive: str, project: Path) -> None:
+    before = digests(project)
+    file = project / "Dockerfile"
+    file.write_text(f"{directive}\n{file.read_text()}")
+    assert differing(before, digests(project)) == set(before)
 
 
 def test_stages_as_data() -> None:

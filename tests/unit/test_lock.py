@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse
 from stubs import calls, executable
 
-from rosml import command, lock
+from rosml import command, lock, lockfile
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.lock import Elsewhere, Pin, Request
@@ -84,7 +84,7 @@ def test_names_that_begin_like_uvs_own_words() -> None:
 
 
 def test_versions() -> None:
-    assert lock.versions(RESOLVED)["numpy"] == "1.26.4"
+    assert lockfile.versions(RESOLVED)["numpy"] == "1.26.4"
 
 
 def test_a_lock_reads_as_what_it_was_rendered_from() -> None:
@@ -104,7 +104,7 @@ def test_a_lock_reads_as_what_it_was_rendered_from() -> None:
     ],
 )
 def test_package_name(requirement: str, name: str) -> None:
-    assert lock.package_name(requirement) == name
+    assert lockfile.package_name(requirement) == name
 
 
 # ---- Splitting -------------------------------------------------------------------------------------------------------
@@ -231,6 +231,10 @@ FILTER = 'case $platform in aarch64*) sed "/^nvidia/,/# via/d" ;; *) cat ;; esac
 RESOLVES = UV + FILTER + ' <"$here/resolved.txt" >out.txt'
 
 
+# A package, and what is asked for by version, each with a hash.
+PINNED = "(echo {}; grep == in.txt) | sed 's/$/ --hash=sha256:aa/; s/ /\\n    /' >out.txt"
+
+
 def fake_uv(folder: Path, text: str = RESOLVES, resolved: str = RESOLVED) -> str:
     """A uv that records what it is told and resolves everything to the same."""
     (folder / "resolved.txt").write_text(resolved)
@@ -277,6 +281,29 @@ def test_uv_fails(tmp_path: Path) -> None:
         "stack cu1, Python 3.12, amd64 (torch and tensorflow) does not resolve:\nno solution: numpy<2 and numpy>=2"
     )
     assert "matrix.yaml" in caught.value.remedy
+
+
+@pytest.mark.parametrize(
+    ("uv", "wrong"),
+    [
+        (": >out.txt", "torch==2.10.0 and tensorflow[and-cuda]==2.20.0 are not in it"),
+        (":", "torch==2.10.0 and tensorflow[and-cuda]==2.20.0 are not in it"),
+        ("printf '\\377\\376' >out.txt", "torch==2.10.0 and tensorflow[and-cuda]==2.20.0 are not in it"),
+        ("grep == in.txt | sed 's/2.10.0/2.9.1/; s/$/ \\\\\\n --hash=sha256:aa/' >out.txt", "torch==2.10.0 "),
+        ("grep == in.txt >out.txt", "torch without a sha256 are not in it"),
+        ("grep == in.txt | sed 's/$/ \\\\\\n    --hash=md5:aa/' >out.txt", "torch without a sha256"),
+    ],
+)
+def test_an_answer_of_uv_that_cannot_be_one(tmp_path: Path, uv: str, wrong: str) -> None:
+    """Although it reports success: good locks are not replaced by that."""
+    with pytest.raises(RosmlError, match=r"uv's answer for stack cu1, .* cannot be used") as caught:
+        lock.resolve(request(), lock.Uv(executable(tmp_path / "uv", uv)))
+    assert wrong in caught.value.message
+
+
+def test_uv_is_killed(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match="uv was ended by signal 9 while it resolved stack cu1"):
+        lock.resolve(request(), lock.Uv(executable(tmp_path / "uv", "kill -9 $$")))
 
 
 def test_earlier_locks_are_read(tmp_path: Path, small: Catalogue) -> None:
@@ -337,7 +364,7 @@ UNKNOWN = {"torch": Elsewhere("torch==2.10.0+cpu", "", ("jinja2",))}
 
 def test_a_wheel_that_is_known_by_its_digest(tmp_path: Path) -> None:
     """Only what it requires is resolved, on the usual index; the wheel is added with its digest, above that."""
-    resolved = "jinja2==3.1 \\\n    --hash=sha256:j\n    # via -r in.txt\nnumpy==1.26.4\n"
+    resolved = "jinja2==3.1 \\\n    --hash=sha256:1\n    # via -r in.txt\nnumpy==1.26.4 \\\n    --hash=sha256:2\n"
     pins = lock.resolve(
         request(roots={"torch": "torch==2.10.0"}, elsewhere=ELSEWHERE), lock.Uv(fake_uv(tmp_path, resolved=resolved))
     )
@@ -421,10 +448,10 @@ def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path
     asked = [list(item.roots) for item in lock.requests(catalogue) if (item.stack, item.python) == ("cpu", "3.12")]
     assert asked == [["tensorflow"], ["torch"], ["tensorflow"]]  # amd64 has no wheel of torch
     assert "alpha-core-ml-cpu" not in catalogue.by_target
-    uv = fake_uv(tmp_path, UV + "echo numpy==1.26.4 >out.txt; grep == in.txt >>out.txt")
+    uv = fake_uv(tmp_path, UV + PINNED.format("numpy==1.26.4"))
     texts = lock.lock(catalogue, tmp_path, uv).texts
     assert {f"locks/cpu/arm64/3.12/{part}.txt" for part in ("common", "torch", "tensorflow")} <= texts.keys()
-    assert list(lock.versions(texts["locks/cpu/arm64/3.12/common.txt"])) == ["numpy"]
+    assert list(lockfile.versions(texts["locks/cpu/arm64/3.12/common.txt"])) == ["numpy"]
 
 
 def test_what_they_share_must_agree(tmp_path: Path) -> None:
@@ -432,7 +459,7 @@ def test_what_they_share_must_agree(tmp_path: Path) -> None:
         "  tf: {repository: ros-tf, parts: [common, tensorflow], releases: [tensorflow], accelerators: [cpu]}\n"
     )
     catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
-    uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; echo numpy==1.2$n >out.txt"
+    uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; " + PINNED.format("numpy==1.2$n")
     with pytest.raises(RosmlError, match=r"common\.txt: numpy would be 1\.2. and 1\.2., depending on who asks"):
         lock.lock(catalogue, tmp_path, fake_uv(tmp_path, uv))
 
@@ -461,21 +488,21 @@ def test_writes_and_then_has_nothing_to_write(checkout: Path, capsys: pytest.Cap
     assert "locks/cu1/amd64/3.12/torch.txt: written\n" in done.out
     assert "[4 of 4] stack " in done.err, "long work shows progress"
     text = (checkout / "locks/cu1/amd64/3.12/torch.txt").read_text()
-    assert lock.versions(text) == {"torch": "2.10.0+cu128"}
+    assert lockfile.versions(text) == {"torch": "2.10.0+cu128"}
     assert run(checkout, "--check") == 0
     assert re.fullmatch(r"\d+ locks, 0 stale\n", capsys.readouterr().out)
 
 
 def test_check_says_what_would_change(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
     run(checkout)
-    fake_uv(checkout, resolved=RESOLVED.replace("2.10.0+cu128", "2.11.0"))
+    fake_uv(checkout, resolved=RESOLVED.replace("numpy==1.26.4", "numpy==1.26.5"))
     before = {file: file.read_text() for file in checkout.glob("locks/**/*.txt")}
     capsys.readouterr()
     assert run(checkout, "--check") == 1
     done = capsys.readouterr()
-    assert "locks/cu1/amd64/3.12/torch.txt: would change\n" in done.out
+    assert "locks/cu1/amd64/3.12/common.txt: would change\n" in done.out
     table = [line.split() for line in done.out.splitlines() if line.startswith("c")]
-    assert table == [["cpu", "torch", "2.10.0+cu128", "2.11.0", "2"], ["cu1", "torch", "2.10.0+cu128", "2.11.0", "2"]]
+    assert table == [["cpu", "numpy", "1.26.4", "1.26.5", "2"], ["cu1", "numpy", "1.26.4", "1.26.5", "2"]]
     assert re.search(r"error: \d+ locks are stale\nremedy: run 'make locks' and commit the result\n", done.err)
     assert {file: file.read_text() for file in checkout.glob("locks/**/*.txt")} == before
 
@@ -489,6 +516,18 @@ def test_a_hash_that_changed_is_stale(checkout: Path) -> None:
     run(checkout)
     fake_uv(checkout, resolved=RESOLVED.replace("sha256:ee", "sha256:ff"))
     assert run(checkout, "--check") == 1
+
+
+@pytest.mark.parametrize("output", ["| head -1", "| true"])
+def test_all_is_written_whoever_reads_along(checkout: Path, output: str) -> None:
+    argv = f"'{sys.executable}' -c 'import sys; sys.path.insert(0, sys.argv[1]); from pathlib import Path; "
+    argv += "from rosml import command; from scripts import lock; lock.ROOT = Path(sys.argv[2]); "
+    argv += f"sys.exit(command.run(lock.main, arguments=[\"--matrix\", sys.argv[2] + \"/matrix.yaml\"]))' '{ROOT}' '{checkout}'"
+    done = subprocess.run(
+        ["bash", "-c", f"set -o pipefail; {argv} {output}"], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert run(checkout, "--check") == 0
 
 
 def test_one_stack(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -210,6 +210,12 @@ WRONG = {
         "parts: [cuda, common, torch]",
         "34:34: frameworks.torch.parts: torch is not among the releases; add it to 'releases'",
     ),
+    "framework without CUDA on stacks that have it": (
+        "parts: [cuda, common, torch], releases: [torch]}",
+        "parts: [common, torch], releases: [torch]}",
+        "34:34: frameworks.torch.parts: on stacks with CUDA it needs the part cuda; add it to 'parts', "
+        "or say 'accelerators: [cpu]'",
+    ),
     "framework without common": (
         "parts: [cuda, common, torch], releases",
         "parts: [cuda, torch], releases",
@@ -255,6 +261,13 @@ WRONG = {
         "      torch: {unpacked: 500, compressed: 50}\n",
         "",
         "77:5: disk.parts.cpu: no forecast for part torch; add 'torch: …', a guess will do",
+    ),
+    "budget of nothing": (
+        "  parts:\n    cu1:",
+        "  budgets: {cu2: {torch: 1}, cpu: {none: 1, torsh: 1}}\n  parts:\n    cu1:",
+        "71:13: disk.budgets.cu2: no stack named 'cu2'; did you mean 'cu1' or 'cpu'?\n"
+        "71:36: disk.budgets.cpu.none: no framework with parts named 'none'; known: cuda, torch, ml\n"
+        "71:45: disk.budgets.cpu.torsh: no framework with parts named 'torsh'; did you mean 'torch'?",
     ),
     "negative size": (
         "os: {unpacked: 100",

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import ROOT, SMALL, write_locks
+from conftest import ROOT, SMALL, changed, parse, write_locks
 from stubs import answering_registry, buildx, calls, executable, services
 
 from rosml import command, expand
@@ -232,6 +232,25 @@ def test_a_test_fails(stage: Stage) -> None:
     assert MANIFEST in error.remedy
     assert (error.exit_code, error.result.failed, error.result.passed) == (1, 1, 13)
     assert not (stage.folder / ".state/results").exists()
+
+
+def test_payloads_beyond_the_budget_fail(stage: Stage) -> None:
+    """The tag's budget is a test like any other."""
+
+    def budget(megabytes: int) -> expand.Catalogue:
+        catalogue = parse(
+            changed("  parts:\n    cu1:", f"  budgets: {{cu1: {{torch: {megabytes}}}}}\n  parts:\n    cu1:")
+        )
+        return expand.with_locks(catalogue, {lock for payload in catalogue.payloads for lock in payload.locks})
+
+    stage.write("manifest.json", '{"layers": [{"digest": "x", "size": 2000000}, {"digest": "y", "size": 2000001}]}')
+    stage.catalogue = budget(4)
+    with pytest.raises(TestsFailed, match=r"size: the payloads keep within the tag's budget\n.* allows 4 MB"):
+        stage.publish()
+    assert stage.untouched()
+    stage.catalogue = budget(5)
+    result = stage.publish()
+    assert (result.passed, result.payloads) == (15, 4_000_001)
 
 
 def test_a_test_fails_and_tags_stay_where_they_were(stage: Stage) -> None:

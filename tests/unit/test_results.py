@@ -54,7 +54,17 @@ def test_table(tmp_path: Path, small: Catalogue, capsys: pytest.CaptureFixture[s
     assert lines[-1] == "2 images, 2 min 30 s in all"
 
 
-@pytest.mark.parametrize("text", ["", "[]", '{"target": "alpha-core"}'])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "[]",
+        '{"target": "alpha-core"}',
+        '{"target": "alpha-core", "seconds": [], "passed": 1, "failed": 0, "compressed": 1, "unpacked": 1}',
+        '{"target": "alpha-core", "seconds": {}, "passed": 1, "failed": 0, "compressed": null, "unpacked": 1}',
+        "[" * 100_000,
+    ],
+)
 def test_a_damaged_record(tmp_path: Path, small: Catalogue, text: str) -> None:
     record(tmp_path, "alpha-core")
     (results.folder(tmp_path, "rosml") / "alpha-core.json").write_text(text)

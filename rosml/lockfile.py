@@ -1,0 +1,50 @@
+"""The text of a lock: what it pins, and whether it is the one that a payload needs now."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rosml import names
+from rosml.expand import Payload
+from rosml.model import FAMILIES, Stack
+
+_PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
+_WHOLE = re.compile(
+    r"(?:#[^\n]*\n)+"
+    r"(?:[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+(?: \\\n    --hash=sha256:[0-9a-f]{64})+\n)+"
+)
+"""A whole lock as `lock.render` writes it: comments, and versions each with hashes. Anything else was cut or edited."""
+
+
+def versions(text: str) -> dict[str, str]:
+    """What a lock pins: packages and their versions."""
+    return dict(_PIN.findall(text))
+
+
+def package_name(requirement: str) -> str:
+    """``tensorflow_cpu[x]==2.20.0`` -> ``tensorflow-cpu``, as uv spells it."""
+    return re.sub(r"[-_.]+", "-", re.split(r"[\[=<>!~;\s]", requirement, maxsplit=1)[0]).lower()
+
+
+def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
+    """Facts of a stack, and the packages whose versions they are, for a version of CUDA: up to CUDA 12 names of NVIDIA's
+    packages end in its generation, later only some do."""
+    for fact, package in (("cuda", "cuda-runtime"), ("cudnn", "cudnn"), ("nccl", "nccl")):
+        yield fact, f"nvidia-{package}"
+        yield fact, f"nvidia-{package}-cu{cuda.split('.')[0]}"
+
+
+def current(text: str, payload: Payload, stack: Stack, architecture: str) -> bool:
+    """Whether a text is the payload's lock: its head says so, it is whole, and it pins what the stack's facts say."""
+    head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
+    if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
+        return False
+    pinned = versions(text)
+    if payload.part in FAMILIES:
+        requirement = stack.requirement(payload.part, architecture) or ""
+        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.release(payload.part)
+    if payload.part == "cuda":
+        facts = {package: getattr(stack, fact) for fact, package in cuda_packages(stack.cuda or "")}
+        return all(pinned[package] == fact for package, fact in facts.items() if package in pinned and fact)
+    return True

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""`pip install` does what users expect, on a system whose Python is externally managed as well.
+
+Nothing is downloaded: the packages are made here, newer than anything that exists.
+
+- `pip install -U numpy` stays within the range that ROS's packages were compiled for, and so does what asks for numpy;
+- a package that needs torch or tensorflow takes the one that is there;
+- a new version of a Debian package goes beside it, into /usr/local, and uninstalling it brings Debian's back;
+- everything is gone afterwards: nothing of it is part of the image.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import zipfile
+from collections.abc import Sequence
+from pathlib import Path
+
+FOLDER = Path(tempfile.mkdtemp())
+FAR = "999.0"
+
+
+def wheel(name: str, version: str, requires: Sequence[str] = ()) -> None:
+    """Makes a wheel of one module that knows its version."""
+    info = f"{name}-{version}.dist-info"
+    metadata = "".join(f"Requires-Dist: {requirement}\n" for requirement in requires)
+    files = {
+        f"{name}.py": f"__version__ = {version!r}\n",
+        f"{info}/METADATA": f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n{metadata}",
+        f"{info}/WHEEL": "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+    }
+    record = "".join(f"{path},,\n" for path in [*files, f"{info}/RECORD"])
+    with zipfile.ZipFile(FOLDER / f"{name}-{version}-py3-none-any.whl", "w") as archive:
+        for path, content in {**files, f"{info}/RECORD": record}.items():
+            archive.writestr(path, content)
+
+
+def pip(*arguments: str, expect: int = 0) -> str:
+    """Runs pip; returns what it said."""
+    command = [sys.executable, "-m", "pip", *arguments]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd="/")
+    if done.returncode != expect:
+        sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stdout}")
+    return done.stdout
+
+
+def install(*arguments: str, expect: int = 0) -> str:
+    return pip("install", "--no-index", "--find-links", str(FOLDER), "--no-cache-dir", *arguments, expect=expect)
+
+
+def versions() -> dict[str, str]:
+    """All packages that pip knows, with their versions."""
+    return {item["name"].lower(): item["version"] for item in json.loads(pip("list", "--format", "json"))}
+
+
+def importable(name: str) -> str:
+    code = f"import {name}; print({name}.__version__)"
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd="/").stdout.strip()
+
+
+before = versions()
+for name in ("numpy", "six", "torch", "tensorflow"):
+    wheel(name, FAR)
+
+# numpy: what is there satisfies it, and the far newer one is out of the range. A pip that finds nothing else must say so.
+assert "numpy" in before, before
+install("--upgrade", "numpy")
+wheel("wantsfarnumpy", "1.0", ["numpy>=3"])
+said = install("wantsfarnumpy", expect=1)
+assert re.search(r"conflict|No matching distribution", said), said
+
+carried = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" in os.environ]
+wheel("wantsframeworks", "1.0", ["numpy", *carried])
+install("wantsframeworks")
+assert versions() == {**before, "wantsframeworks": "1.0"}, set(versions().items()) ^ set(before.items())
+pip("uninstall", "--yes", "wantsframeworks")
+
+# Debian's six has no RECORD, by which pip could remove it; it does not try to.
+old = importlib.metadata.version("six")
+install("--upgrade", "six")
+assert importable("six") == FAR
+pip("uninstall", "--yes", "six")
+assert importable("six") == old
+
+assert versions() == before
+leftovers = [path for path in (Path.home() / ".cache/pip", Path.home() / ".config/pip") if path.exists()]
+assert not leftovers, leftovers

@@ -1,0 +1,163 @@
+"""What becomes of a wheel's files in a payload: pruned ones are forgotten, all others are what the wheel has."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import hashlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+SCRIPT = ROOT / "components/payload/records.py"
+SITE = "usr/local/lib/python3.11/dist-packages"
+
+
+class Payload:
+    """A payload in the making: a wheel with some files, and a part's rules."""
+
+    def __init__(self, folder: Path) -> None:
+        self.out, self.part = folder / "out", folder / "part"
+        self.site = self.out / SITE
+        self.part.mkdir()
+        self.record = self.site / "thing-1.dist-info/RECORD"
+        self.record.parent.mkdir(parents=True)
+        self.record.write_text("thing-1.dist-info/RECORD,,\n")
+        self.add("thing/__init__.py", "import this\n")
+        self.add("thing/deep/tests/test_a.py", "assert True\n")
+        self.add("thing/lib/libthing.a", "archive")
+        self.add("thing/cmake/config, old.cmake", "theirs\n")
+
+    def add(self, path: str, content: str) -> None:
+        file = self.site / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(content)
+        digest = base64.urlsafe_b64encode(hashlib.sha256(content.encode()).digest()).rstrip(b"=").decode()
+        with self.record.open("a", newline="") as stream:
+            csv.writer(stream).writerow([path, f"sha256={digest}", len(content)])
+
+    def rules(self, prune: str = "", adapted: str = "") -> None:
+        (self.part / "prune.txt").write_text(prune)
+        (self.part / "adapted.txt").write_text(adapted)
+
+    def run(self, command: str) -> subprocess.CompletedProcess[str]:
+        env = {**os.environ, "OUT": str(self.out), "SITE": f"/{SITE}", "PART_FOLDER": str(self.part)}
+        return subprocess.run([sys.executable, SCRIPT, command], env=env, capture_output=True, text=True, check=False)
+
+    def recorded(self) -> dict[str, tuple[str, str]]:
+        with self.record.open(newline="") as stream:
+            return {row[0]: (row[1], row[2]) for row in csv.reader(stream)}
+
+    def files(self) -> set[str]:
+        return {str(path.relative_to(self.site)) for path in self.site.rglob("*") if not path.is_dir()}
+
+
+@pytest.fixture
+def payload(tmp_path: Path) -> Payload:
+    return Payload(tmp_path)
+
+
+def test_as_it_came(payload: Payload) -> None:
+    done = payload.run("verify")
+    assert done.returncode == 0
+    assert done.stdout == "records: 4 files are what the wheels have\n"
+
+
+def test_pruned_files_are_gone_and_forgotten(payload: Payload) -> None:
+    payload.rules(prune="# why\nthing/*.a\nthing/*tests/*\nother/*\n")
+    done = payload.run("prune")
+    assert done.returncode == 0, done.stderr
+    assert "prune: thing/*.a: 1 files" in done.stdout
+    assert "prune: other/*: 0 files" in done.stdout
+    assert payload.recorded().keys() == payload.files()
+    assert not (payload.site / "thing/deep").exists(), "no empty folders are left"
+    assert (payload.site / "thing/__init__.py").exists()
+    assert payload.run("verify").returncode == 0
+
+
+def test_a_file_of_two_wheels_is_forgotten_by_both(payload: Payload) -> None:
+    other = payload.site / "other-1.dist-info/RECORD"
+    other.parent.mkdir()
+    other.write_text(f"thing/lib/libthing.a,{','.join(payload.recorded()['thing/lib/libthing.a'])}\n")
+    payload.rules(prune="thing/*.a\n")
+    assert payload.run("prune").returncode == 0
+    assert other.read_text() == ""
+    assert payload.run("verify").returncode == 0
+
+
+@pytest.mark.parametrize("change", ["missing", "other content", "other size"])
+def test_what_differs_from_the_wheel_fails(payload: Payload, change: str) -> None:
+    file = payload.site / "thing/__init__.py"
+    if change == "missing":
+        file.unlink()
+    else:
+        file.write_text("import that\n" if change == "other content" else "")
+    done = payload.run("verify")
+    assert done.returncode == 1
+    what = "is missing" if change == "missing" else "is not what the wheel has"
+    assert done.stderr == f"records: thing/__init__.py {what}\n"
+
+
+def test_bytecode_is_made_anew_and_not_on_record(payload: Payload) -> None:
+    payload.add("thing/__pycache__/__init__.cpython-311.pyc", "theirs")
+    (payload.site / "thing/__pycache__/__init__.cpython-311.pyc").write_text("ours")
+    assert payload.run("verify").returncode == 0
+    assert not [path for path in payload.recorded() if path.endswith(".pyc")]
+
+
+def test_an_adapted_file_is_recorded_as_it_is_now(payload: Payload) -> None:
+    """A name with a comma, as RECORD quotes it."""
+    payload.rules(adapted="thing/cmake/*\n")
+    (payload.site / "thing/cmake/config, old.cmake").write_text("ours\n")
+    assert payload.run("verify").returncode == 0
+    payload.rules()
+    assert payload.run("verify").returncode == 0, "its record is what it is"
+
+
+def test_a_link_to_another_payload(payload: Payload) -> None:
+    link = payload.site / "thing/lib/libthing.a"
+    link.unlink()
+    link.symlink_to("/usr/lib/of-another-payload.so")
+    assert payload.run("verify").returncode == 1
+    payload.rules(adapted="thing/lib/*\n")
+    assert payload.run("verify").returncode == 0
+    assert payload.recorded()["thing/lib/libthing.a"] == ("", "")
+
+
+def test_nothing_is_not_taken_for_everything(payload: Payload) -> None:
+    payload.record.unlink()
+    done = payload.run("verify")
+    assert (done.returncode, done.stderr) == (1, "records: nothing is recorded\n")
+
+
+def test_rules_of_the_parts_match_something_that_wheels_had() -> None:
+    """A pattern with a typo would leave in what should go; uses the layout of the wheels that are locked."""
+    layout = {
+        "cuda": {
+            "nvidia/nvshmem/lib/libnvshmem_device.a",
+            "nvidia/cuda_nvrtc/lib/libnvrtc.alt.so.12",
+            "nvidia/cuda_nvrtc/lib/libnvrtc-builtins.alt.so.12.8",
+            "nvidia/cusolver/lib/libcusolverMg.so.11",
+            "nvidia/__init__.py",
+        },
+        "torch": {
+            "triton/backends/nvidia/lib/cupti/libcupti_static.a",
+            "cuda/bindings/driver.cpp",
+            "torch/bin/protoc-3.13.0.0",
+            "sympy/polys/tests/test_rings.py",
+            "networkx/tests/test_all_random_functions.py",
+            "mpmath/tests/test_basic_ops.py",
+        },
+        "common": {"numpy/core/tests/test_dtype.py"},
+    }
+    from fnmatch import fnmatchcase
+
+    for part, paths in layout.items():
+        lines = (ROOT / "components" / part / "prune.txt").read_text().splitlines()
+        patterns = [line for line in lines if line and not line.startswith("#")]
+        assert all(any(fnmatchcase(path, pattern) for path in paths) for pattern in patterns), part
+        assert all(any(fnmatchcase(path, pattern) for pattern in patterns) for path in paths), part
