@@ -442,6 +442,9 @@ def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
             if name in taken:
                 yield (axis, name), f"the group {name} would have the name of a target; rename it"
     for payload in catalogue.payloads:
+        if payload.name in owners:  # both are keys of DIGESTS
+            text = f"{payload.name} is the name of a payload and of an image; rename one"
+            yield ("stacks", payload.stack), text
         if payload.target in owners:
             yield ("stacks", payload.stack), f"{payload.target} is a payload and an image; rename one"
     carried = {(image.distribution, image.stack) for image in catalogue.images if len(image.parts) > 1}

@@ -69,12 +69,18 @@ class Inputs:
         return self._known[key]
 
     def check(self) -> None:
-        """Checks that the Dockerfile can build what the catalogue describes: every framework has a stage, which takes
-        exactly the framework's parts.
+        """Checks that the Dockerfile can build what the catalogue describes, and that it would be tested: every framework
+        has a stage, which takes exactly the framework's parts; every file of structure tests is there.
 
         Raises:
             RosmlError: it cannot.
         """
+        folder = self.root / "tests" / "structure"
+        tests = dict.fromkeys(name for image in self.catalogue.images for name in image.tests)
+        if untested := [
+            f"{name}.yaml" for name in tests if folder.is_dir() and not (folder / f"{name}.yaml").is_file()
+        ]:
+            raise RosmlError(f"tests/structure has no {listed(untested)}", "write what must hold in these images there")
         seen: set[tuple[str, str | None]] = set()
         for image in self.catalogue.images:
             if (kind := (image.framework, image.stack)) in seen:

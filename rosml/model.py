@@ -330,7 +330,7 @@ class Matrix(Facts):
     components: dict[Name, Component] = Field(min_length=1)
     frameworks: dict[Name, Framework] = Field(min_length=1)
     releases: Releases
-    stacks: dict[Name, Stack]
+    stacks: dict[Name, Stack] = Field(min_length=1)
     distributions: dict[Name, Distribution] = Field(min_length=1)
     disk: Disk
     rates: Rates | None = Field(default=None, description="how fast images are built; a build plan needs it")

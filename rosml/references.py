@@ -258,6 +258,8 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
         if distribution.lts and distribution.eol is None:
             yield (*path, "lts"), "a long-term release has an end of life; add 'eol: …'"
         yield from _placeholders((*path, "packages"), distribution.packages, PLACEHOLDERS)
+        if "{ros_distro}" in distribution.packages and not (distribution.ros_distro or name).islower():
+            yield (*path, "ros_distro"), "packages have lower-case names, and {ros_distro} is part of them"
         if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
             yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
         if distribution.apt and distribution.os in matrix.operating_systems:
@@ -280,6 +282,11 @@ def _placeholders(path: Path, template: str, known: tuple[str, ...]) -> Iterator
     except ValueError:
         yield path, f"unpaired braces in {template!r}; placeholders: {listed(known) or 'none'}"
         return
+    if "{{" in template or "}}" in template:
+        yield path, f"double braces in {template!r} are no placeholder; write them once"
+    for word in template.split():
+        if word.startswith("-") or word.endswith("-"):
+            yield path, f"no package is called {word!r}: apt would take it for an option, or remove it"
     for field in fields:
         if field not in known:
             remedy = near(field, known) if known else "no placeholders are filled in here"

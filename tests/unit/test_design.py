@@ -69,3 +69,10 @@ REAL_REASONS = {
 @pytest.mark.parametrize("name", REAL_REASONS)
 def test_reasons_of_the_real_matrix(real: Catalogue, name: str) -> None:
     assert why_not(real, name) == f"{name} does not exist: {REAL_REASONS[name]}."
+
+
+def test_payloads_are_assembled_for_the_architectures_that_locks_are_made_for(real: Catalogue) -> None:
+    """assemble.sh runs where matrix.yaml is not at hand."""
+    script = (ROOT / "components/payload/assemble.sh").read_text()
+    for name, facts in real.matrix.architectures.items():
+        assert f"  {name}) platform={facts.wheels} TRIPLET={facts.triplet} ;;" in script

@@ -155,6 +155,22 @@ def test_locks_that_cannot_be_read_are_not_taken_for_missing(tmp_path: Path) -> 
         names.locks(tmp_path)
 
 
+def test_an_image_named_like_a_payload() -> None:
+    """Both are keys of DIGESTS."""
+    text = (
+        SMALL.replace("  cu1:", "  a-b:")
+        .replace("cu1", "a-b")
+        .replace("  alpha:", "  common-a:")
+        .replace("alpha-", "common-a-")
+    )
+    text = changed("  robot: {builds_on: base}", "  robot: {builds_on: base}\n  b-py312: {builds_on: base}", text)
+    text = changed("    robot: {unp", "    b-py312: {unpacked: 1, compressed: 1}\n    robot: {unp", text)
+    with pytest.raises(
+        RosmlError, match=r"stacks\.a-b: common-a-b-py312 is the name of a payload and of an image; rename one"
+    ):
+        parse(changed("components: [core, base, desktop]", "components: [core, base, b-py312, desktop]", text))
+
+
 def test_a_group_named_like_a_target() -> None:
     with pytest.raises(RosmlError, match="the group alpha-core would have the name of a target; rename it"):
         parse(SMALL.replace("  omega:", "  alpha-core:"))

@@ -329,6 +329,12 @@ def test_what_the_dockerfile_cannot_build_is_an_error(name: str, project: Path) 
     assert "matrix.yaml" in caught.value.remedy
 
 
+def test_a_component_without_structure_tests_is_an_error(project: Path, small: Catalogue) -> None:
+    (project / "tests/structure/ros2-desktop.yaml").unlink()
+    with pytest.raises(RosmlError, match=r"tests/structure has no ros2-desktop\.yaml"):
+        Inputs(project, small).check()
+
+
 def test_the_dockerfile_can_build_ours(real: Catalogue, small: Catalogue, project: Path) -> None:
     Inputs(ROOT, real).check()
     Inputs(project, small).check()

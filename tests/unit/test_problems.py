@@ -269,6 +269,25 @@ WRONG = {
         "71:36: disk.budgets.cpu.none: no framework with parts named 'none'; known: cuda, torch, ml\n"
         "71:45: disk.budgets.cpu.torsh: no framework with parts named 'torsh'; did you mean 'torch'?",
     ),
+    "double braces": (
+        "packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]",
+        "packages: ros-{{ros_distro}}-{metapackage}\n    components: [core, base, desktop]",
+        "52:5: distributions.alpha.packages: double braces in 'ros-{{ros_distro}}-{metapackage}' are no placeholder; "
+        "write them once",
+    ),
+    "options for packages": (
+        "tools: colcon\n    codename: noble",
+        "tools: colcon -y bash-\n    codename: noble",
+        "15:5: operating_systems.ubuntu-24.04.tools: no package is called '-y': apt would take it for an option, or "
+        "remove it\n"
+        "15:5: operating_systems.ubuntu-24.04.tools: no package is called 'bash-': apt would take it for an option, or "
+        "remove it",
+    ),
+    "upper case in package names": (
+        "    lts: true",
+        "    lts: true\n    ros_distro: Alpha",
+        "57:5: distributions.alpha.ros_distro: packages have lower-case names, and {ros_distro} is part of them",
+    ),
     "negative size": (
         "os: {unpacked: 100",
         "os: {unpacked: -1",
