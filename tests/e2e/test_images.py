@@ -81,14 +81,35 @@ def test_nothing_runs_after_the_join(published: Publish, catalogue: Catalogue) -
     assert len(joined.layers) == len(ros.layers) + len(joined.image.parts)
 
 
+BOTH = "bookworm-perception-ml-cu128"
+
+
 def test_both_frameworks_share_their_layers_and_import_in_either_order(published: Publish) -> None:
-    both, torch = published("bookworm-core-ml-cu128"), published(FIRST)
-    assert both.layers[: len(torch.layers)] == torch.layers
-    report = verify.read_report(ROOT / ".state" / "tests" / both.image.target / "report", ("ml",))
-    assert {outcome.name for outcome in report.outcomes if outcome.passed} == {
+    both, torch = published(BOTH), published(FIRST)
+    assert both.layers[-PAYLOAD_PARTS - 1 : -1] == torch.layers[-PAYLOAD_PARTS:]
+    report = verify.read_report(ROOT / ".state" / "tests" / both.image.target / "report", ("ml", "ros1-perception"))
+    assert {outcome.name for outcome in report.outcomes if outcome.passed} >= {
         "import torch, then tensorflow",
         "import tensorflow, then torch",
+        "one process with cv_bridge, cv2 and the frameworks, whichever is imported first",
     }
+
+
+def test_ros_and_both_frameworks_in_one_c_plus_plus_program(
+    services: Services, published: Publish, tmp_path: Path
+) -> None:
+    """A catkin package with roscpp, cv_bridge, libtorch (TorchScript) and tensorflow_cc (SavedModel)."""
+    image = published(BOTH)
+    shutil.copytree(Path(__file__).parent / "coexist", tmp_path / "coexist")
+    (tmp_path / "Dockerfile").write_text(
+        f"FROM {image.result['reference']}\nCOPY coexist /coexist\nRUN /entrypoint.sh /coexist/run.sh\n"
+    )
+    outcome = run(
+        *services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", str(tmp_path),
+        env=services.environment(),
+    )  # fmt: skip
+    assert outcome.code == 0, outcome.err
+    assert "pictures: seen, wrong: 0" in outcome.err
 
 
 @pytest.mark.parametrize("target", ["bookworm-core-tensorflow-cpu", "trixie-core-tensorflow-cpu"])
