@@ -257,8 +257,20 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
         yield from _placeholders((*path, "packages"), distribution.packages, PLACEHOLDERS)
         if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
             yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
-        if distribution.apt and distribution.os in matrix.operating_systems:
-            yield from _apt((*path, "apt"), distribution, matrix.operating_systems[distribution.os])
+        if distribution.os in matrix.operating_systems:
+            os = matrix.operating_systems[distribution.os]
+            yield from _apt((*path, "apt"), distribution, os) if distribution.apt else _no_apt(path, distribution, os)
+
+
+def _no_apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
+    """A system with a suite in ROS's apt repositories does not have ROS's packages itself, as Debian has."""
+    if os.codename:
+        yield (
+            path,
+            f"{distribution.os} does not have ROS's packages itself, and nothing says where they come from; "
+            "add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}' or, past the end of life, "
+            "'apt: {channel: final}'",
+        )
 
 
 def _apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
