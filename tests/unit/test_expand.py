@@ -14,56 +14,53 @@ from rosml.explain import explain, why_not
 from rosml.listing import facts
 
 
-def test_image_facts(real: Catalogue) -> None:
-    assert facts(real.image("bookworm-base-ml-cu128")) == {
-        "target": "bookworm-base-ml-cu128",
-        "distribution": "bookworm",
+def test_image_facts(small: Catalogue) -> None:
+    assert facts(small.image("alpha-base-ml-cu1")) == {
+        "target": "alpha-base-ml-cu1",
+        "distribution": "alpha",
         "component": "base",
         "framework": "ml",
-        "stack": "cu128",
-        "os": "bookworm",
-        "python": "3.11",
-        "ros": 1,
-        "ros_distro": "Debian",
+        "stack": "cu1",
+        "os": "ubuntu-24.04",
+        "python": "3.12",
+        "ros": 2,
+        "ros_distro": "alpha",
         "platforms": ["linux/amd64"],
-        "versions": {
-            "torch": "2.10.0",
-            "tensorflow": "2.20.0",
-            "cuda": "12.8.90",
-            "cudnn": "9.10.2.21",
-            "nccl": "2.27.5",
-        },
+        "versions": {"torch": "2.10.0", "tensorflow": "2.20.0", "cuda": "12.8.90", "cudnn": "9.10.2.21"},
         "repository": "ros-ml",
         "tags": [
-            "ros-ml:bookworm-base-cu128",
-            "ros-ml:bookworm-base-cu128-torch2.10.0-tf2.20.0",
-            "ros-ml:bookworm",
+            "ros-ml:alpha-base-cu1",
+            "ros-ml:alpha-base-cu1-torch2.10.0-tf2.20.0",
+            "ros-ml:alpha",
+            "ros-ml:latest",
         ],
-        "groups": ["bookworm", "base", "ml", "cu128", "all"],
-        "parent": "bookworm-base",
+        "groups": ["alpha", "base", "ml", "cu1", "all"],
+        "parent": "alpha-base",
         "packages": [],
-        "parts": ["cuda-cu128", "common-cu128-py311", "torch-cu128-py311", "tensorflow-cu128-py311"],
+        "parts": ["cuda-cu1", "common-cu1-py312", "torch-cu1-py312", "tensorflow-cu1-py312"],
         "locks": [
-            "locks/cu128/amd64/any/cuda.txt",
-            "locks/cu128/amd64/3.11/common.txt",
-            "locks/cu128/amd64/3.11/torch.txt",
-            "locks/cu128/amd64/3.11/tensorflow.txt",
+            "locks/cu1/amd64/any/cuda.txt",
+            "locks/cu1/amd64/3.12/common.txt",
+            "locks/cu1/amd64/3.12/torch.txt",
+            "locks/cu1/amd64/3.12/tensorflow.txt",
         ],
-        "tests": ["contract", "ros1", "ros1-core", "ros1-base", "cuda", "torch", "tensorflow", "ml"],
+        "tests": ["contract", "ros2", "ros2-core", "ros2-base", "cuda", "torch", "tensorflow", "ml"],
         "locked": True,
-        "disk": {
-            key: sum(
-                getattr(size, key)
-                for size in (
-                    real.matrix.disk.os,
-                    real.matrix.disk.components["core"],
-                    real.matrix.disk.components["base"],
-                    *real.matrix.disk.parts["cu128"].values(),
-                )
-            )
-            for key in ("unpacked", "compressed")
-        },
+        "disk": {"unpacked": 100 + 2 * 20 + 1000 + 300 + 2000 + 1500, "compressed": 10 + 2 * 2 + 100 + 30 + 200 + 150},
     }
+
+
+CHANNELS = {
+    "live": "packages come from ROS's live apt repository, set up by ros2-apt-source 2.0.0",
+    "final": "packages come from ROS's apt snapshot: final, which gets no updates",
+    "snapshot, date: 2026-10-01": "packages come from ROS's apt snapshot: of 2026-10-01",
+}
+
+
+@pytest.mark.parametrize("channel", CHANNELS)
+def test_where_packages_come_from(channel: str) -> None:
+    catalogue = parse(changed("apt: {channel: live}", f"apt: {{channel: {channel}}}"))
+    assert CHANNELS[channel] in explain(catalogue, "alpha-core")
 
 
 def test_chain_skips_components_that_a_distribution_lacks(small: Catalogue) -> None:
@@ -216,7 +213,7 @@ def test_every_combination_exists_or_has_a_reason(small: Catalogue, real: Catalo
 
 
 def test_colliding_targets() -> None:
-    row = "{os: ubuntu-24.04, ros: 2, packages: x, components: [core], default_stack: cpu}"
+    row = "{os: ubuntu-24.04, ros: 2, packages: x, components: [core], default_stack: cpu, apt: {channel: live}}"
     text = changed("distributions:\n", f"distributions:\n  alpha-core: {row}\n")
     text = changed("\ncomponents:\n", "\ncomponents:\n  core-core: {}\n", text)
     text = changed("    core: {un", "    core-core: {unpacked: 1, compressed: 1}\n    core: {un", text)

@@ -136,7 +136,7 @@ def test_the_same_everywhere(project: Path, tmp_path: Path) -> None:
 
 
 def test_every_file_that_reaches_the_builder_is_an_input(real: Catalogue) -> None:
-    """Also a warning of a file that nothing uses."""
+    """Also a warning of a component's file that nothing uses; test_design.py looks for locks that nothing uses."""
     inputs = Inputs(ROOT, real)
     todo = {(item.target, architecture) for item in items(real) for architecture in item.architectures}
     seen: set[tuple[str, str]] = set()
@@ -147,8 +147,9 @@ def test_every_file_that_reaches_the_builder_is_an_input(real: Catalogue) -> Non
         found = inputs.of(target, architecture)
         used |= found.keys()
         todo |= {(name.removeprefix(TARGET), architecture) for name in found if name.startswith(TARGET)} - seen
-    files = {path for folder in ("components", "locks") for path in (ROOT / folder).rglob("*") if path.is_file()}
+    files = {path for path in (ROOT / "components").rglob("*") if path.is_file()}
     wanted = {path.relative_to(ROOT).as_posix() for path in files if "__pycache__" not in path.parts}
+    wanted |= {lock for payload in real.payloads for lock in payload.locks if (ROOT / lock).is_file()}
     assert {name for name in used if (ROOT / name).is_file()} == wanted | {"tools/requirements.txt"}
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, SMALL
 
 from rosml import listing
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue
+from rosml.expand import Catalogue, with_locks
 
 SCRIPT = str(ROOT / "scripts/generate_bake.py")
 
@@ -38,25 +39,31 @@ def test_a_group_that_does_not_exist(small: Catalogue) -> None:
     assert "cu1, cuda, default, desktop" in caught.value.remedy
 
 
-def test_images_without_a_lock_are_listed(real: Catalogue) -> None:
-    assert "lyrical-base-torch-cpu" in targets(real, "lyrical", "torch", "cpu")
+def test_images_without_a_lock_are_listed(small: Catalogue) -> None:
+    assert targets(with_locks(small, ()), "omega", "base", "cpu") == ["omega-base-torch-cpu"]
 
 
-def test_command() -> None:
+def test_command(real: Catalogue) -> None:
+    """With two groups that the project's matrix has together, whatever it holds."""
+    image = real.image(real.matrix.default.target)
     done = subprocess.run(
-        ["make", "list", "GROUP=jazzy torch cu128"], cwd=ROOT, capture_output=True, text=True, check=True
+        ["make", "list", f"GROUP={image.distribution} {image.framework}"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
     )
-    lines = done.stdout.splitlines()
-    assert [line.split()[0] for line in lines[1:-1]] == [
-        f"jazzy-{component}-torch-cu128" for component in ("core", "base", "perception", "desktop", "desktop-full")
-    ]
-    assert lines[-1].strip() == "5 images, 3 payloads"
+    wanted = targets(real, image.distribution, image.framework)
+    assert [line.split()[0] for line in done.stdout.splitlines()[1 : len(wanted) + 1]] == wanted
+    assert f"\n{len(wanted)} images, " in done.stdout
 
 
-def test_command_for_machines() -> None:
-    argv = [sys.executable, SCRIPT, "--list", "--json", "--group", "jazzy", "--group", "none"]
+def test_command_for_machines(tmp_path: Path) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    argv = [sys.executable, SCRIPT, "--matrix", str(tmp_path / "matrix.yaml"), "--list", "--json"]
+    argv += ["--group", "alpha", "--group", "none"]
     images = json.loads(subprocess.run(argv, capture_output=True, check=True).stdout)
-    assert {(image["distribution"], image["framework"]) for image in images} == {("jazzy", "none")}
+    assert [image["target"] for image in images] == ["alpha-core", "alpha-base", "alpha-desktop"]
     assert all(image["inputs"] for image in images)
 
 
