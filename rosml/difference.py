@@ -16,10 +16,7 @@ from pathlib import Path
 from rosml import expand, source
 from rosml.errors import RosmlError
 from rosml.inputs import TARGET, Inputs
-from rosml.problems import InputError
-
-SHOWN = 4
-"""How many images a line of the table names; JSON has all of them."""
+from rosml.problems import InputError, some
 
 
 @dataclass(frozen=True)
@@ -105,7 +102,7 @@ def rows(difference: Difference) -> Iterator[tuple[str, str, str]]:
     """What happened, why and to which images: a row for each reason, one for reasons that reach the same images."""
     for kind in ("added", "removed"):
         if targets := getattr(difference, kind):
-            yield kind, "", _some(targets)
+            yield kind, "", some(targets)
     for tag, (was, now) in difference.tags.items():
         yield "tag moved" if now else "tag gone", f"{was} → {now or 'nothing'}", tag
     reached: dict[Change, list[str]] = {}
@@ -117,7 +114,7 @@ def rows(difference: Difference) -> Iterator[tuple[str, str, str]]:
     for item, targets in reached.items():
         alike.setdefault(tuple(targets), []).append(_sentence(item))
     for images, reasons in alike.items():
-        yield "changed", "\n".join(reasons), _some(images)
+        yield "changed", "\n".join(reasons), some(images)
 
 
 def print_table(difference: Difference) -> None:
@@ -141,12 +138,6 @@ def print_table(difference: Difference) -> None:
 
 def _ordered(changes: Iterable[Change]) -> tuple[Change, ...]:
     return tuple(sorted(set(changes), key=lambda change: (change.input, change.old or "", change.new or "")))
-
-
-def _some(targets: Iterable[str]) -> str:
-    names = list(targets)
-    more = len(names) - SHOWN
-    return ", ".join(names) if more <= 1 else f"{', '.join(names[:SHOWN])} and {more} more"
 
 
 def _sentence(change: Change) -> str:

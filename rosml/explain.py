@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rosml import names, rules
+from rosml import missing, names, rules
 from rosml.errors import RosmlError
-from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
+from rosml.expand import Catalogue, Image
 from rosml.model import Apt, Distribution, Matrix, OperatingSystem
 from rosml.problems import listed, unknown
 
@@ -38,8 +38,8 @@ def explain(catalogue: Catalogue, name: str) -> str:
         return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {users} images"
     if name in catalogue.groups:
         return f"{name}: a group of {len(catalogue.groups[name])} targets; see them with: make list"
-    if any(name in image.groups for image in catalogue.images):
-        return f"{name}: a group of no targets: none of its images has a lock; {MAKE_LOCKS}"
+    if members := [image for image in catalogue.images if name in image.groups]:
+        return f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
     if reason := why_not(catalogue, name):
         return reason
     candidates = [*catalogue.by_target, *catalogue.groups]
@@ -90,7 +90,8 @@ def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
 
 
 def _image(matrix: Matrix, image: Image) -> str:
-    return "\n".join([f"{image.target} exists:", *(f"  - {fact}" for fact in _facts(matrix, image))])
+    head = "exists:" if image.locked else "exists, but cannot be built yet:"
+    return "\n".join([f"{image.target} {head}", *(f"  - {fact}" for fact in _facts(matrix, image))])
 
 
 def _apt(distribution: Distribution, system: OperatingSystem, apt: Apt) -> str:
@@ -124,4 +125,4 @@ def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
             yield f"not for {architecture}: {reason}"
     yield f"tags: {listed(image.tags)}"
     if not image.locked:
-        yield f"{missing_locks(image)}; {MAKE_LOCKS}"
+        yield f"{missing.reason(image)}; {missing.remedy(image)}"

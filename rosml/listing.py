@@ -6,8 +6,9 @@ import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from rosml import missing
 from rosml.errors import RosmlError
-from rosml.expand import MAKE_LOCKS, Catalogue, Image
+from rosml.expand import Catalogue, Image
 from rosml.inputs import Inputs
 from rosml.problems import listed, unknown
 
@@ -90,5 +91,8 @@ def print_table(images: Sequence[Image]) -> None:
     out.print(table)
     payloads = {name for image in images for name in image.parts}
     out.print(f"{len(images)} images, {len(payloads)} payloads", style="dim")
-    if unlocked := [image.target for image in images if not image.locked]:
-        out.print(f"{len(unlocked)} have no lock and cannot be built yet; {MAKE_LOCKS}", style="yellow")
+    lost = sum(bool(image.lost) for image in images)
+    waiting = sum(not image.locked for image in images) - lost
+    for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
+        if count:
+            out.print(f"{count} without a lock, which cannot be built yet: {remedy}", style="yellow")

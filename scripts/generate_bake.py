@@ -107,7 +107,7 @@ def main(
         else:
             plan.print_table(planned)
     else:
-        from rosml import bake
+        from rosml import bake, missing
 
         wanted = {output or ROOT / "docker-bake.hcl": bake.render(catalogue)}
         if output is None:
@@ -115,24 +115,31 @@ def main(
 
             wanted[ROOT / "matrix.schema.json"] = schema.render()
             wanted[ROOT / "README.md"] = readme.render((ROOT / "README.md").read_text(encoding="utf-8"), catalogue)
-        (verify if check else write)(wanted)
+        (verify if check else write)(wanted, missing.lost(catalogue))
 
 
-def write(wanted: dict[Path, str]) -> None:
-    """Writes the files that changed."""
+def write(wanted: dict[Path, str], lost: RosmlError | None = None) -> None:
+    """Writes the files that changed. `lost`: locks that should be there; images without them are in no group."""
     for file, content in wanted.items():
         changed = files.write(file, content)
         click.echo(f"{files.shown(file)}: {'written' if changed else 'is up to date'}", err=True)
+    if lost:
+        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {lost.message}", err=True)
+        click.echo(f"{click.style('remedy:', bold=True)} {lost.remedy}", err=True)
 
 
-def verify(wanted: dict[Path, str]) -> None:
-    """Compares the files; raises RosmlError if one is stale."""
+def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
+    """Compares the files; raises RosmlError if one is stale, or if locks are lost: whoever then generates and commits
+    would commit the loss."""
     differences = {file: files.difference(file, content) for file, content in wanted.items()}
     stale = [files.shown(file) for file, text in differences.items() if text]
-    if not stale:
-        return
     click.echo("".join(differences.values()), nl=False)
-    raise RosmlError(f"{', '.join(stale)}: stale", remedy=f"run '{COMMAND}' and commit the result")
+    problems = [f"{', '.join(stale)}: stale"] if stale else []
+    remedies = [f"run '{COMMAND}' and commit the result"] if stale else []
+    if lost:
+        problems, remedies = [lost.message, *problems], [lost.remedy, *remedies]
+    if problems:
+        raise RosmlError("\n".join(problems), remedy="; then ".join(remedies))
 
 
 if __name__ == "__main__":

@@ -176,7 +176,7 @@ def test_list_is_one_line_for_each_image(small: Catalogue, small_file: Path) -> 
     assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in small.images]
     assert [line.split()[0] for line in lines[:-2] if "no lock " in line] == unlocked
     assert lines[-2] == f"{len(small.images)} images, {len(small.payloads)} payloads"
-    assert lines[-1].startswith(f"{len(unlocked)} have no lock and cannot be built yet; run 'make locks'")
+    assert lines[-1].startswith(f"{len(unlocked)} without a lock, which cannot be built yet: run 'make locks'")
 
 
 EXITS: dict[str, tuple[list[str], int, str]] = {

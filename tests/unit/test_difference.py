@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse
 from test_inputs import copy
 
-from rosml import difference
+from rosml import difference, problems
 from rosml.errors import RosmlError
 from rosml.inputs import Inputs
 
@@ -175,8 +175,8 @@ def test_images_that_change_for_one_reason_share_a_row(capsys: pytest.CaptureFix
     ((kind, why, images),) = difference.rows(result)
     assert kind == "changed"
     assert why == "base image docker.io/library/ubuntu:24.04: sha256:111111111111 → sha256:333333333333"
-    shown = list(result.changed)[: difference.SHOWN]
-    assert images == f"{', '.join(shown)} and {len(result.changed) - difference.SHOWN} more"
+    shown = list(result.changed)[: problems.SOME]
+    assert images == f"{', '.join(shown)} and {len(result.changed) - problems.SOME} more"
     difference.print_table(result)
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 3
