@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
+
+import click
 
 from rosml import missing
 from rosml.errors import RosmlError
@@ -14,6 +17,7 @@ from rosml.problems import listed, unknown
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.table import Table
 
 
 def facts(image: Image) -> dict[str, Any]:
@@ -74,6 +78,18 @@ def console() -> Console:
     return terminal if terminal.is_terminal else Output(highlight=False, width=400)
 
 
+def show(table: Table) -> None:
+    """Prints a table, without the spaces that fill its last column up."""
+    out = console()
+    with out.capture() as captured:
+        out.print(table)
+    click.echo(_PADDING.sub(r"\1", captured.get()), nl=False)
+
+
+_PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
+"""Spaces at the end of a line, before codes that end a colour."""
+
+
 def print_table(images: Sequence[Image]) -> None:
     """Prints images, a row each."""
     from rich.table import Table  # slow to import, and only needed here
@@ -87,8 +103,8 @@ def print_table(images: Sequence[Image]) -> None:
         platforms = ", ".join(image.platforms)
         state = "" if image.locked else "no lock"
         table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
+    show(table)
     out = console()
-    out.print(table)
     payloads = {name for image in images for name in image.parts}
     out.print(f"{len(images)} images, {len(payloads)} payloads", style="dim")
     lost = sum(bool(image.lost) for image in images)

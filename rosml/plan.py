@@ -323,7 +323,7 @@ def print_table(plan: Plan) -> None:
     """Prints one line for each shard, and what the whole takes."""
     from rich.table import Table  # slow to import, and only needed here
 
-    from rosml.listing import console
+    from rosml.listing import console, show
 
     table = Table(box=None, header_style="bold", pad_edge=False)
     for column in ("shard", "runner", "distributions"):
@@ -334,8 +334,8 @@ def print_table(plan: Plan) -> None:
         sizes = (f"{megabytes / 1000:.1f}" for megabytes in (shard.download_mb, shard.disk_mb))
         counts = (str(len(shard.targets)), str(len(shard.payloads)), f"{shard.seconds / 60:.0f}")
         table.add_row(shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes)
+    show(table)
     out = console()
-    out.print(table)
     seconds = [shard.seconds for shard in plan.shards]
     total = f"{max(seconds) / 60:.0f} minutes until all is built, {sum(seconds) / 60:.0f} minutes of machines"
     out.print(f"estimates: {total}", style="dim")

@@ -118,7 +118,7 @@ def print_table(real: float, sizes: Sequence[Measured]) -> None:
     """Prints the numbers beside their limits."""
     from rich.table import Table  # slow to import, and only needed here
 
-    from rosml.listing import console
+    from rosml.listing import show
 
     table = Table(box=None, header_style="bold", pad_edge=False)
     table.add_column("matrix", no_wrap=True)
@@ -129,7 +129,7 @@ def print_table(real: float, sizes: Sequence[Measured]) -> None:
         largest = size is sizes[-1]
         limits = (f"{LARGEST_SECONDS:.2f}", f"{GROWTH * sizes[0].each:.0f}") if largest else ("", "")
         table.add_row(f"{size.images} images", f"{size.seconds:.2f}", limits[0], f"{size.each:.0f}", limits[1])
-    console().print(table)
+    show(table)
 
 
 if __name__ == "__main__":
