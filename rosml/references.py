@@ -304,19 +304,38 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
                 yield ("disk", section, name), unknown(kind, name, known)
         for name in known:
             if name not in forecasts:
-                yield ("disk", section), f"no forecast for {kind} {name}; add '{name}: …', a guess will do"
-    for name, stack in matrix.stacks.items():
-        used = {part for framework in matrix.frameworks.values() for part in framework.parts}
-        needed = [
-            part
-            for part in PARTS
-            if part in used
-            and (part != "cuda" or stack.accelerator == "cuda")
-            and (part not in ("torch", "tensorflow") or getattr(stack, part))
-        ]
-        for part in needed:
+                yield (
+                    ("disk", section),
+                    f"no forecast for {kind} {name}; add {_forecast(matrix, kind, name)}, a guess will do",
+                )
+    for name in matrix.stacks:
+        for part in _forecast_parts(matrix, name):
             if name in matrix.disk.parts and part not in matrix.disk.parts[name]:
-                yield ("disk", "parts", name), f"no forecast for part {part}; add '{part}: …', a guess will do"
+                yield ("disk", "parts", name), f"no forecast for part {part}; add '{part}: {FORECAST}', a guess will do"
+
+
+FORECAST = "{unpacked: 900, compressed: 250}"
+"""The form of a forecast, for remedies."""
+
+
+def _forecast(matrix: Matrix, kind: str, name: str) -> str:
+    """A forecast to fill in: of a stack, for each of its parts."""
+    if kind == "component":
+        return f"'{name}: {FORECAST}'"
+    return f"'{name}: {{{', '.join(f'{part}: {FORECAST}' for part in _forecast_parts(matrix, name))}}}'"
+
+
+def _forecast_parts(matrix: Matrix, name: str) -> list[str]:
+    """The parts of a stack that some image has."""
+    stack = matrix.stacks[name]
+    used = {part for framework in matrix.frameworks.values() for part in framework.parts}
+    return [
+        part
+        for part in PARTS
+        if part in used
+        and (part != "cuda" or stack.accelerator == "cuda")
+        and (part not in ("torch", "tensorflow") or getattr(stack, part))
+    ]
 
 
 def _size(matrix: Matrix) -> Iterator[Finding]:

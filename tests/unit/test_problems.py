@@ -249,12 +249,14 @@ WRONG = {
     "no forecast": (
         "    robot: {unpacked: 20, compressed: 2}\n",
         "",
-        "67:3: disk.components: no forecast for component robot; add 'robot: …', a guess will do",
+        "67:3: disk.components: no forecast for component robot; "
+        "add 'robot: {unpacked: 900, compressed: 250}', a guess will do",
     ),
     "no forecast of a part": (
         "      torch: {unpacked: 500, compressed: 50}\n",
         "",
-        "78:5: disk.parts.cpu: no forecast for part torch; add 'torch: …', a guess will do",
+        "78:5: disk.parts.cpu: no forecast for part torch; "
+        "add 'torch: {unpacked: 900, compressed: 250}', a guess will do",
     ),
     "negative size": (
         "os: {unpacked: 100",
@@ -309,6 +311,28 @@ WRONG = {
         "from; add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}' or, past the end of life, "
         "'apt: {channel: final}'",
     ),
+    "a generation in quotes": (
+        "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]",
+        '    ros: "2"\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]',
+        "51:5: distributions.alpha.ros: expected 1 or 2, found '2'; write it without quotes: 2",
+    ),
+    "a package source that is wrong itself": (
+        "apt_sources: {ros2: {version: 2.0.0, digest: sha256:" + "3" * 64 + "}}",
+        "apt_sources: 2.0.0",
+        "17:5: operating_systems.ubuntu-24.04.apt_sources: expected keys and values, found '2.0.0'",
+    ),
+    "a stack without forecasts": (
+        "    cpu:\n      common: {unpacked: 300, compressed: 30}\n      torch: {unpacked: 500, compressed: 50}\n"
+        "      tensorflow: {unpacked: 500, compressed: 50}\n",
+        "",
+        "72:3: disk.parts: no forecast for stack cpu; add 'cpu: {common: {unpacked: 900, compressed: 250}, "
+        "torch: {unpacked: 900, compressed: 250}, tensorflow: {unpacked: 900, compressed: 250}}', a guess will do",
+    ),
+    "an architecture by another name": (
+        "    architectures: [amd64, arm64]\n    tools: colcon\n    codename: noble",
+        "    architectures: [x86_64]\n    tools: colcon\n    codename: noble",
+        "14:21: operating_systems.ubuntu-24.04.architectures[0]: no architecture named 'x86_64'; known: amd64, arm64",
+    ),
     "unknown channel": (
         "channel: snapshot",
         "channel: nightly",
@@ -357,6 +381,19 @@ WRONG = {
         "56:10: the tag 'tag:yaml.org,2002:python/name:os.system' is not allowed; remove it",
     ),
     "list for a key": ("lts: true", "? [a]\n    : true", "56:7: distributions.alpha: a key must be plain text"),
+    "tab at the very start": ("version: 1\n", "\tversion: 1\n", "1:1: a tab; indent with spaces"),
+    "tab before a key": ("registry: localhost", "\tregistry: localhost", "2:1: a tab; indent with spaces"),
+    "conflict": (
+        "    lts: true\n",
+        "<<<<<<< HEAD\n    lts: true\n=======\n    lts: false\n>>>>>>> topic\n",
+        "56:1: a git conflict marker; resolve the merge\n58:1: a git conflict marker; resolve the merge\n"
+        "60:1: a git conflict marker; resolve the merge",
+    ),
+    "a range without quotes": (
+        'numpy: ">=2.2,<2.3"',
+        "numpy: >=2.2,<2.3",
+        "22:13: not YAML: did not find expected comment or line break; put the text in quotes",
+    ),
     "tab": ("    lts: true", "\tlts: true", "56:1: a tab; indent with spaces"),
     "tab after spaces": ("    lts: true", "    \tlts: true", "56:5: a tab; indent with spaces"),
     "open brace": (
