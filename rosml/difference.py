@@ -18,7 +18,6 @@ from rosml.errors import RosmlError
 from rosml.inputs import TARGET, Inputs
 from rosml.problems import SOME, InputError, some
 
-
 PARENT = "parent"
 """The input that tells an image which stands on another target from before."""
 

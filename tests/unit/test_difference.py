@@ -69,7 +69,14 @@ def since(text: str, root: Path = ROOT) -> difference.Difference:
 def test_nothing_differs(repository: Path) -> None:
     """Neither in a clean checkout, nor after changes that reach no image."""
     count = len(parse(SMALL).images)
-    nothing = {"added": [], "removed": [], "changed": {}, "tags": {}, "unbuildable": [], "registry": None}
+    nothing: dict[str, Any] = {
+        "added": [],
+        "removed": [],
+        "changed": {},
+        "tags": {},
+        "unbuildable": [],
+        "registry": None,
+    }
     assert found(repository, "HEAD") == nothing | {"same": count}
     (repository / "matrix.yaml").write_text(f"# A comment.\n{SMALL}")
     (repository / "README.md").write_text("")
