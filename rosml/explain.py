@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rosml import missing, names, rules
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image
+from rosml.expand import FLOATING, Catalogue, Image
 from rosml.model import Apt, Distribution, Matrix, OperatingSystem
 from rosml.problems import listed, unknown
 
@@ -37,13 +37,21 @@ def explain(catalogue: Catalogue, name: str) -> str:
         users = sum(payload.name in image.parts for image in catalogue.images)
         return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {users} images"
     if name in catalogue.groups:
-        return f"{name}: a group of {len(catalogue.groups[name])} targets; see them with: make list"
+        listed_by = "make list" if name in ("payloads", "tests") else f"make list GROUP={name}"
+        count = len(catalogue.groups[name])
+        return f"{name}: a group of {count} target{'s'[: count != 1]}; see them with: {listed_by}"
     if members := [image for image in catalogue.images if name in image.groups]:
         return f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
     if reason := why_not(catalogue, name):
         return reason
-    candidates = [*catalogue.by_target, *catalogue.groups]
-    raise RosmlError(unknown("image", name, candidates), remedy="see all with: make list", exit_code=2)
+    raise RosmlError(unknown("image", name, _alike(catalogue, name)), remedy="see all with: make list", exit_code=2)
+
+
+def _alike(catalogue: Catalogue, name: str) -> list[str]:
+    """Among what near names are sought: for a tag, those of its repository."""
+    repository = name.rpartition("/")[2].partition(":")[0] if ":" in name else ""
+    tags = [tag for image in catalogue.images for tag in image.tags if image.repository == repository]
+    return tags or [*catalogue.by_target, *catalogue.groups]
 
 
 def why_not(catalogue: Catalogue, name: str) -> str | None:
@@ -67,26 +75,51 @@ def _reason(catalogue: Catalogue, name: str, wanted: Wanted) -> str | None:
         target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
         return f"{name} is called {target}."
     reasons = {stack: rules.stack_reason(matrix, os, wanted.framework, stack) for stack in matrix.stacks}
-    if there := [f"{name}-{stack}" for stack, reason in reasons.items() if reason is None]:
+    image = wanted.distribution, wanted.component, wanted.framework
+    if there := [names.image_target(*image, stack) for stack, reason in reasons.items() if reason is None]:
         return f"{name} names no stack; there is {listed(there)}."
     why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason)) or "there is no stack"
     return f"{name} does not exist on any stack: {why}."
 
 
 def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
-    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`."""
+    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`, or as a tag. Without a component
+    it is that of the short tags: `jazzy-torch` is read as `jazzy-base-torch`."""
+    repository, colon, tag = name.rpartition("/")[2].partition(":")
+    if colon:
+        for framework, facts in matrix.frameworks.items():
+            if facts.repository == repository:
+                yield from _tag_readings(matrix, framework, tag)
+        return
+    for start, distribution, component in _starts(matrix):
+        if name == start and component:
+            yield Wanted(distribution, component, rules.plain(matrix), None)
+        elif name.startswith(f"{start}-"):
+            rest = name[len(start) + 1 :]
+            for framework in matrix.frameworks:
+                if rest == framework:
+                    yield Wanted(distribution, component or FLOATING, framework, None)
+                elif rest.startswith(f"{framework}-") and (stack := rest[len(framework) + 1 :]) in matrix.stacks:
+                    yield Wanted(distribution, component or FLOATING, framework, stack)
+
+
+def _tag_readings(matrix: Matrix, framework: str, tag: str) -> Iterator[Wanted]:
+    """Every way to read a framework's tag as `<distribution>[-<component>][-<stack>]`."""
+    for start, distribution, component in _starts(matrix):
+        if tag == start:
+            yield Wanted(distribution, component or FLOATING, framework, None)
+        elif tag.startswith(f"{start}-") and (stack := tag[len(start) + 1 :]) in matrix.stacks:
+            yield Wanted(distribution, component or FLOATING, framework, stack)
+
+
+def _starts(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
+    """How names may begin, with the distribution and the component; those without a component last."""
     for distribution in matrix.distributions:
         for component in matrix.components:
-            start = f"{distribution}-{component}"
-            if name == start:
-                yield Wanted(distribution, component, rules.plain(matrix), None)
-            elif name.startswith(f"{start}-"):
-                rest = name[len(start) + 1 :]
-                for framework in matrix.frameworks:
-                    if rest == framework:
-                        yield Wanted(distribution, component, framework, None)
-                    elif rest.startswith(f"{framework}-") and (stack := rest[len(framework) + 1 :]) in matrix.stacks:
-                        yield Wanted(distribution, component, framework, stack)
+            yield f"{distribution}-{component}", distribution, component
+    if FLOATING in matrix.components:
+        for distribution in matrix.distributions:
+            yield distribution, distribution, ""
 
 
 def _image(matrix: Matrix, image: Image) -> str:

@@ -239,7 +239,19 @@ REASONS = {
     "so it has no stack.",
     "alpha-base-torch": "alpha-base-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
     "alpha-base-none": "alpha-base-none is called alpha-base.",
-    "cu1": "cu1: a group of 13 targets; see them with: make list",
+    "cu1": "cu1: a group of 13 targets; see them with: make list GROUP=cu1",
+    "default": "default: a group of 1 target; see them with: make list GROUP=default",
+    "payloads": "payloads: a group of 11 targets; see them with: make list",
+    "ros-ml:omega-base-cpu": "ros-ml:omega-base-cpu does not exist: no release of tensorflow has a wheel for "
+    "Python 3.14, the Python of ubuntu-26.04.",
+    "x.org:5000/y/ros-ml:omega": "x.org:5000/y/ros-ml:omega does not exist on any stack: no release of tensorflow has a "
+    "wheel for Python 3.14, the Python of ubuntu-26.04.",
+    "ros-torch:alpha-base": "ros-torch:alpha-base names no stack; "
+    "there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
+    "omega-ml": "omega-ml does not exist on any stack: no release of tensorflow has a wheel for Python 3.14, "
+    "the Python of ubuntu-26.04.",
+    "alpha-torch": "alpha-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
+    "alpha-torch-cpu": "alpha-torch-cpu is called alpha-base-torch-cpu.",
     "payload-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
 }
 
@@ -291,6 +303,15 @@ def test_unknown_names(small: Catalogue) -> None:
 @pytest.mark.parametrize("name", ["ros:alpha-base", "localhost:5000/ros:alpha", "https://x.org/y/ros:latest"])
 def test_a_tag_is_a_name_as_well(small: Catalogue, name: str) -> None:
     assert small.image(name).target == "alpha-base"
+
+
+def test_a_tag_of_an_unknown_stack_names_near_tags(small: Catalogue) -> None:
+    with pytest.raises(RosmlError) as caught:
+        explain(small, "ros-torch:alpha-core-cu9")
+    assert caught.value.message == (
+        "no image named 'ros-torch:alpha-core-cu9'; did you mean 'ros-torch:alpha-core-cu1', "
+        "'ros-torch:alpha-core-cpu' or 'ros-torch:alpha-base-cu1'?"
+    )
 
 
 def test_a_tag_that_nothing_has(small: Catalogue) -> None:
