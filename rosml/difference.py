@@ -16,7 +16,7 @@ from pathlib import Path
 from rosml import expand, names, source
 from rosml.errors import RosmlError
 from rosml.inputs import TARGET, Inputs
-from rosml.problems import SOME, InputError, some
+from rosml.problems import SOME, InputError, counted, some
 
 PARENT = "parent"
 """The input that tells an image which stands on another target from before."""
@@ -179,7 +179,7 @@ def _tag_rows(tags: Mapping[str, tuple[str | None, str | None]]) -> Iterator[tup
     for index, word in ((1, "gone"), (0, "gained")):
         if found := [tag for tag, way in tags.items() if way[index] is None]:
             such = f"such as {', '.join(found[:SOME])}" if len(found) > SOME + 1 else ", ".join(found)
-            yield f"{len(found)} tag{'s'[: len(found) != 1]} {word}", "", such
+            yield f"{counted(len(found), 'tag')} {word}", "", such
 
 
 def print_table(difference: Difference) -> None:

@@ -9,7 +9,7 @@ from rosml import missing, names, rules
 from rosml.errors import RosmlError
 from rosml.expand import FLOATING, Catalogue, Image
 from rosml.model import Apt, Distribution, Matrix, OperatingSystem
-from rosml.problems import listed, unknown
+from rosml.problems import counted, listed, unknown
 
 
 @dataclass(frozen=True)
@@ -35,11 +35,10 @@ def explain(catalogue: Catalogue, name: str) -> str:
         return _image(catalogue.matrix, image)
     if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
         users = sum(payload.name in image.parts for image in catalogue.images)
-        return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {users} images"
+        return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {counted(users, 'image')}"
     if name in catalogue.groups:
         listed_by = "make list" if name in ("payloads", "tests") else f"make list GROUP={name}"
-        count = len(catalogue.groups[name])
-        return f"{name}: a group of {count} target{'s'[: count != 1]}; see them with: {listed_by}"
+        return f"{name}: a group of {counted(len(catalogue.groups[name]), 'target')}; see them with: {listed_by}"
     if members := [image for image in catalogue.images if name in image.groups]:
         return f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
     if reason := why_not(catalogue, name):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rosml.errors import RosmlError
 from rosml.model import FAMILIES, Family, Matrix
-from rosml.problems import listed, some
+from rosml.problems import counted, listed, some
 
 if TYPE_CHECKING:  # imports this module
     from rosml.expand import Catalogue, Image, Payload
@@ -66,7 +66,6 @@ def lost(catalogue: Catalogue) -> RosmlError | None:
     if not images:
         return None
     locks = list(dict.fromkeys(lock for image in catalogue.images for lock in image.lost))
-    count = f"{len(images)} image{'s'[: len(images) != 1]}"
     are = "is" if len(locks) == 1 else "are"
-    text = f"{count} cannot be built ({some(images)}): {some(locks)} {are} missing, or not of the stack's release"
+    text = f"{counted(len(images), 'image')} cannot be built ({some(images)}): {some(locks)} {are} missing, or not of the stack's release"
     return RosmlError(text, RESTORE)

@@ -81,6 +81,11 @@ def some(names: Iterable[str]) -> str:
     return ", ".join(known) if more <= 1 else f"{', '.join(known[:SOME])} and {more} more"
 
 
+def counted(number: int, what: str) -> str:
+    """A number of things: `1 image`, `2 images`."""
+    return f"{number} {what}{'s'[: number != 1]}"
+
+
 def near(name: str, known: Iterable[str]) -> str:
     """The remedy for an unknown name: near matches, or all known names where they are few.
 

@@ -80,9 +80,11 @@ def main(
         from rosml import inputs, listing
 
         images = listing.members(catalogue, groups)
+        if not images:
+            click.echo(listing.none_in(catalogue, groups), err=True)
         if as_json:
             click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
-        else:
+        elif images:
             listing.print_table(images)
     elif diff is not None:
         from rosml import difference, inputs

@@ -174,7 +174,7 @@ def test_list_is_one_line_for_each_image(small: Catalogue, small_file: Path) -> 
     lines = generate("--list", "--matrix", small_file).stdout.splitlines()
     unlocked = [image.target for image in expand.load(small_file).images if not image.locked]
     assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in small.images]
-    assert [line.split()[0] for line in lines[:-2] if "no lock " in line] == unlocked
+    assert [line.split()[0] for line in lines[:-2] if " missing " in line] == unlocked
     assert lines[-2] == f"{len(small.images)} images, {len(small.payloads)} payloads"
     assert lines[-1].startswith(f"{len(unlocked)} without a lock, which cannot be built yet: run 'make locks'")
 
