@@ -107,7 +107,7 @@ def main(
         elif as_json:
             click.echo(plan.as_json(planned), nl=False)
         else:
-            plan.print_table(planned)
+            plan.print_table(planned, left_out=sum(not image.locked for image in catalogue.images))
     else:
         from rosml import bake, missing
 

@@ -327,6 +327,19 @@ def test_another_cuda_than_promised(cuda: dict[str, str], package: str, version:
     assert "stack of its own" in caught.value.remedy
 
 
+def test_another_cuda_leads_with_who_wants_it() -> None:
+    pins = [pin("torch", version="2.11.0"), pin("jinja2", "torch")]
+    pins += [pin("nvidia-cuda-runtime", "torch", version="13.0.96"), pin("nvidia-cublas", "torch", version="13.1")]
+    with pytest.raises(RosmlError) as caught:
+        lock._one_cuda(request(roots={"torch": "torch==2.11.0"}, cuda={"cuda": "12.8.90"}), pins)
+    assert caught.value.message.splitlines() == [
+        "torch 2.11.0 wants CUDA 13.0.96, the stack says 12.8.90",
+        f"{request(roots={'torch': 'torch==2.11.0'})} would carry:",
+        "  nvidia-cuda-runtime 13.0.96 (the stack says 12.8.90)",
+        "  nvidia-cublas 13.1",
+    ]
+
+
 # ---- More than one index, and frameworks that contradict each other --------------------------------------------------
 
 ELSEWHERE = {"torch": Elsewhere("torch==2.10.0+cpu", f"sha256:{'a' * 64}", ("jinja2", "Typing_Extensions>=4.10"))}
