@@ -10,6 +10,10 @@ from typing import TYPE_CHECKING
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
+import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+
+# isort: split
+
 import click
 
 from rosml import ROOT, command, files
