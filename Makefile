@@ -1,8 +1,12 @@
 # The few commands a newcomer needs. `make` alone lists them.
 # The image to build or explain; `make image` without it builds matrix.yaml's default.target.
 TARGET ?=
-# Groups whose images `make list` lists: distributions, components, frameworks, stacks.
+# Groups whose images `make list` lists: distributions, components, frameworks, stacks, architectures.
 GROUP ?=
+# Stacks whose locks `make locks` makes anew; all if empty.
+STACK ?=
+# Anything but nothing: list, plan and diff print JSON.
+JSON ?=
 # What `make diff` compares with: a git revision, or another matrix file.
 REV ?= HEAD
 # Among how many machines `make plan` deals the images out.
@@ -46,8 +50,8 @@ unit: .python ## the linters and the unit tests: no builder, two minutes
 bench: .python ## how fast the generator is: the real matrix, and up to 10,000 images
 	@$(RUN) scripts/bench.py
 
-list: .python ## every image that can be built, or those of groups: make list GROUP="jazzy torch"
-	@$(RUN) scripts/generate_bake.py --list $(patsubst %,--group=%,$(GROUP))
+list: .python ## every image that can be built, or those of groups: make list GROUP="jazzy torch"; JSON=1
+	@$(RUN) scripts/generate_bake.py --list $(patsubst %,--group=%,$(GROUP)) $(if $(JSON),--json)
 
 explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot
 	@$(RUN) scripts/generate_bake.py --explain "$$TARGET"
@@ -55,14 +59,14 @@ explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-r
 generate: .python ## docker-bake.hcl, matrix.schema.json and README.md's tables anew, after a change of matrix.yaml
 	@$(RUN) scripts/generate_bake.py
 
-plan: .python ## who builds what in CI, with time, download and disk: make plan SHARDS=8
-	@$(RUN) scripts/generate_bake.py --shards "$(SHARDS)"
+plan: .python ## who builds what in CI, with time, download and disk: make plan SHARDS=8; JSON=1
+	@$(RUN) scripts/generate_bake.py --shards "$(SHARDS)" $(if $(JSON),--json)
 
-diff: .python ## which images a change builds anew, and why: make diff REV=HEAD~1
-	@$(RUN) scripts/generate_bake.py --diff "$$REV"
+diff: .python ## which images a change builds anew, and why: make diff REV=HEAD~1; JSON=1
+	@$(RUN) scripts/generate_bake.py --diff "$$REV" $(if $(JSON),--json)
 
-locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml; UPGRADE=1 moves versions
-	@$(RUN) scripts/lock.py $(if $(UPGRADE),--upgrade)
+locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml; UPGRADE=1 moves versions; STACK=cpu: of one stack
+	@$(RUN) scripts/lock.py $(if $(UPGRADE),--upgrade) $(patsubst %,--stack=%,$(STACK))
 
 up: ## set up: tools, local registry, builder (the commands above do it by themselves)
 	@$(BOOTSTRAP) up

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rosml import names, rules
-from rosml.expand import MAKE_LOCKS, Catalogue, Image, Payload
+from rosml import missing, names, rules
+from rosml.expand import Catalogue, Image, Payload
 from rosml.hcl import Expression, block, call, template, text
 from rosml.model import PARTS, Apt, Distribution, Matrix, OperatingSystem
 
@@ -358,7 +358,7 @@ def _joined_images(catalogue: Catalogue) -> Iterator[Target]:
             yield common, _join(matrix, image)
         ros = catalogue.by_target[image.parent]
         attributes = {
-            "description": "" if image.locked else f"cannot be built yet: no lock; {MAKE_LOCKS}",
+            "description": "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}",
             "inherits": [_distribution_target(image.distribution), common],
             "tags": _tags(image),
             "contexts": {"ros": _dependency(ros)},

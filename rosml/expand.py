@@ -8,7 +8,7 @@ from functools import cached_property
 from itertools import islice
 from pathlib import Path
 
-from rosml import ROOT, names, rules
+from rosml import ROOT, missing, names, rules
 from rosml.errors import RosmlError
 from rosml.model import ANY_PYTHON, Distribution, Framework, Matrix, Part, Size, Stack
 from rosml.problems import SHOWN, InputError, listed, unknown
@@ -69,6 +69,7 @@ class Image:
         tests: names of the files in tests/structure, those of its ancestors first.
         locks: locks of its payloads.
         unlocked: those that are missing; without all of them it cannot be built, and is in no group.
+        lost: those of them that should be there, since they wait for no other index.
         disk: forecast of its size with everything below it.
         budget: MB that its payloads may have together in the registry; None if that is left open.
     """
@@ -95,6 +96,7 @@ class Image:
     locks: tuple[str, ...]
     disk: Size
     unlocked: tuple[str, ...] = ()
+    lost: tuple[str, ...] = ()
     budget: int | None = None
 
     @property
@@ -169,10 +171,6 @@ class Catalogue:
         return (self.image(name),)
 
 
-MAKE_LOCKS = "run 'make locks' where the package indexes answer, PyTorch's own among them"
-"""How a missing lock comes into being."""
-
-
 def load(file: Path, root: Path = ROOT) -> Catalogue:
     """Reads, validates and expands a matrix, and looks which locks are there.
 
@@ -216,19 +214,15 @@ def _text(file: Path) -> str:
 
 def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
     """A catalogue that knows which of its images lack a lock."""
-    missing = {lock for payload in catalogue.payloads for lock in payload.locks}.difference(present)
-    images = tuple(
-        replace(image, unlocked=tuple(lock for lock in image.locks if lock in missing))
-        if missing.intersection(image.locks)
-        else image
-        for image in catalogue.images
-    )
+    absent = {lock for payload in catalogue.payloads for lock in payload.locks}.difference(present)
+    lost = absent - missing.waiting(catalogue.matrix, catalogue.payloads)
+
+    def without(image: Image) -> Image:
+        unlocked = tuple(lock for lock in image.locks if lock in absent)
+        return replace(image, unlocked=unlocked, lost=tuple(lock for lock in unlocked if lock in lost))
+
+    images = tuple(without(image) if absent.intersection(image.locks) else image for image in catalogue.images)
     return Catalogue(catalogue.matrix, images, catalogue.payloads)
-
-
-def missing_locks(image: Image) -> str:
-    """What to say of an image without a lock."""
-    return f"{image.target} cannot be built yet: there is no {listed(image.unlocked)} of the stack's release"
 
 
 def catalogue(document: Document) -> Catalogue:

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rosml import names, rules
+from rosml import missing, names, rules
 from rosml.errors import RosmlError
-from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
+from rosml.expand import FLOATING, Catalogue, Image
 from rosml.model import Apt, Distribution, Matrix, OperatingSystem
-from rosml.problems import listed, unknown
+from rosml.problems import counted, listed, unknown
 
 
 @dataclass(frozen=True)
@@ -35,15 +35,22 @@ def explain(catalogue: Catalogue, name: str) -> str:
         return _image(catalogue.matrix, image)
     if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
         users = sum(payload.name in image.parts for image in catalogue.images)
-        return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {users} images"
+        return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {counted(users, 'image')}"
     if name in catalogue.groups:
-        return f"{name}: a group of {len(catalogue.groups[name])} targets; see them with: make list"
-    if any(name in image.groups for image in catalogue.images):
-        return f"{name}: a group of no targets: none of its images has a lock; {MAKE_LOCKS}"
+        listed_by = "make list" if name in ("payloads", "tests") else f"make list GROUP={name}"
+        return f"{name}: a group of {counted(len(catalogue.groups[name]), 'target')}; see them with: {listed_by}"
+    if members := [image for image in catalogue.images if name in image.groups]:
+        return f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
     if reason := why_not(catalogue, name):
         return reason
-    candidates = [*catalogue.by_target, *catalogue.groups]
-    raise RosmlError(unknown("image", name, candidates), remedy="see all with: make list", exit_code=2)
+    raise RosmlError(unknown("image", name, _alike(catalogue, name)), remedy="see all with: make list", exit_code=2)
+
+
+def _alike(catalogue: Catalogue, name: str) -> list[str]:
+    """Among what near names are sought: for a tag, those of its repository."""
+    repository = name.rpartition("/")[2].partition(":")[0] if ":" in name else ""
+    tags = [tag for image in catalogue.images for tag in image.tags if image.repository == repository]
+    return tags or [*catalogue.by_target, *catalogue.groups]
 
 
 def why_not(catalogue: Catalogue, name: str) -> str | None:
@@ -67,30 +74,56 @@ def _reason(catalogue: Catalogue, name: str, wanted: Wanted) -> str | None:
         target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
         return f"{name} is called {target}."
     reasons = {stack: rules.stack_reason(matrix, os, wanted.framework, stack) for stack in matrix.stacks}
-    if there := [f"{name}-{stack}" for stack, reason in reasons.items() if reason is None]:
+    image = wanted.distribution, wanted.component, wanted.framework
+    if there := [names.image_target(*image, stack) for stack, reason in reasons.items() if reason is None]:
         return f"{name} names no stack; there is {listed(there)}."
     why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason)) or "there is no stack"
     return f"{name} does not exist on any stack: {why}."
 
 
 def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
-    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`."""
+    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`, or as a tag. Without a component
+    it is that of the short tags: `jazzy-torch` is read as `jazzy-base-torch`."""
+    repository, colon, tag = name.rpartition("/")[2].partition(":")
+    if colon:
+        for framework, facts in matrix.frameworks.items():
+            if facts.repository == repository:
+                yield from _tag_readings(matrix, framework, tag)
+        return
+    for start, distribution, component in _starts(matrix):
+        if name == start and component:
+            yield Wanted(distribution, component, rules.plain(matrix), None)
+        elif name.startswith(f"{start}-"):
+            rest = name[len(start) + 1 :]
+            for framework in matrix.frameworks:
+                if rest == framework:
+                    yield Wanted(distribution, component or FLOATING, framework, None)
+                elif rest.startswith(f"{framework}-") and (stack := rest[len(framework) + 1 :]) in matrix.stacks:
+                    yield Wanted(distribution, component or FLOATING, framework, stack)
+
+
+def _tag_readings(matrix: Matrix, framework: str, tag: str) -> Iterator[Wanted]:
+    """Every way to read a framework's tag as `<distribution>[-<component>][-<stack>]`."""
+    for start, distribution, component in _starts(matrix):
+        if tag == start:
+            yield Wanted(distribution, component or FLOATING, framework, None)
+        elif tag.startswith(f"{start}-") and (stack := tag[len(start) + 1 :]) in matrix.stacks:
+            yield Wanted(distribution, component or FLOATING, framework, stack)
+
+
+def _starts(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
+    """How names may begin, with the distribution and the component; those without a component last."""
     for distribution in matrix.distributions:
         for component in matrix.components:
-            start = f"{distribution}-{component}"
-            if name == start:
-                yield Wanted(distribution, component, rules.plain(matrix), None)
-            elif name.startswith(f"{start}-"):
-                rest = name[len(start) + 1 :]
-                for framework in matrix.frameworks:
-                    if rest == framework:
-                        yield Wanted(distribution, component, framework, None)
-                    elif rest.startswith(f"{framework}-") and (stack := rest[len(framework) + 1 :]) in matrix.stacks:
-                        yield Wanted(distribution, component, framework, stack)
+            yield f"{distribution}-{component}", distribution, component
+    if FLOATING in matrix.components:
+        for distribution in matrix.distributions:
+            yield distribution, distribution, ""
 
 
 def _image(matrix: Matrix, image: Image) -> str:
-    return "\n".join([f"{image.target} exists:", *(f"  - {fact}" for fact in _facts(matrix, image))])
+    head = "exists:" if image.locked else "exists, but cannot be built yet:"
+    return "\n".join([f"{image.target} {head}", *(f"  - {fact}" for fact in _facts(matrix, image))])
 
 
 def _apt(distribution: Distribution, system: OperatingSystem, apt: Apt) -> str:
@@ -124,4 +157,4 @@ def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
             yield f"not for {architecture}: {reason}"
     yield f"tags: {listed(image.tags)}"
     if not image.locked:
-        yield f"{missing_locks(image)}; {MAKE_LOCKS}"
+        yield f"{missing.reason(image)}; {missing.remedy(image)}"

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+import click
+
+from rosml import missing
 from rosml.errors import RosmlError
-from rosml.expand import MAKE_LOCKS, Catalogue, Image
+from rosml.expand import Catalogue, Image
 from rosml.inputs import Inputs
-from rosml.problems import listed, unknown
+from rosml.problems import counted, listed, unknown
 
 if TYPE_CHECKING:
     from rich.console import Console
+    from rich.table import Table
 
 
 def facts(image: Image) -> dict[str, Any]:
@@ -43,16 +48,39 @@ def facts(image: Image) -> dict[str, Any]:
 
 
 def members(catalogue: Catalogue, groups: Sequence[str] = ()) -> tuple[Image, ...]:
-    """The images that are in all of some groups, those without a lock among them, in the order of the matrix.
+    """The images that are in all of some groups, those without a lock among them, in the order of the matrix. An
+    architecture counts as the group of the images that exist for it.
 
     Raises:
         RosmlError: there is no such group (exit code 2).
     """
-    known = {group for image in catalogue.images for group in image.groups}
+    known = {group for image in catalogue.images for group in (*image.groups, *image.architectures)}
     for name in groups:
         if name not in known:
             raise RosmlError(unknown("group", name, sorted(known)), f"there is {listed(sorted(known))}", exit_code=2)
-    return tuple(image for image in catalogue.images if set(groups) <= set(image.groups))
+    wanted = set(groups)
+    return tuple(image for image in catalogue.images if wanted <= {*image.groups, *image.architectures})
+
+
+def none_in(catalogue: Catalogue, groups: Sequence[str]) -> str:
+    """What to say where no image is in all of some groups: so, and how to learn why."""
+    return f"no image is in all of {listed(groups)}; see why: make explain TARGET={_example(catalogue, groups)}"
+
+
+def _example(catalogue: Catalogue, groups: Sequence[str]) -> str:
+    """A name to ask about: an image of the other groups where an architecture is what is lacking, or the name that the
+    groups make up, or its pattern."""
+    axes = [name for name in groups if name not in catalogue.matrix.architectures]
+    if len(axes) < len(groups) and (others := members(catalogue, axes)):
+        return others[0].target
+    matrix = catalogue.matrix
+    words = [
+        [name for name in groups if name in axis]
+        for axis in (matrix.distributions, matrix.components, matrix.frameworks, matrix.stacks)
+    ]
+    distribution, component, framework, stack = words
+    readable = len(distribution) == 1 and max(map(len, words)) == 1 and (framework or (component and not stack))
+    return "-".join(name for word in words for name in word) if readable else "<distribution>-<component>-<framework>"
 
 
 def as_json(inputs: Inputs, images: Sequence[Image]) -> str:
@@ -73,22 +101,37 @@ def console() -> Console:
     return terminal if terminal.is_terminal else Output(highlight=False, width=400)
 
 
+def show(table: Table) -> None:
+    """Prints a table, without the spaces that fill its last column up."""
+    out = console()
+    with out.capture() as captured:
+        out.print(table)
+    click.echo(_PADDING.sub(r"\1", captured.get()), nl=False)
+
+
+_PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
+"""Spaces at the end of a line, before codes that end a colour."""
+
+
 def print_table(images: Sequence[Image]) -> None:
     """Prints images, a row each."""
     from rich.table import Table  # slow to import, and only needed here
 
     table = Table(box=None, header_style="bold", pad_edge=False)
-    for column in ("target", "versions", "platforms", "main tag", ""):
+    for column in ("target", "versions", "platforms", "main tag", "lock"):
         table.add_column(column, no_wrap=True)
     table.add_column("GB unpacked (forecast)", justify="right", no_wrap=True)
     for image in images:
         versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
         platforms = ", ".join(image.platforms)
-        state = "" if image.locked else "no lock"
+        state = "" if image.locked else "missing"
         table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
+    show(table)
     out = console()
-    out.print(table)
     payloads = {name for image in images for name in image.parts}
-    out.print(f"{len(images)} images, {len(payloads)} payloads", style="dim")
-    if unlocked := [image.target for image in images if not image.locked]:
-        out.print(f"{len(unlocked)} have no lock and cannot be built yet; {MAKE_LOCKS}", style="yellow")
+    out.print(f"{counted(len(images), 'image')}, {counted(len(payloads), 'payload')}", style="dim")
+    lost = sum(bool(image.lost) for image in images)
+    waiting = sum(not image.locked for image in images) - lost
+    for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
+        if count:
+            out.print(f"{count} without a lock, which cannot be built yet: {remedy}", style="yellow")

@@ -26,7 +26,7 @@ from typing import NamedTuple
 from rosml import names
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
-from rosml.lockfile import cuda_packages, package_name, versions
+from rosml.lockfile import NVIDIA_PACKAGES, cuda_packages, package_name, versions
 from rosml.model import ANY_PYTHON, FAMILIES, Family, Matrix
 from rosml.problems import listed
 
@@ -495,15 +495,33 @@ def _one_cuda(request: Request, pins: list[Pin]) -> None:
     """
     nvidia = {pin.name: pin.version for pin in pins if pin.name.startswith("nvidia-")}
     major = request.cuda.get("cuda", "").split(".")[0]
-    wrong = [f"{name} {version}" for name, version in nvidia.items() if not _of_generation(name, major)]
+    wrong = {name: f"{name} {version}" for name, version in nvidia.items() if not _of_generation(name, major)}
     for fact, name in cuda_packages(request.cuda.get("cuda", "")):
         if name in nvidia and nvidia[name] != request.cuda.get(fact, nvidia[name]):
-            wrong.append(f"{name} {nvidia[name]} (the stack says {request.cuda[fact]})")
+            wrong[name] = f"{name} {nvidia[name]} (the stack says {request.cuda[fact]})"
     if wrong:
         raise RosmlError(
-            f"{request} would carry other NVIDIA packages than it promises: {', '.join(wrong)}",
+            "\n  ".join([f"{_wish(request, pins, wrong)}\n{request} would carry:", *wrong.values()]),
             "correct the stack's cuda, cudnn and nccl in matrix.yaml; another CUDA generation needs a stack of its own",
         )
+
+
+_CALLED = {"cuda": "CUDA", "cudnn": "cuDNN", "nccl": "NCCL"}
+
+
+def _wish(request: Request, pins: list[Pin], wrong: Collection[str]) -> str:
+    """Which framework wants what instead of the stack's CUDA: `torch 2.11.0 wants CUDA 13.0.96, the stack says 12.8.90`."""
+    asking = [
+        f"{family} {requirement.rpartition('==')[2]}"
+        for family, requirement in request.roots.items()
+        if closure(package_name(requirement), pins) & set(wrong)
+    ]
+    wants = f"{listed(asking or [str(request)])} want{'s'[: len(asking) < 2]}"
+    for fact, package in NVIDIA_PACKAGES.items():
+        found = [pin.version for pin in pins if re.fullmatch(rf"nvidia-{package}(-cu[0-9]+)?", pin.name)]
+        if found and found[0] != request.cuda.get(fact):
+            return f"{wants} {_CALLED[fact]} {found[0]}, the stack says {request.cuda.get(fact, 'none')}"
+    return f"{wants} packages of another CUDA, the stack says {request.cuda.get('cuda', 'none')}"
 
 
 def _of_generation(name: str, major: str) -> bool:

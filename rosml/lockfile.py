@@ -17,6 +17,10 @@ _WHOLE = re.compile(
 """A whole lock as `lock.render` writes it: comments, and versions each with hashes. Anything else was cut or edited."""
 
 
+NVIDIA_PACKAGES = {"cuda": "cuda-runtime", "cudnn": "cudnn", "nccl": "nccl"}
+"""A stack's facts of CUDA, and the packages, without `nvidia-` and a generation, whose versions they are."""
+
+
 def versions(text: str) -> dict[str, str]:
     """What a lock pins: packages and their versions."""
     return dict(_PIN.findall(text))
@@ -30,7 +34,7 @@ def package_name(requirement: str) -> str:
 def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
     """Facts of a stack, and the packages whose versions they are, for a version of CUDA: up to CUDA 12 names of NVIDIA's
     packages end in its generation, later only some do."""
-    for fact, package in (("cuda", "cuda-runtime"), ("cudnn", "cudnn"), ("nccl", "nccl")):
+    for fact, package in NVIDIA_PACKAGES.items():
         yield fact, f"nvidia-{package}"
         yield fact, f"nvidia-{package}-cu{cuda.split('.')[0]}"
 

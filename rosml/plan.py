@@ -18,6 +18,7 @@ from rosml import forecast, names
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.model import Rates, Size
+from rosml.problems import counted
 
 FORMAT = 1
 """Version of plan.json's format."""
@@ -83,9 +84,12 @@ def plan(catalogue: Catalogue, shards: int, include: Callable[[Image], bool] = l
         include: whether an image is built. The ROS images that it stands on are built with it.
 
     Raises:
-        RosmlError: there are fewer shards than architectures, there is nothing to build, or the matrix does not say
+        RosmlError: there is no shard, there are fewer shards than architectures, there is nothing to build, or the matrix does not say
             how fast or where (exit code 2).
     """
+    if shards < 1:
+        text = f"{shards} machines can build nothing"
+        raise RosmlError(text, "say how many there are, one or more: make plan SHARDS=8", exit_code=2)
     units = _units(catalogue, _rates(catalogue), include)
     if not units:
         raise RosmlError("no image can be built, so there is nothing to plan", "see why: make locks", exit_code=2)
@@ -319,11 +323,11 @@ def as_json(plan: Plan) -> str:
     return json.dumps({"version": FORMAT, "shards": [facts(shard) for shard in plan.shards]}, indent=2) + "\n"
 
 
-def print_table(plan: Plan) -> None:
-    """Prints one line for each shard, and what the whole takes."""
+def print_table(plan: Plan, left_out: int = 0) -> None:
+    """Prints one line for each shard, and what the whole takes. `left_out`: how many images have no lock."""
     from rich.table import Table  # slow to import, and only needed here
 
-    from rosml.listing import console
+    from rosml.listing import console, show
 
     table = Table(box=None, header_style="bold", pad_edge=False)
     for column in ("shard", "runner", "distributions"):
@@ -334,11 +338,13 @@ def print_table(plan: Plan) -> None:
         sizes = (f"{megabytes / 1000:.1f}" for megabytes in (shard.download_mb, shard.disk_mb))
         counts = (str(len(shard.targets)), str(len(shard.payloads)), f"{shard.seconds / 60:.0f}")
         table.add_row(shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes)
+    show(table)
     out = console()
-    out.print(table)
     seconds = [shard.seconds for shard in plan.shards]
     total = f"{max(seconds) / 60:.0f} minutes until all is built, {sum(seconds) / 60:.0f} minutes of machines"
     out.print(f"estimates: {total}", style="dim")
+    if left_out:
+        out.print(f"left out: {counted(left_out, 'image')} without a lock; see them with: make list", style="yellow")
     if len(plan.shards) < plan.allowed:
         units = "as many as there are distributions on architectures"
         out.print(f"{len(plan.shards)} shards instead of {plan.allowed}: {units}, which are never split", style="dim")

@@ -70,6 +70,22 @@ def listed(names: Sequence[str], last: str = "and") -> str:
     return f" {last} ".join(part for part in (", ".join(names[:-1]), *names[-1:]) if part)
 
 
+SOME = 4
+"""How many names are shown where there may be hundreds."""
+
+
+def some(names: Iterable[str]) -> str:
+    """The first names of many: `a, b, c, d and 7 more`."""
+    known = list(names)
+    more = len(known) - SOME
+    return ", ".join(known) if more <= 1 else f"{', '.join(known[:SOME])} and {more} more"
+
+
+def counted(number: int, what: str) -> str:
+    """A number of things: `1 image`, `2 images`."""
+    return f"{number} {what}{'s'[: number != 1]}"
+
+
 def near(name: str, known: Iterable[str]) -> str:
     """The remedy for an unknown name: near matches, or all known names where they are few.
 

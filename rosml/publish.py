@@ -17,9 +17,9 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosml import bake, base_images, builder, files, forecast, names, registry, results, verify
+from rosml import bake, base_images, builder, files, forecast, missing, names, registry, results, verify
 from rosml.errors import RosmlError
-from rosml.expand import MAKE_LOCKS, Catalogue, Image, missing_locks
+from rosml.expand import Catalogue, Image
 from rosml.problems import listed
 from rosml.progress import Step
 from rosml.services import Services
@@ -99,7 +99,8 @@ def require_buildable(image: Image) -> None:
         RosmlError: a lock is missing (exit code 2).
     """
     if not image.locked:
-        raise RosmlError(missing_locks(image), MAKE_LOCKS, exit_code=2)
+        text = f"{image.target} cannot be built yet: {missing.reason(image)}"
+        raise RosmlError(text, missing.remedy(image), exit_code=2)
     if base_images.native_architecture() not in image.architectures:
         raise RosmlError(
             f"{image.target} exists for {listed(image.architectures)} only, and this machine is"

@@ -262,8 +262,20 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
             yield (*path, "ros_distro"), "packages have lower-case names, and {ros_distro} is part of them"
         if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
             yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
-        if distribution.apt and distribution.os in matrix.operating_systems:
-            yield from _apt((*path, "apt"), distribution, matrix.operating_systems[distribution.os])
+        if distribution.os in matrix.operating_systems:
+            os = matrix.operating_systems[distribution.os]
+            yield from _apt((*path, "apt"), distribution, os) if distribution.apt else _no_apt(path, distribution, os)
+
+
+def _no_apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
+    """A system with a suite in ROS's apt repositories does not have ROS's packages itself, as Debian has."""
+    if os.codename:
+        yield (
+            path,
+            f"{distribution.os} does not have ROS's packages itself, and nothing says where they come from; "
+            "add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}' or, past the end of life, "
+            "'apt: {channel: final}'",
+        )
 
 
 def _apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
@@ -302,7 +314,10 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
                 yield ("disk", section, name), unknown(kind, name, known)
         for name in known:
             if name not in forecasts:
-                yield ("disk", section), f"no forecast for {kind} {name}; add '{name}: …', a guess will do"
+                yield (
+                    ("disk", section),
+                    f"no forecast for {kind} {name}; add {_forecast(matrix, kind, name)}, a guess will do",
+                )
     for name, budgets in matrix.disk.budgets.items():
         if name not in matrix.stacks:
             yield ("disk", "budgets", name), unknown("stack", name, matrix.stacks)
@@ -310,18 +325,34 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
         for framework in budgets:
             if framework not in carrying:
                 yield ("disk", "budgets", name, framework), unknown("framework with parts", framework, carrying)
-    for name, stack in matrix.stacks.items():
-        used = {part for framework in matrix.frameworks.values() for part in framework.parts}
-        needed = [
-            part
-            for part in PARTS
-            if part in used
-            and (part != "cuda" or stack.accelerator == "cuda")
-            and (part not in ("torch", "tensorflow") or getattr(stack, part))
-        ]
-        for part in needed:
+    for name in matrix.stacks:
+        for part in _forecast_parts(matrix, name):
             if name in matrix.disk.parts and part not in matrix.disk.parts[name]:
-                yield ("disk", "parts", name), f"no forecast for part {part}; add '{part}: …', a guess will do"
+                yield ("disk", "parts", name), f"no forecast for part {part}; add '{part}: {FORECAST}', a guess will do"
+
+
+FORECAST = "{unpacked: 900, compressed: 250}"
+"""The form of a forecast, for remedies."""
+
+
+def _forecast(matrix: Matrix, kind: str, name: str) -> str:
+    """A forecast to fill in: of a stack, for each of its parts."""
+    if kind == "component":
+        return f"'{name}: {FORECAST}'"
+    return f"'{name}: {{{', '.join(f'{part}: {FORECAST}' for part in _forecast_parts(matrix, name))}}}'"
+
+
+def _forecast_parts(matrix: Matrix, name: str) -> list[str]:
+    """The parts of a stack that some image has."""
+    stack = matrix.stacks[name]
+    used = {part for framework in matrix.frameworks.values() for part in framework.parts}
+    return [
+        part
+        for part in PARTS
+        if part in used
+        and (part != "cuda" or stack.accelerator == "cuda")
+        and (part not in ("torch", "tensorflow") or getattr(stack, part))
+    ]
 
 
 def _size(matrix: Matrix) -> Iterator[Finding]:

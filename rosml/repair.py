@@ -71,6 +71,11 @@ def _related(path: Path, stand_in: Path) -> bool:
     shared = min(len(path), len(stand_in))
     if path[:shared] == stand_in[:shared]:
         return True
+    # What a system and the generation of ROS are decides where packages may come from, and Python who must agree.
+    if path[:1] == ("distributions",) and path[2:] == ("apt",):
+        return stand_in[0] == "operating_systems" or stand_in == (*path[:2], "ros")
+    if path[:1] == ("operating_systems",):
+        return stand_in == (*path[:2], "python")
     # Within a stack, and among frameworks, one fact decides what the others must be.
     return path[:1] == stand_in[:1] and (
         path[:1] == ("frameworks",) or (path[:1] == ("stacks",) and path[1] == stand_in[1])

@@ -69,14 +69,14 @@ def print_table(records: list[Record]) -> None:
     """Prints the table, with its sums."""
     from rich.table import Table  # slow to import, and only needed here
 
-    from rosml.listing import console
+    from rosml.listing import console, show
 
     table = Table(box=None, header_style="bold", pad_edge=False)
     for column in COLUMNS:
         table.add_column(column, no_wrap=True, justify="left" if column == "image" else "right")
     for row in rows(records):
         table.add_row(*row)
+    show(table)
     out = console()
-    out.print(table)
     total = sum(sum(record["seconds"].values()) for record in records)
     out.print(f"{len(records)} images, {duration(total)} in all", style="dim")

@@ -103,7 +103,7 @@ def parse(content: bytes, name: str = "matrix.yaml") -> Document:
             raise InputError(name, problems)
         node = yaml.compose(text, Loader=_Loader)
     except yaml.MarkedYAMLError as error:
-        raise InputError(name, [_syntax(error)]) from None
+        raise InputError(name, _conflicts(text) or [_syntax(error, text)]) from None
     except yaml.reader.ReaderError as error:
         before = text[: error.position]
         line, column = before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
@@ -162,16 +162,33 @@ def _refused(text: str) -> list[Problem]:
     return problems
 
 
-def _syntax(error: yaml.MarkedYAMLError) -> Problem:
+def _conflicts(text: str) -> list[Problem]:
+    """The markers that git leaves where two versions of a file contradict each other."""
+    remedy = "a git conflict marker; resolve the merge"
+    lines = enumerate(text.splitlines(), 1)
+    return [Problem(number, 1, "", remedy) for number, line in lines if _CONFLICT.match(line)]
+
+
+_CONFLICT = re.compile(r"(<{7}|>{7}|\|{7})( |$)|={7}$")
+
+
+def _syntax(error: yaml.MarkedYAMLError, text: str) -> Problem:
     mark = error.problem_mark or error.context_mark
     line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
     what = error.problem or error.context or "not YAML"
-    if "\\t" in what or "'\t'" in what or "tab character" in what:
+    here = text.splitlines()[mark.line : mark.line + 1] if mark else []
+    if "\\t" in what or "'\t'" in what or "tab character" in what or _begins_with_tab(here, column):
         return Problem(line, column, "", "a tab; indent with spaces")
     if error.context_mark and what == "could not find expected ':'":  # the line after the one with the mistake
         line, column = error.context_mark.line + 1, error.context_mark.column + 1
     remedy = next((remedy for sign, remedy in _REMEDIES.items() if sign in what), "")
     return Problem(line, column, "", "; ".join(part for part in (f"not YAML: {what}", remedy) if part))
+
+
+def _begins_with_tab(here: list[str], column: int) -> bool:
+    """Whether a tab is what the parser stopped at: of one at the very start of a line it only says that no token starts
+    so."""
+    return bool(here) and here[0][column - 1 : column] == "\t"
 
 
 _REMEDIES = {
@@ -182,6 +199,7 @@ _REMEDIES = {
     "found unexpected end of stream": "look above for a quote that is left open",
     "did not find expected ','": "close the bracket, and put commas between its items",
     "cannot start any token": "put the text in quotes",
+    "did not find expected comment or line break": "put the text in quotes",
 }
 """What to do about the parser's complaints, which speak of its own work; by what they say."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from datetime import date
 from itertools import islice
@@ -10,7 +11,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from rosml.model import MEANING, Matrix
-from rosml.problems import SHOWN, InputError, Path, Problem, listed, near
+from rosml.problems import SHOWN, InputError, Path, Problem, listed, near, unknown
 from rosml.references import findings
 from rosml.repair import annotation, bare, repaired, trusted
 from rosml.source import Document
@@ -31,7 +32,7 @@ def validate(document: Document) -> Matrix:
     try:
         matrix = Matrix.model_validate(document.data)
     except ValidationError as error:
-        details = error.errors(include_url=False)[:EXPLAINED]
+        details = _first_errors(error.errors(include_url=False)[:EXPLAINED])
         # What YAML itself misreads (a key twice, `yes` for true) was explained already.
         explained = {problem.path for problem in problems}
         found = [_problem(document, detail) for detail in details]
@@ -56,8 +57,23 @@ def _problem(document: Document, error: Any) -> Problem:
     context, value = error.get("ctx", {}), error["input"]
     if of_key:
         value = path[-1]
+    if kind == "string_pattern_mismatch" and _names_architecture(path):
+        return document.problem(path, unknown("architecture", value, document.data.get("architectures") or ()))
     written = document.place(path).text if not of_key else ""
     return document.problem(path, _complaint(kind, context, value, written, error["msg"]))
+
+
+def _first_errors(details: Sequence[Any]) -> list[Any]:
+    """Pydantic's errors without those that follow from others: a list is too short for it where an item is wrong."""
+    wrong = {detail["loc"][:-1] for detail in details}
+    return [detail for detail in details if detail["type"] != "too_short" or detail["loc"] not in wrong]
+
+
+def _names_architecture(path: Path) -> bool:
+    """Whether an architecture stands at `path`: a name of one is better answered by those that there are."""
+    return path[:1] + path[2:3] == ("operating_systems", "architectures") or (
+        path[:1] + path[3:4] == ("releases", "wheels") and isinstance(path[-1], int)
+    )
 
 
 def _complaint(kind: str, context: Mapping[str, Any], value: Any, written: str, otherwise: str) -> str:
@@ -72,7 +88,10 @@ def _complaint(kind: str, context: Mapping[str, Any], value: Any, written: str, 
         return f"expected {MEANING.get(context['pattern'], 'text')}, found {_found(value)}"
     if kind == "literal_error":
         known = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
-        return _join(f"expected {listed(known, last='or')}, found {_found(value, written)}", _near_match(value, known))
+        remedy = f"write it without quotes: {value}" if value in known else _near_match(value, known)
+        return _join(f"expected {listed(known, last='or')}, found {_found(value, written)}", remedy)
+    if kind == "int_type" and isinstance(value, str) and re.fullmatch(r"[1-9]\d{0,8}", value):
+        return f"expected {_EXPECTED[kind]}, found {_found(value)}; write it without quotes: {value}"
     if kind in _EXPECTED:
         return f"expected {_EXPECTED[kind]}, found {_found(value, written)}"
     if kind in ("greater_than_equal", "less_than_equal"):

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the generator: a whole run on the real matrix, and matrices of up to 10,000 images; exit 1 if it is too
-slow."""
+"""Measures the generator: a whole run on the real matrix, and matrices of up to 10,000 images."""
 
 from __future__ import annotations
 
@@ -14,6 +13,10 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+
+# isort: split
 
 import click
 
@@ -54,7 +57,8 @@ class Measured:
 
 @click.command(help=__doc__)
 @click.option("--json", "as_json", is_flag=True, help="Print the numbers as JSON.")
-def main(as_json: bool) -> None:
+@click.option("--check", is_flag=True, help="Exit 1 if a limit is missed; on an idle machine it means something.")
+def main(as_json: bool, check: bool) -> None:
     real = whole_run()
     sizes = [measured(size) for size in SIZES]
     if as_json:
@@ -63,11 +67,14 @@ def main(as_json: bool) -> None:
         click.echo(json.dumps(data, indent=2))
     else:
         print_table(real, sizes)
-    if problems := missed(real, sizes):
+    problems = missed(real, sizes)
+    if problems and check:
         raise RosmlError(
             "the generator is too slow: " + "; ".join(problems),
             "see where the time goes: uv run python -m cProfile -s tottime scripts/generate_bake.py --check",
         )
+    for problem in problems:
+        click.echo(f"{problem} for an idle machine", err=True)
 
 
 def whole_run() -> float:
@@ -103,13 +110,13 @@ def missed(real: float, sizes: Sequence[Measured]) -> list[str]:
     small, large = sizes[0], sizes[-1]
     problems = []
     if real >= REAL_SECONDS:
-        problems.append(f"the real matrix takes {real:.2f} s, and the limit is {REAL_SECONDS} s")
+        problems.append(f"the real matrix takes {real:.2f} s; the limit of {REAL_SECONDS} s holds")
     if large.seconds >= LARGEST_SECONDS:
-        problems.append(f"{large.images} images take {large.seconds:.2f} s, and the limit is {LARGEST_SECONDS} s")
+        problems.append(f"{large.images} images take {large.seconds:.2f} s; the limit of {LARGEST_SECONDS} s holds")
     if large.each > GROWTH * small.each:
         problems.append(
-            f"an image takes {large.each:.0f} µs among {large.images} and {small.each:.0f} µs among {small.images}, "
-            f"and the limit is {GROWTH} times that"
+            f"an image takes {large.each:.0f} µs among {large.images} and {small.each:.0f} µs among {small.images}; "
+            f"the limit of {GROWTH} times that holds"
         )
     return problems
 
@@ -118,7 +125,7 @@ def print_table(real: float, sizes: Sequence[Measured]) -> None:
     """Prints the numbers beside their limits."""
     from rich.table import Table  # slow to import, and only needed here
 
-    from rosml.listing import console
+    from rosml.listing import show
 
     table = Table(box=None, header_style="bold", pad_edge=False)
     table.add_column("matrix", no_wrap=True)
@@ -129,7 +136,7 @@ def print_table(real: float, sizes: Sequence[Measured]) -> None:
         largest = size is sizes[-1]
         limits = (f"{LARGEST_SECONDS:.2f}", f"{GROWTH * sizes[0].each:.0f}") if largest else ("", "")
         table.add_row(f"{size.images} images", f"{size.seconds:.2f}", limits[0], f"{size.each:.0f}", limits[1])
-    console().print(table)
+    show(table)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
+import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+
+# isort: split
+
 import click
 
 from rosml import ROOT, command, files
@@ -80,9 +84,11 @@ def main(
         from rosml import inputs, listing
 
         images = listing.members(catalogue, groups)
+        if not images:
+            click.echo(listing.none_in(catalogue, groups), err=True)
         if as_json:
             click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
-        else:
+        elif images:
             listing.print_table(images)
     elif diff is not None:
         from rosml import difference, inputs
@@ -105,9 +111,9 @@ def main(
         elif as_json:
             click.echo(plan.as_json(planned), nl=False)
         else:
-            plan.print_table(planned)
+            plan.print_table(planned, left_out=sum(not image.locked for image in catalogue.images))
     else:
-        from rosml import bake, inputs
+        from rosml import bake, inputs, missing
 
         inputs.Inputs(ROOT, catalogue).check()
         wanted = {output or ROOT / "docker-bake.hcl": bake.render(catalogue)}
@@ -116,24 +122,31 @@ def main(
 
             wanted[ROOT / "matrix.schema.json"] = schema.render()
             wanted[ROOT / "README.md"] = readme.render((ROOT / "README.md").read_text(encoding="utf-8"), catalogue)
-        (verify if check else write)(wanted)
+        (verify if check else write)(wanted, missing.lost(catalogue))
 
 
-def write(wanted: dict[Path, str]) -> None:
-    """Writes the files that changed."""
+def write(wanted: dict[Path, str], lost: RosmlError | None = None) -> None:
+    """Writes the files that changed. `lost`: locks that should be there; images without them are in no group."""
     for file, content in wanted.items():
         changed = files.write(file, content)
         click.echo(f"{files.shown(file)}: {'written' if changed else 'is up to date'}", err=True)
+    if lost:
+        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {lost.message}", err=True)
+        click.echo(f"{click.style('remedy:', bold=True)} {lost.remedy}", err=True)
 
 
-def verify(wanted: dict[Path, str]) -> None:
-    """Compares the files; raises RosmlError if one is stale."""
+def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
+    """Compares the files; raises RosmlError if one is stale, or if locks are lost: whoever then generates and commits
+    would commit the loss."""
     differences = {file: files.difference(file, content) for file, content in wanted.items()}
     stale = [files.shown(file) for file, text in differences.items() if text]
-    if not stale:
-        return
     click.echo("".join(differences.values()), nl=False)
-    raise RosmlError(f"{', '.join(stale)}: stale", remedy=f"run '{COMMAND}' and commit the result")
+    problems = [f"{', '.join(stale)}: stale"] if stale else []
+    remedies = [f"run '{COMMAND}' and commit the result"] if stale else []
+    if lost:
+        problems, remedies = [lost.message, *problems], [lost.remedy, *remedies]
+    if problems:
+        raise RosmlError("\n".join(problems), remedy="; then ".join(remedies))
 
 
 if __name__ == "__main__":

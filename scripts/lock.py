@@ -10,6 +10,10 @@ from typing import TYPE_CHECKING
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
+import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+
+# isort: split
+
 import click
 
 from rosml import ROOT, command, files
@@ -68,12 +72,12 @@ def print_moves(moved: Mapping[Move, int]) -> None:
         return
     from rich.table import Table  # slow to import, and only needed here
 
-    from rosml.listing import console
+    from rosml.listing import show
 
     table = Table("stack", "package", "old", "new", "locks", box=None, header_style="bold", pad_edge=False)
     for move, count in sorted(moved.items()):
         table.add_row(move.stack, move.package, move.old or "-", move.new or "-", str(count))
-    console().print(table)
+    show(table)
 
 
 if __name__ == "__main__":

@@ -9,6 +9,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
+import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+
+# isort: split
+
 import click
 
 from rosml import ROOT, command

@@ -75,6 +75,7 @@ distributions:
     default_stack: cu1
     eol: 2029-05-31
     lts: true
+    apt: {{channel: live}}
   omega:
     os: ubuntu-26.04
     ros: 2

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,7 +15,7 @@ import click
 import pytest
 from conftest import ROOT
 
-from rosml import command
+from rosml import command, environment
 from rosml.errors import RosmlError
 from rosml.problems import InputError, Problem
 
@@ -83,6 +84,26 @@ def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> 
     signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a command that does not listen must not end the tests
     assert command.run(ending(lambda: os.kill(os.getpid(), number)), "kept", []) == 130
     assert capsys.readouterr().err.strip() == "kept"
+
+
+@pytest.mark.parametrize("script", ["bench", "generate_bake", "lock", "publish"])
+def test_outside_of_the_virtual_environment(script: str) -> None:
+    """Without any packages: before the first of them is imported, wherever that is."""
+    argv = [sys.executable, "-S", str(ROOT / f"scripts/{script}.py"), "--help"]
+    done = subprocess.run(argv, capture_output=True, text=True, check=False)
+    told = f"run it with: uv run scripts/{script}.py (click, pydantic, rich, yaml: not installed)\n"
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
+
+
+def test_every_command_looks_for_its_packages() -> None:
+    scripts = [file for file in (ROOT / "scripts").glob("*.py") if "import click" in file.read_text()]
+    assert [file.name for file in scripts if "\nimport rosml.environment  # noqa" not in file.read_text()] == []
+
+
+def test_what_is_looked_for_is_what_the_project_asks_for() -> None:
+    asked = re.findall(r"^dependencies = \[(.*)\]", (ROOT / "pyproject.toml").read_text(), re.M)[0]
+    names = {word.partition("==")[0].strip(' "').lower() for word in asked.split(",")}
+    assert {name.replace("pyyaml", "yaml") for name in names} == set(environment.REQUIRED)
 
 
 def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from conftest import ROOT
 
+from rosml import names
 from rosml.expand import Catalogue
 from rosml.explain import why_not
 
@@ -53,6 +54,16 @@ def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catal
         "locks/cpu/amd64/3.14/torch.txt",
         "locks/cpu38/amd64/3.8/torch.txt",
     }
+
+
+def test_every_lock_is_used(real: Catalogue) -> None:
+    wanted = {lock for payload in real.payloads for lock in payload.locks}
+    assert names.locks(ROOT) - wanted == set()
+
+
+def test_distributions_past_their_end_of_life_come_from_the_last_snapshot(real: Catalogue) -> None:
+    rows = real.matrix.distributions.items()
+    assert [name for name, row in rows if row.apt and row.apt.channel == "final"] == ["noetic", "foxy", "iron"]
 
 
 REAL_REASONS = {

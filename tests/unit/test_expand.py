@@ -14,56 +14,53 @@ from rosml.explain import explain, why_not
 from rosml.listing import facts
 
 
-def test_image_facts(real: Catalogue) -> None:
-    assert facts(real.image("bookworm-base-ml-cu128")) == {
-        "target": "bookworm-base-ml-cu128",
-        "distribution": "bookworm",
+def test_image_facts(small: Catalogue) -> None:
+    assert facts(small.image("alpha-base-ml-cu1")) == {
+        "target": "alpha-base-ml-cu1",
+        "distribution": "alpha",
         "component": "base",
         "framework": "ml",
-        "stack": "cu128",
-        "os": "bookworm",
-        "python": "3.11",
-        "ros": 1,
-        "ros_distro": "Debian",
+        "stack": "cu1",
+        "os": "ubuntu-24.04",
+        "python": "3.12",
+        "ros": 2,
+        "ros_distro": "alpha",
         "platforms": ["linux/amd64"],
-        "versions": {
-            "torch": "2.10.0",
-            "tensorflow": "2.20.0",
-            "cuda": "12.8.90",
-            "cudnn": "9.10.2.21",
-            "nccl": "2.27.5",
-        },
+        "versions": {"torch": "2.10.0", "tensorflow": "2.20.0", "cuda": "12.8.90", "cudnn": "9.10.2.21"},
         "repository": "ros-ml",
         "tags": [
-            "ros-ml:bookworm-base-cu128",
-            "ros-ml:bookworm-base-cu128-torch2.10.0-tf2.20.0",
-            "ros-ml:bookworm",
+            "ros-ml:alpha-base-cu1",
+            "ros-ml:alpha-base-cu1-torch2.10.0-tf2.20.0",
+            "ros-ml:alpha",
+            "ros-ml:latest",
         ],
-        "groups": ["bookworm", "base", "ml", "cu128", "all"],
-        "parent": "bookworm-base",
+        "groups": ["alpha", "base", "ml", "cu1", "all"],
+        "parent": "alpha-base",
         "packages": [],
-        "parts": ["cuda-cu128", "common-cu128-py311", "torch-cu128-py311", "tensorflow-cu128-py311"],
+        "parts": ["cuda-cu1", "common-cu1-py312", "torch-cu1-py312", "tensorflow-cu1-py312"],
         "locks": [
-            "locks/cu128/amd64/any/cuda.txt",
-            "locks/cu128/amd64/3.11/common.txt",
-            "locks/cu128/amd64/3.11/torch.txt",
-            "locks/cu128/amd64/3.11/tensorflow.txt",
+            "locks/cu1/amd64/any/cuda.txt",
+            "locks/cu1/amd64/3.12/common.txt",
+            "locks/cu1/amd64/3.12/torch.txt",
+            "locks/cu1/amd64/3.12/tensorflow.txt",
         ],
-        "tests": ["contract", "ros1", "ros1-core", "ros1-base", "cuda", "torch", "tensorflow", "ml"],
+        "tests": ["contract", "ros2", "ros2-core", "ros2-base", "cuda", "torch", "tensorflow", "ml"],
         "locked": True,
-        "disk": {
-            key: sum(
-                getattr(size, key)
-                for size in (
-                    real.matrix.disk.os,
-                    real.matrix.disk.components["core"],
-                    real.matrix.disk.components["base"],
-                    *real.matrix.disk.parts["cu128"].values(),
-                )
-            )
-            for key in ("unpacked", "compressed")
-        },
+        "disk": {"unpacked": 100 + 2 * 20 + 1000 + 300 + 2000 + 1500, "compressed": 10 + 2 * 2 + 100 + 30 + 200 + 150},
     }
+
+
+CHANNELS = {
+    "live": "packages come from ROS's live apt repository, set up by ros2-apt-source 2.0.0",
+    "final": "packages come from ROS's apt snapshot: final, which gets no updates",
+    "snapshot, date: 2026-10-01": "packages come from ROS's apt snapshot: of 2026-10-01",
+}
+
+
+@pytest.mark.parametrize("channel", CHANNELS)
+def test_where_packages_come_from(channel: str) -> None:
+    catalogue = parse(changed("apt: {channel: live}", f"apt: {{channel: {channel}}}"))
+    assert CHANNELS[channel] in explain(catalogue, "alpha-core")
 
 
 def test_chain_skips_components_that_a_distribution_lacks(small: Catalogue) -> None:
@@ -207,7 +204,9 @@ def test_images_without_a_lock_are_in_no_group(small: Catalogue) -> None:
     assert not grouped & {name for image in unlocked for name in (image.target, image.test_target)}
     assert "payload-torch-cu1-py312" not in grouped
     assert "payload-torch-cu1-py314" in grouped
-    assert f"there is no {torch} of the stack's release; run 'make locks'" in explain(catalogue, "alpha-core-torch-cu1")
+    said = explain(catalogue, "alpha-core-torch-cu1")
+    assert said.startswith("alpha-core-torch-cu1 exists, but cannot be built yet:\n")
+    assert said.endswith(f"\n  - {torch} is missing; run 'make locks'")
     assert with_locks(small, locks) == small
 
 
@@ -266,7 +265,7 @@ def test_every_combination_exists_or_has_a_reason(small: Catalogue, real: Catalo
 
 
 def test_colliding_targets() -> None:
-    row = "{os: ubuntu-24.04, ros: 2, packages: x, components: [core], default_stack: cpu}"
+    row = "{os: ubuntu-24.04, ros: 2, packages: x, components: [core], default_stack: cpu, apt: {channel: live}}"
     text = changed("distributions:\n", f"distributions:\n  alpha-core: {row}\n")
     text = changed("\ncomponents:\n", "\ncomponents:\n  core-core: {}\n", text)
     text = changed("    core: {un", "    core-core: {unpacked: 1, compressed: 1}\n    core: {un", text)
@@ -290,7 +289,19 @@ REASONS = {
     "so it has no stack.",
     "alpha-base-torch": "alpha-base-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
     "alpha-base-none": "alpha-base-none is called alpha-base.",
-    "cu1": "cu1: a group of 13 targets; see them with: make list",
+    "cu1": "cu1: a group of 13 targets; see them with: make list GROUP=cu1",
+    "default": "default: a group of 1 target; see them with: make list GROUP=default",
+    "payloads": "payloads: a group of 11 targets; see them with: make list",
+    "ros-ml:omega-base-cpu": "ros-ml:omega-base-cpu does not exist: no release of tensorflow has a wheel for "
+    "Python 3.14, the Python of ubuntu-26.04.",
+    "x.org:5000/y/ros-ml:omega": "x.org:5000/y/ros-ml:omega does not exist on any stack: no release of tensorflow has a "
+    "wheel for Python 3.14, the Python of ubuntu-26.04.",
+    "ros-torch:alpha-base": "ros-torch:alpha-base names no stack; "
+    "there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
+    "omega-ml": "omega-ml does not exist on any stack: no release of tensorflow has a wheel for Python 3.14, "
+    "the Python of ubuntu-26.04.",
+    "alpha-torch": "alpha-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
+    "alpha-torch-cpu": "alpha-torch-cpu is called alpha-base-torch-cpu.",
     "payload-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
 }
 
@@ -342,6 +353,15 @@ def test_unknown_names(small: Catalogue) -> None:
 @pytest.mark.parametrize("name", ["ros:alpha-base", "localhost:5000/ros:alpha", "https://x.org/y/ros:latest"])
 def test_a_tag_is_a_name_as_well(small: Catalogue, name: str) -> None:
     assert small.image(name).target == "alpha-base"
+
+
+def test_a_tag_of_an_unknown_stack_names_near_tags(small: Catalogue) -> None:
+    with pytest.raises(RosmlError) as caught:
+        explain(small, "ros-torch:alpha-core-cu9")
+    assert caught.value.message == (
+        "no image named 'ros-torch:alpha-core-cu9'; did you mean 'ros-torch:alpha-core-cu1', "
+        "'ros-torch:alpha-core-cpu' or 'ros-torch:alpha-base-cu1'?"
+    )
 
 
 def test_a_tag_that_nothing_has(small: Catalogue) -> None:

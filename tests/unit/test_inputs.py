@@ -138,21 +138,29 @@ def test_the_same_everywhere(project: Path, tmp_path: Path) -> None:
     assert digests(project) == digests(other)
 
 
-def test_every_file_that_reaches_the_builder_is_an_input(real: Catalogue) -> None:
-    """Also a warning of a file that nothing uses."""
-    inputs = Inputs(ROOT, real)
-    todo = {(item.target, architecture) for item in items(real) for architecture in item.architectures}
+def used(catalogue: Catalogue) -> set[str]:
+    """The names of all inputs of all images and payloads, with the project's own files."""
+    inputs = Inputs(ROOT, catalogue)
+    todo = {(item.target, architecture) for item in items(catalogue) for architecture in item.architectures}
     seen: set[tuple[str, str]] = set()
-    used: set[str] = set()
+    names: set[str] = set()
     while todo:
         target, architecture = todo.pop()
         seen.add((target, architecture))
         found = inputs.of(target, architecture)
-        used |= found.keys()
+        names |= found.keys()
         todo |= {(name.removeprefix(TARGET), architecture) for name in found if name.startswith(TARGET)} - seen
-    files = {path for folder in ("components", "locks") for path in (ROOT / folder).rglob("*") if path.is_file()}
+    return names
+
+
+def test_every_file_that_reaches_the_builder_is_an_input(small: Catalogue, real: Catalogue) -> None:
+    """Also a warning of a component's file that nothing uses; test_design.py looks for locks that nothing uses. The small
+    matrix has every part, whatever the real one holds."""
+    files = {path for path in (ROOT / "components").rglob("*") if path.is_file()}
     wanted = {path.relative_to(ROOT).as_posix() for path in files if "__pycache__" not in path.parts}
-    assert {name for name in used if (ROOT / name).is_file()} == wanted | {"tools/requirements.txt", ".dockerignore"}
+    locks = {lock for catalogue in (small, real) for payload in catalogue.payloads for lock in payload.locks}
+    wanted |= {name for name in (*locks, "tools/requirements.txt", ".dockerignore") if (ROOT / name).is_file()}
+    assert {name for name in used(small) | used(real) if (ROOT / name).is_file()} == wanted
 
 
 # ---- The matrix ------------------------------------------------------------------------------------------------------

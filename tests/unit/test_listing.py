@@ -5,13 +5,15 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, SMALL, changed
 
 from rosml import listing
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue
+from rosml.expand import Catalogue, with_locks
+from rosml.problems import listed
 
 SCRIPT = str(ROOT / "scripts/generate_bake.py")
 
@@ -31,32 +33,71 @@ def test_groups_narrow_the_list_down(small: Catalogue) -> None:
     assert targets(small, "alpha", "omega") == []
 
 
+def test_architectures_narrow_the_list_down(small: Catalogue) -> None:
+    assert targets(small, "alpha", "core", "arm64") == ["alpha-core", "alpha-core-torch-cpu", "alpha-core-ml-cpu"]
+
+
+NONE = {
+    ("alpha", "robot"): "alpha-robot",
+    ("cu1", "ml", "omega"): "omega-ml-cu1",
+    ("alpha", "cu1", "arm64"): "alpha-core-cuda-cu1",
+    ("alpha", "omega"): "<distribution>-<component>-<framework>",
+    ("alpha", "robot", "cu1"): "<distribution>-<component>-<framework>",
+}
+
+
+@pytest.mark.parametrize("groups", NONE)
+def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) -> None:
+    """They are no error, but somebody who mistook one for the other must not take an empty table for an answer."""
+    robot = changed("components: [core, base]\n", "components: [core, base, robot]\n")
+    (tmp_path / "matrix.yaml").write_text(robot)
+    argv = [sys.executable, SCRIPT, "--matrix", str(tmp_path / "matrix.yaml"), "--list"]
+    argv += [f"--group={name}" for name in groups]
+    done = subprocess.run(argv, capture_output=True, text=True, check=True)
+    assert done.stdout == ""
+    assert done.stderr.startswith(f"no image is in all of {listed(groups)}; see why: ")
+    assert done.stderr.endswith(f": make explain TARGET={NONE[groups]}\n")
+
+
+def test_one_image_is_one(small: Catalogue, capsys: pytest.CaptureFixture[str]) -> None:
+    listing.print_table(listing.members(small, ["alpha", "core", "torch", "cu1"]))
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].split()[:6] == ["target", "versions", "platforms", "main", "tag", "lock"]
+    assert lines[-1] == "1 image, 3 payloads"
+
+
 def test_a_group_that_does_not_exist(small: Catalogue) -> None:
     with pytest.raises(RosmlError, match="no group named 'omga'; did you mean 'omega'") as caught:
         listing.members(small, ["omga"])
     assert caught.value.exit_code == 2
-    assert "cu1, cuda, default, desktop" in caught.value.remedy
+    assert "alpha, amd64, arm64, base, core, cpu, cu1, cuda, default, desktop" in caught.value.remedy
 
 
-def test_images_without_a_lock_are_listed(real: Catalogue) -> None:
-    assert "lyrical-base-torch-cpu" in targets(real, "lyrical", "torch", "cpu")
+def test_images_without_a_lock_are_listed(small: Catalogue) -> None:
+    assert targets(with_locks(small, ()), "omega", "base", "cpu") == ["omega-base-torch-cpu"]
 
 
-def test_command() -> None:
+def test_command(real: Catalogue) -> None:
+    """With two groups that the project's matrix has together, whatever it holds."""
+    image = real.image(real.matrix.default.target)
     done = subprocess.run(
-        ["make", "list", "GROUP=jazzy torch cu128"], cwd=ROOT, capture_output=True, text=True, check=True
+        ["make", "list", f"GROUP={image.distribution} {image.framework}"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
     )
-    lines = done.stdout.splitlines()
-    assert [line.split()[0] for line in lines[1:-1]] == [
-        f"jazzy-{component}-torch-cu128" for component in ("core", "base", "perception", "desktop", "desktop-full")
-    ]
-    assert lines[-1].strip() == "5 images, 3 payloads"
+    wanted = targets(real, image.distribution, image.framework)
+    assert [line.split()[0] for line in done.stdout.splitlines()[1 : len(wanted) + 1]] == wanted
+    assert f"\n{len(wanted)} images, " in done.stdout
 
 
-def test_command_for_machines() -> None:
-    argv = [sys.executable, SCRIPT, "--list", "--json", "--group", "jazzy", "--group", "none"]
+def test_command_for_machines(tmp_path: Path) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    argv = [sys.executable, SCRIPT, "--matrix", str(tmp_path / "matrix.yaml"), "--list", "--json"]
+    argv += ["--group", "alpha", "--group", "none"]
     images = json.loads(subprocess.run(argv, capture_output=True, check=True).stdout)
-    assert {(image["distribution"], image["framework"]) for image in images} == {("jazzy", "none")}
+    assert [image["target"] for image in images] == ["alpha-core", "alpha-base", "alpha-desktop"]
     assert all(image["inputs"] for image in images)
 
 

@@ -146,8 +146,6 @@ def test_ten_thousand_images_are_planned_in_seconds() -> None:
 RATES = "rates: {packages: 10, payloads: 100, test: 5}"
 ERRORS: dict[str, tuple[str, int, str, str]] = {
     "too few": (SMALL, 1, "2 architectures (amd64, arm64) do not fit in 1 shard:", "--shards 2"),
-    "none": (SMALL, 0, "do not fit in 0 shards:", "--shards 2"),
-    "negative": (SMALL, -3, "do not fit in -3 shards:", "--shards 2"),
     "no runner": (changed(", runner: arm", ""), 2, "architectures.arm64: 'runner' is missing", "runner: ubuntu-24.04"),
     "no rates": (changed(RATES, ""), 2, "'rates' is missing", "rates: {packages: 25"),
 }
@@ -167,6 +165,14 @@ def test_an_architecture_that_nothing_is_built_for_needs_no_runner() -> None:
     text = changed(", runner: arm", "", changed("default_stack: cpu", "default_stack: cu1"))
     text = text.replace("architectures: [amd64, arm64]", "architectures: [amd64]")
     assert [shard.architecture for shard in plan.plan(parse(text), 1).shards] == ["amd64"]
+
+
+@pytest.mark.parametrize("shards", [0, -1])
+def test_no_machines(shards: int, small: Catalogue) -> None:
+    with pytest.raises(RosmlError) as caught:
+        plan.plan(small, shards)
+    assert (caught.value.message, caught.value.exit_code) == (f"{shards} machines can build nothing", 2)
+    assert caught.value.remedy == "say how many there are, one or more: make plan SHARDS=8"
 
 
 def test_nothing_to_plan(small: Catalogue) -> None:
@@ -200,6 +206,12 @@ def test_what_has_no_lock_is_in_no_plan(small_file: Path, capsys: pytest.Capture
     targets = {target for shard in json.loads(capsys.readouterr().out)["shards"] for target in shard["targets"]}
     assert "alpha-core-torch-cu1" not in targets
     assert {"alpha-core", "alpha-core-torch-cpu", "omega-core-torch-cu1"} <= targets
+
+
+def test_the_table_counts_what_has_no_lock(small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (small_file.parent / "locks/cu1/amd64/3.12/torch.txt").unlink()
+    assert run("--matrix", small_file, "--shards", "4") == 0
+    assert capsys.readouterr().out.splitlines()[-1] == "left out: 6 images without a lock; see them with: make list"
 
 
 def run(*arguments: str | Path) -> int:

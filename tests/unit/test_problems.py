@@ -25,9 +25,9 @@ WRONG = {
     "misspelt key": (
         "    default_stack: cpu\n",
         "    default_stak: cpu\n",
-        "57:3: distributions.omega: 'default_stack' is missing; add 'default_stack: …' "
+        "58:3: distributions.omega: 'default_stack' is missing; add 'default_stack: …' "
         "(stack of the short tags, e.g. ros-torch:jazzy)\n"
-        "62:5: distributions.omega.default_stak: unknown key 'default_stak'; did you mean 'default_stack'?",
+        "63:5: distributions.omega.default_stak: unknown key 'default_stak'; did you mean 'default_stack'?",
     ),
     "misspelt section": (
         "distributions:",
@@ -65,7 +65,7 @@ WRONG = {
     "a number with a point": (
         "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]",
         "    ros: 2.0\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]",
-        "59:5: distributions.omega.ros: expected a whole number, found the number 2.0",
+        "60:5: distributions.omega.ros: expected a whole number, found the number 2.0",
     ),
     "version of one number": (
         "torch: 2.10.0, tensorflow",
@@ -91,13 +91,13 @@ WRONG = {
     "octal": (
         "os: {unpacked: 100",
         "os: {unpacked: 0100",
-        "65:8: disk.os.unpacked: YAML reads 0100 as a number; write it in decimal digits; "
+        "66:8: disk.os.unpacked: YAML reads 0100 as a number; write it in decimal digits; "
         'or, if text is meant, in quotes: "0100"',
     ),
     "text for a list": (
         "components: [core, base]",
         "components: core",
-        "61:5: distributions.omega.components: expected a list, such as [a, b], found 'core'",
+        "62:5: distributions.omega.components: expected a list, such as [a, b], found 'core'",
     ),
     "list for text": (
         "    tools: colcon\n    codename: noble",
@@ -107,7 +107,7 @@ WRONG = {
     "empty list": (
         "components: [core, base]",
         "components: []",
-        "61:5: distributions.omega.components: nothing is there; at least one entry is needed",
+        "62:5: distributions.omega.components: nothing is there; at least one entry is needed",
     ),
     "nothing for keys": (
         "robot: {builds_on: base}",
@@ -117,8 +117,8 @@ WRONG = {
     "twice, and unknown, in a list": (
         "components: [core, base]",
         "components: [core, core, bse]",
-        "61:24: distributions.omega.components[1]: 'core' is there twice; keep one\n"
-        "61:30: distributions.omega.components[2]: no component named 'bse'; did you mean 'base'?",
+        "62:24: distributions.omega.components[1]: 'core' is there twice; keep one\n"
+        "62:30: distributions.omega.components[2]: no component named 'bse'; did you mean 'base'?",
     ),
     "cycle": (
         "robot: {builds_on: base}",
@@ -133,13 +133,13 @@ WRONG = {
     "two mistakes in one row": (
         "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n",
         "    ros: 3\n    packages: ros-{distro}-{metapackage}\n    components: [core, base]\n",
-        "59:5: distributions.omega.ros: expected 1 or 2, found the number 3\n"
-        "60:5: distributions.omega.packages: no placeholder {distro}; did you mean 'ros_distro'?",
+        "60:5: distributions.omega.ros: expected 1 or 2, found the number 3\n"
+        "61:5: distributions.omega.packages: no placeholder {distro}; did you mean 'ros_distro'?",
     ),
     "unpaired brace": (
         "    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n",
         "    packages: ros-{ros_distro-x\n    components: [core, base]\n",
-        "60:5: distributions.omega.packages: unpaired braces in 'ros-{ros_distro-x'; "
+        "61:5: distributions.omega.packages: unpaired braces in 'ros-{ros_distro-x'; "
         "placeholders: component, metapackage and ros_distro",
     ),
     "placeholder where none is": (
@@ -255,12 +255,14 @@ WRONG = {
     "no forecast": (
         "    robot: {unpacked: 20, compressed: 2}\n",
         "",
-        "66:3: disk.components: no forecast for component robot; add 'robot: …', a guess will do",
+        "67:3: disk.components: no forecast for component robot; "
+        "add 'robot: {unpacked: 900, compressed: 250}', a guess will do",
     ),
     "no forecast of a part": (
         "      torch: {unpacked: 500, compressed: 50}\n",
         "",
-        "77:5: disk.parts.cpu: no forecast for part torch; add 'torch: …', a guess will do",
+        "78:5: disk.parts.cpu: no forecast for part torch; "
+        "add 'torch: {unpacked: 900, compressed: 250}', a guess will do",
     ),
     "budget of nothing": (
         "  parts:\n    cu1:",
@@ -291,17 +293,17 @@ WRONG = {
     "negative size": (
         "os: {unpacked: 100",
         "os: {unpacked: -1",
-        "65:8: disk.os.unpacked: expected at least 0, found the number -1",
+        "66:8: disk.os.unpacked: expected at least 0, found the number -1",
     ),
     "absurd size": (
         "os: {unpacked: 100",
         "os: {unpacked: 100000000",
-        "65:8: disk.os.unpacked: expected at most 1000000, found the number 100000000",
+        "66:8: disk.os.unpacked: expected at most 1000000, found the number 100000000",
     ),
     "part of a megabyte": (
         "os: {unpacked: 100",
         "os: {unpacked: 1.5",
-        "65:8: disk.os.unpacked: expected a whole number, found the number 1.5",
+        "66:8: disk.os.unpacked: expected a whole number, found the number 1.5",
     ),
     "no such day": (
         "eol: 2029-05-31",
@@ -321,23 +323,52 @@ WRONG = {
     "snapshot without a day": (
         ", date: 2026-11-01",
         "",
-        "63:5: distributions.omega.apt: 'date' belongs to the channel snapshot, and to it alone",
+        "64:5: distributions.omega.apt: 'date' belongs to the channel snapshot, and to it alone",
     ),
     "live without its package": (
         "{channel: snapshot, date: 2026-11-01}",
         "{channel: live}",
-        "63:5: distributions.omega.apt: the live channel needs a pinned ros2-apt-source for ubuntu-26.04; "
+        "64:5: distributions.omega.apt: the live channel needs a pinned ros2-apt-source for ubuntu-26.04; "
         "add 'apt_sources: {ros2: {version: …, digest: …}}' to it",
     ),
     "no suite": (
         "    codename: resolute\n",
         "",
-        "62:5: distributions.omega.apt: ROS's apt repositories need the suite of ubuntu-26.04; add 'codename: …' to it",
+        "63:5: distributions.omega.apt: ROS's apt repositories need the suite of ubuntu-26.04; add 'codename: …' to it",
+    ),
+    "packages from nowhere": (
+        "    apt: {channel: snapshot, date: 2026-11-01}\n",
+        "",
+        "58:3: distributions.omega: ubuntu-26.04 does not have ROS's packages itself, and nothing says where they come "
+        "from; add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}' or, past the end of life, "
+        "'apt: {channel: final}'",
+    ),
+    "a generation in quotes": (
+        "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]",
+        '    ros: "2"\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]',
+        "51:5: distributions.alpha.ros: expected 1 or 2, found '2'; write it without quotes: 2",
+    ),
+    "a package source that is wrong itself": (
+        "apt_sources: {ros2: {version: 2.0.0, digest: sha256:" + "3" * 64 + "}}",
+        "apt_sources: 2.0.0",
+        "17:5: operating_systems.ubuntu-24.04.apt_sources: expected keys and values, found '2.0.0'",
+    ),
+    "a stack without forecasts": (
+        "    cpu:\n      common: {unpacked: 300, compressed: 30}\n      torch: {unpacked: 500, compressed: 50}\n"
+        "      tensorflow: {unpacked: 500, compressed: 50}\n",
+        "",
+        "72:3: disk.parts: no forecast for stack cpu; add 'cpu: {common: {unpacked: 900, compressed: 250}, "
+        "torch: {unpacked: 900, compressed: 250}, tensorflow: {unpacked: 900, compressed: 250}}', a guess will do",
+    ),
+    "an architecture by another name": (
+        "    architectures: [amd64, arm64]\n    tools: colcon\n    codename: noble",
+        "    architectures: [x86_64]\n    tools: colcon\n    codename: noble",
+        "14:21: operating_systems.ubuntu-24.04.architectures[0]: no architecture named 'x86_64'; known: amd64, arm64",
     ),
     "unknown channel": (
         "channel: snapshot",
         "channel: nightly",
-        "63:11: distributions.omega.apt.channel: expected live, snapshot or final, found 'nightly'",
+        "64:11: distributions.omega.apt.channel: expected live, snapshot or final, found 'nightly'",
     ),
     "default without a stack": (
         "alpha-core-torch-cu1",
@@ -357,7 +388,7 @@ WRONG = {
         "  ubuntu-24-04:\n",
         "18:3: operating_systems.ubuntu-24-04: 'ubuntu-24-04' and 'ubuntu-24.04' would have the same target; "
         "rename one\n"
-        "58:5: distributions.omega.os: no operating system named 'ubuntu-26.04'; "
+        "59:5: distributions.omega.os: no operating system named 'ubuntu-26.04'; "
         "did you mean 'ubuntu-24.04' or 'ubuntu-24-04'?",
     ),
     "anchor": (
@@ -368,8 +399,8 @@ WRONG = {
     "anchor and alias": (
         "components: [core, base]\n",
         "components: &c [core, base]\n    extra: *c\n",
-        "61:17: the anchor &c is not allowed; write the value out where it is used\n"
-        "62:12: the alias *c is not allowed; write the value out",
+        "62:17: the anchor &c is not allowed; write the value out where it is used\n"
+        "63:12: the alias *c is not allowed; write the value out",
     ),
     "merge key": (
         "lts: true",
@@ -382,12 +413,25 @@ WRONG = {
         "56:10: the tag 'tag:yaml.org,2002:python/name:os.system' is not allowed; remove it",
     ),
     "list for a key": ("lts: true", "? [a]\n    : true", "56:7: distributions.alpha: a key must be plain text"),
+    "tab at the very start": ("version: 1\n", "\tversion: 1\n", "1:1: a tab; indent with spaces"),
+    "tab before a key": ("registry: localhost", "\tregistry: localhost", "2:1: a tab; indent with spaces"),
+    "conflict": (
+        "    lts: true\n",
+        "<<<<<<< HEAD\n    lts: true\n=======\n    lts: false\n>>>>>>> topic\n",
+        "56:1: a git conflict marker; resolve the merge\n58:1: a git conflict marker; resolve the merge\n"
+        "60:1: a git conflict marker; resolve the merge",
+    ),
+    "a range without quotes": (
+        'numpy: ">=2.2,<2.3"',
+        "numpy: >=2.2,<2.3",
+        "22:13: not YAML: did not find expected comment or line break; put the text in quotes",
+    ),
     "tab": ("    lts: true", "\tlts: true", "56:1: a tab; indent with spaces"),
     "tab after spaces": ("    lts: true", "    \tlts: true", "56:5: a tab; indent with spaces"),
     "open brace": (
         "lts: true",
         "lts: {",
-        "58:7: not YAML: did not find expected ',' or '}'; close the bracket, and put commas between its items",
+        "58:3: not YAML: did not find expected ',' or '}'; close the bracket, and put commas between its items",
     ),
     "no space after a colon": (
         "lts: true",
@@ -528,7 +572,7 @@ def test_huge_file(tmp_path: Path) -> None:
 
 
 def test_too_many_combinations() -> None:
-    row = "{os: ubuntu-24.04, ros: 2, packages: x, components: [core], default_stack: cpu}"
+    row = "{os: ubuntu-24.04, ros: 2, packages: x, components: [core], default_stack: cpu, apt: {channel: live}}"
     text = changed("distributions:\n", "distributions:\n" + "".join(f"  d{n}: {row}\n" for n in range(1000)))
     text = changed("\nstacks:\n", "\nstacks:\n" + "".join(f"  s{n}: {{accelerator: cpu}}\n" for n in range(100)), text)
     forecasts = "".join(f"    s{n}: {{common: {{unpacked: 1, compressed: 1}}}}\n" for n in range(100))
@@ -559,7 +603,7 @@ def test_long_values_are_cut_in_the_middle() -> None:
     with pytest.raises(InputError) as caught:
         parse(changed("os: {unpacked: 100,", f"os: {{unpacked: {'9' * 20_000},"))
     message = str(caught.value)
-    assert message.startswith("matrix.yaml:65:8: disk.os.unpacked: YAML reads 999")
+    assert message.startswith("matrix.yaml:66:8: disk.os.unpacked: YAML reads 999")
     assert "…" in message
     assert len(message) < 600
 

@@ -11,7 +11,6 @@ Nothing is downloaded: the packages are made here, newer than anything that exis
 
 from __future__ import annotations
 
-import importlib.metadata
 import json
 import os
 import re
@@ -55,39 +54,34 @@ def install(*arguments: str, expect: int = 0) -> str:
 
 
 def versions() -> dict[str, str]:
-    """All packages that pip knows, with their versions."""
-    return {item["name"].lower(): item["version"] for item in json.loads(pip("list", "--format", "json"))}
-
-
-def importable(name: str) -> str:
-    code = f"import {name}; print({name}.__version__)"
-    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd="/").stdout.strip()
+    """All packages that Python finds, the ones that shadow others, with their versions."""
+    code = (
+        "import importlib.metadata as m, json\n"
+        "found = {}\n"
+        "for d in m.distributions(): found.setdefault((d.metadata['Name'] or '').lower(), d.version)\n"
+        "print(json.dumps(found))"
+    )
+    return dict(json.loads(subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, check=True).stdout))
 
 
 before = versions()
 for name in ("numpy", "six", "torch", "tensorflow"):
     wheel(name, FAR)
-
-# numpy: what is there satisfies it, and the far newer one is out of the range. A pip that finds nothing else must say so.
-assert "numpy" in before, before
-install("--upgrade", "numpy")
+carried = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" in os.environ]
+wheel("wantsframeworks", "1.0", ["numpy", *carried])
 wheel("wantsfarnumpy", "1.0", ["numpy>=3"])
+
+# What is there satisfies it, and the far newer one is out of the range. Debian's six has no RECORD, by which pip could
+# remove it; it does not try to.
+assert "numpy" in before, before
+install("--upgrade", "numpy", "six", "wantsframeworks")
+found = versions()
+assert found == {**before, "wantsframeworks": "1.0", "six": FAR}, set(found.items()) ^ set(before.items())
+
 said = install("wantsfarnumpy", expect=1)
 assert re.search(r"conflict|No matching distribution", said), said
 
-carried = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" in os.environ]
-wheel("wantsframeworks", "1.0", ["numpy", *carried])
-install("wantsframeworks")
-assert versions() == {**before, "wantsframeworks": "1.0"}, set(versions().items()) ^ set(before.items())
-pip("uninstall", "--yes", "wantsframeworks")
-
-# Debian's six has no RECORD, by which pip could remove it; it does not try to.
-old = importlib.metadata.version("six")
-install("--upgrade", "six")
-assert importable("six") == FAR
-pip("uninstall", "--yes", "six")
-assert importable("six") == old
-
+pip("uninstall", "--yes", "six", "wantsframeworks")
 assert versions() == before
 leftovers = [path for path in (Path.home() / ".cache/pip", Path.home() / ".config/pip") if path.exists()]
 assert not leftovers, leftovers

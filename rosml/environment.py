@@ -1,0 +1,16 @@
+"""Imported first by every command: says how to call it where the packages that it needs are not installed."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+
+REQUIRED = ("click", "pydantic", "rich", "yaml")
+"""What pyproject.toml asks for, as it is imported; some of it is imported late, in the middle of the work."""
+
+if lacking := [name for name in REQUIRED if importlib.util.find_spec(name) is None]:
+    print(
+        f"run it with: uv run scripts/{Path(sys.argv[0]).name} ({', '.join(lacking)}: not installed)", file=sys.stderr
+    )
+    sys.exit(2)
