@@ -267,9 +267,9 @@ WRONG = {
     "budget of nothing": (
         "  parts:\n    cu1:",
         "  budgets: {cu2: {torch: 1}, cpu: {none: 1, torsh: 1}}\n  parts:\n    cu1:",
-        "71:13: disk.budgets.cu2: no stack named 'cu2'; did you mean 'cu1' or 'cpu'?\n"
-        "71:36: disk.budgets.cpu.none: no framework with parts named 'none'; known: cuda, torch, ml\n"
-        "71:45: disk.budgets.cpu.torsh: no framework with parts named 'torsh'; did you mean 'torch'?",
+        "72:13: disk.budgets.cu2: no stack named 'cu2'; did you mean 'cu1' or 'cpu'?\n"
+        "72:36: disk.budgets.cpu.none: no framework with parts named 'none'; known: cuda, torch, ml\n"
+        "72:45: disk.budgets.cpu.torsh: no framework with parts named 'torsh'; did you mean 'torch'?",
     ),
     "double braces": (
         "packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]",

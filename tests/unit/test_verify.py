@@ -46,8 +46,8 @@ def test_environment(small: Catalogue) -> None:
 
 
 def test_ros_distro_of_its_own() -> None:
-    catalogue = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: Debian\n"))
-    assert verify.expected_environment(catalogue.image("alpha-core"))["ROS_DISTRO"] == "Debian"
+    catalogue = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: of-its-own\n"))
+    assert verify.expected_environment(catalogue.image("alpha-core"))["ROS_DISTRO"] == "of-its-own"
 
 
 def test_what_the_test_stage_gets(tmp_path: Path, small: Catalogue) -> None:
