@@ -90,6 +90,33 @@ def results(matrix: Path, namespace: str, as_json: bool, markdown: bool) -> None
         found.print_table(records)
 
 
+@cli.command()
+@click.argument("one")
+@click.argument("other")
+@click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
+def compare(one: str, other: str, as_json: bool) -> None:
+    """Compares the layers of two published images, and shows the first file in which they differ.
+
+    Exits with 1 if they differ. References are complete: the registry, and a tag or digest.
+
+    \b
+    Examples:
+      uv run scripts/publish.py compare localhost:5000/rosml/payload:torch-cu128-py311 ghcr.io/me/payload:torch-cu128-py311
+    """
+    from rosml.compare import compare as compared
+    from rosml.services import Services
+
+    found = compared(Services.load(ROOT), one, other)
+    if as_json:
+        click.echo(json.dumps(found.to_json(), indent=2))
+    else:
+        for number, (left, right) in enumerate(found.layers, 1):
+            click.echo(f"layer {number}: {'same' if left == right else 'differs'}  {left or '-'}  {right or '-'}")
+        click.echo(found.difference or "all layers are the same")
+    if not found.same:
+        raise SystemExit(1)
+
+
 if __name__ == "__main__":
     kept = "interrupted: no tag was moved; what was finished is kept, the next call carries on"
     sys.exit(command.run(cli, kept))
