@@ -11,6 +11,7 @@ Nothing is downloaded: the packages are made here, newer than anything that exis
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 import re
@@ -64,6 +65,9 @@ def versions() -> dict[str, str]:
     return dict(json.loads(subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, check=True).stdout))
 
 
+# Files of tests run side by side: nobody looks at Python's packages while they change.
+lock = open("/tmp/rosml-python-packages.lock", "w")  # noqa: SIM115 (held until this process ends)
+fcntl.flock(lock, fcntl.LOCK_EX)
 before = versions()
 for name in ("numpy", "six", "torch", "tensorflow"):
     wheel(name, FAR)

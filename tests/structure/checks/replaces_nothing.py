@@ -4,6 +4,7 @@ import, but for those that are named here with the reason."""
 
 from __future__ import annotations
 
+import fcntl
 import os
 import sys
 from pathlib import Path
@@ -59,6 +60,9 @@ def modules(folder: Path) -> set[str]:
     }
 
 
+# Not while pip_install.py changes Python's packages.
+lock = open("/tmp/rosml-python-packages.lock", "w")  # noqa: SIM115 (held until this process ends)
+fcntl.flock(lock, fcntl.LOCK_EX)
 sites = [site for site in Path("/usr/local/lib").glob("python3*/dist-packages") if any(site.glob("*.dist-info"))]
 assert sites, "no payload is here"
 shadowed: set[str] = set()
