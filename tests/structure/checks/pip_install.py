@@ -24,6 +24,7 @@ from pathlib import Path
 
 FOLDER = Path(tempfile.mkdtemp())
 FAR = "999.0"
+CONSTRAINTS = Path("/usr/local/share/rosml/constraints.txt")
 
 
 def wheel(name: str, version: str, requires: Sequence[str] = ()) -> None:
@@ -69,23 +70,29 @@ def versions() -> dict[str, str]:
 lock = open("/tmp/rosml-python-packages.lock", "w")  # noqa: SIM115 (held until this process ends)
 fcntl.flock(lock, fcntl.LOCK_EX)
 before = versions()
-for name in ("numpy", "six", "torch", "tensorflow"):
+for name in ("numpy", "cffi", "torch", "tensorflow"):
     wheel(name, FAR)
+# The newest numpy that could be within the range, where there is none yet.
+if "numpy" not in before:
+    *start, last = re.findall("numpy.*<([0-9.]+)", CONSTRAINTS.read_text())[0].split(".")
+    wheel("numpy", ".".join([*start, str(int(last) - 1), "999"]))
 carried = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" in os.environ]
 wheel("wantsframeworks", "1.0", ["numpy", *carried])
 wheel("wantsfarnumpy", "1.0", ["numpy>=3"])
 
-# What is there satisfies it, and the far newer one is out of the range. Debian's six has no RECORD, by which pip could
-# remove it; it does not try to.
-assert "numpy" in before, before
-install("--upgrade", "numpy", "six", "wantsframeworks")
+# numpy stays within the range. Debian's cffi has no RECORD, by which pip could remove it; it does not try to.
+install("--upgrade", "numpy", "cffi", "wantsframeworks")
 found = versions()
-assert found == {**before, "wantsframeworks": "1.0", "six": FAR}, set(found.items()) ^ set(before.items())
+numpy = found.pop("numpy")
+assert numpy == before.get("numpy", numpy) != FAR, numpy
+wanted = {**before, "wantsframeworks": "1.0", "cffi": FAR}
+wanted.pop("numpy", None)
+assert found == wanted, set(found.items()) ^ set(wanted.items())
 
 said = install("wantsfarnumpy", expect=1)
 assert re.search(r"conflict|No matching distribution", said), said
 
-pip("uninstall", "--yes", "six", "wantsframeworks")
+pip("uninstall", "--yes", "cffi", "wantsframeworks", *([] if "numpy" in before else ["numpy"]))
 assert versions() == before
 leftovers = [path for path in (Path.home() / ".cache/pip", Path.home() / ".config/pip") if path.exists()]
 assert not leftovers, leftovers
