@@ -91,7 +91,7 @@ def test_outside_of_the_virtual_environment(script: str) -> None:
     """Without any packages: before the first of them is imported, wherever that is."""
     argv = [sys.executable, "-S", str(ROOT / f"scripts/{script}.py"), "--help"]
     done = subprocess.run(argv, capture_output=True, text=True, check=False)
-    told = f"run it with: uv run scripts/{script}.py (click, pydantic, rich, yaml: not installed)\n"
+    told = f"run it with: uv run scripts/{script}.py (click, pydantic, rich, yaml, zstandard: not installed)\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
 
 
