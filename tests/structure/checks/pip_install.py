@@ -5,7 +5,8 @@ Nothing is downloaded: the packages are made here, newer than anything that exis
 
 - `pip install -U numpy` stays within the range that ROS's packages were compiled for, and so does what asks for numpy;
 - a package that needs torch or tensorflow takes the one that is there;
-- a new version of a Debian package goes beside it, into /usr/local, and uninstalling it brings Debian's back;
+- a new version of a Debian package goes beside it, into /usr/local, and uninstalling it brings Debian's back; a newer
+  pip refuses that and says who installed it, unless it is told to ignore what is there;
 - everything is gone afterwards: nothing of it is part of the image.
 """
 
@@ -43,7 +44,7 @@ def wheel(name: str, version: str, requires: Sequence[str] = ()) -> None:
 
 
 def pip(*arguments: str, expect: int = 0) -> str:
-    """Runs pip; returns what it said."""
+    """Runs pip, which must end with an exit code; returns what it said."""
     command = [sys.executable, "-m", "pip", *arguments]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd="/")
     if done.returncode != expect:
@@ -51,8 +52,12 @@ def pip(*arguments: str, expect: int = 0) -> str:
     return done.stdout
 
 
+OFFLINE = ("install", "--no-index", "--find-links", str(FOLDER), "--no-cache-dir")
+INSTALL = (sys.executable, "-m", "pip", *OFFLINE)
+
+
 def install(*arguments: str, expect: int = 0) -> str:
-    return pip("install", "--no-index", "--find-links", str(FOLDER), "--no-cache-dir", *arguments, expect=expect)
+    return pip(*OFFLINE, *arguments, expect=expect)
 
 
 def versions() -> dict[str, str]:
@@ -80,19 +85,26 @@ carried = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" 
 wheel("wantsframeworks", "1.0", ["numpy", *carried])
 wheel("wantsfarnumpy", "1.0", ["numpy>=3"])
 
-# numpy stays within the range. Debian's cffi has no RECORD, by which pip could remove it; it does not try to.
-install("--upgrade", "numpy", "cffi", "wantsframeworks")
+# numpy stays within the range, and frameworks that are there are enough.
+install("--upgrade", "numpy", "wantsframeworks")
 found = versions()
 numpy = found.pop("numpy")
 assert numpy == before.get("numpy", numpy) != FAR, numpy
-wanted = {**before, "wantsframeworks": "1.0", "cffi": FAR}
+wanted = {**before, "wantsframeworks": "1.0"}
 wanted.pop("numpy", None)
 assert found == wanted, set(found.items()) ^ set(wanted.items())
+pip("uninstall", "--yes", "wantsframeworks", *([] if "numpy" in before else ["numpy"]))
 
 said = install("wantsfarnumpy", expect=1)
 assert re.search(r"conflict|No matching distribution", said), said
 
-pip("uninstall", "--yes", "cffi", "wantsframeworks", *([] if "numpy" in before else ["numpy"]))
+# Debian's cffi has no RECORD, by which pip could remove it.
+refused = subprocess.run([*INSTALL, "--upgrade", "cffi"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+if refused.returncode != 0:
+    assert re.search(r"installed by debian", refused.stdout), refused.stdout
+    install("--ignore-installed", "cffi")
+assert versions() == {**before, "cffi": FAR}
+pip("uninstall", "--yes", "cffi")
 assert versions() == before
 leftovers = [path for path in (Path.home() / ".cache/pip", Path.home() / ".config/pip") if path.exists()]
 assert not leftovers, leftovers
