@@ -81,30 +81,32 @@ class Inputs:
             f"{name}.yaml" for name in tests if folder.is_dir() and not (folder / f"{name}.yaml").is_file()
         ]:
             raise RosmlError(f"tests/structure has no {listed(untested)}", "write what must hold in these images there")
-        seen: set[tuple[str, str | None]] = set()
+        kinds: dict[tuple[str, str | None], Image] = {}  # images of one framework and stack are joined alike
         for image in self.catalogue.images:
-            if (kind := (image.framework, image.stack)) in seen:
-                continue
-            seen.add(kind)
-            used = self.of(image.target, image.architectures[0])
-            given = self._resolved(image.target)["contexts"]
-            missing = [name.removeprefix("base image ") for name, value in used.items() if value == UNPINNED]
-            idle = [
-                name
-                for name, value in given.items()
-                if not self._context(value, image.architectures[0]).items() <= used.items()
-            ]
-            if missing or idle:
-                stage = self._resolved(image.target)["target"]
-                wrong = (
-                    f"needs {listed(missing)}, which {image.target} does not have"
-                    if missing
-                    else f"does not take {listed(idle)}"
-                )
-                raise RosmlError(
-                    f"the Dockerfile's stage {stage} {wrong}",
-                    f"correct the parts of framework {image.framework} in matrix.yaml, or write a stage for it",
-                )
+            kinds.setdefault((image.framework, image.stack), image)
+        for image in kinds.values():
+            self._check_parts(image)
+
+    def _check_parts(self, image: Image) -> None:
+        """Checks that an image's stage takes exactly the contexts that its target gives; raises as `check` does."""
+        attributes, architecture = self._resolved(image.target), image.architectures[0]
+        used = self.of(image.target, architecture)
+        missing = [name.removeprefix("base image ") for name, value in used.items() if value == UNPINNED]
+        idle = [
+            name
+            for name, value in attributes["contexts"].items()
+            if not self._context(value, architecture).items() <= used.items()
+        ]
+        if missing:
+            wrong = f"needs {listed(missing)}, which {image.target} does not have"
+        elif idle:
+            wrong = f"does not take {listed(idle)}"
+        else:
+            return
+        raise RosmlError(
+            f"the Dockerfile's stage {attributes['target']} {wrong}",
+            f"correct the parts of framework {image.framework} in matrix.yaml, or write a stage for it",
+        )
 
     def digest(self, target: str, architecture: str) -> str:
         """The digest of a target's inputs."""

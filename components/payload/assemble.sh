@@ -4,7 +4,8 @@
 #   PYTHON     3.11, ...; "any" for a part that does not depend on the Python version
 #   TARGETARCH amd64 | arm64 (set by BuildKit)
 #   LOCK       the requirements file with hashes
-# What a part leaves out is in components/<part>/prune.txt, its own steps are in files.sh; they get OUT (/out), SITE (where packages go) and TRIPLET.
+# What a part leaves out is in components/<part>/prune.txt. Its own steps are in files.sh; they get OUT (/out), SITE
+# (where packages go) and TRIPLET.
 # The result depends on the lock and on these scripts alone: not on the day, the machine or the build folder.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")

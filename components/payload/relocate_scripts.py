@@ -5,18 +5,14 @@
 to /usr/local/bin with the interpreter of the image, and each RECORD follows, so that `pip uninstall` finds them.
 """
 
-import base64
-import csv
-import hashlib
-import io
 import os
 import re
 from pathlib import Path
 
-out = Path(os.environ["OUT"])
-site = out / os.environ["SITE"].lstrip("/")
+import records  # beside this script
+
 interpreter = "/usr/bin/python3" if os.environ["PYTHON"] == "any" else f"/usr/bin/python{os.environ['PYTHON']}"
-commands = out / "usr/local/bin"
+commands = records.OUT / "usr/local/bin"
 
 
 def move(script: Path) -> Path:
@@ -35,24 +31,20 @@ def move(script: Path) -> Path:
 
 def record_line(path: Path) -> list[str]:
     """The RECORD entry of a file: its path from the site directory, its sha256 and its size in bytes."""
-    content = path.read_bytes()
-    digest = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
-    return [os.path.relpath(path, site), f"sha256={digest}", str(len(content))]
+    return [os.path.relpath(path, records.SITE), *map(str, records.digest(path))]
 
 
 def main() -> None:
-    if not (site / "bin").is_dir():
+    folder = records.SITE / "bin"
+    if not folder.is_dir():
         return
     commands.mkdir(parents=True, exist_ok=True)
-    moved = {f"bin/{script.name}": move(script) for script in sorted((site / "bin").iterdir())}
-    (site / "bin").rmdir()
-    for record in site.glob("*.dist-info/RECORD"):
-        lines = list(csv.reader(io.StringIO(record.read_text())))
-        if not any(line and line[0] in moved for line in lines):
-            continue
-        lines = [record_line(moved[line[0]]) if line[0] in moved else line for line in lines if line]
-        with record.open("w", newline="") as stream:
-            csv.writer(stream, lineterminator="\n").writerows(lines)
+    moved = {f"bin/{script.name}": move(script) for script in sorted(folder.iterdir())}
+    folder.rmdir()
+    for record in records.SITE.glob("*.dist-info/RECORD"):
+        lines = records.read(record)
+        if any(line[0] in moved for line in lines):
+            records.write(record, [record_line(moved[line[0]]) if line[0] in moved else line for line in lines])
 
 
 main()
