@@ -11,7 +11,7 @@
 #                                  │
 #                                image ─► test            structure tests on top of the finished image
 #
-# Contexts: os, parent, ros, part-cuda, part-common, part-torch, part-tensorflow, image, metadata.
+# Contexts: os, parent, ros, part-cuda, part-common, part-torch, part-tensorflow-cc, part-tensorflow, image, metadata.
 
 ARG ACCELERATOR=cpu
 ARG PART=common
@@ -65,6 +65,8 @@ FROM assembler AS assembler-common
 
 FROM assembler AS assembler-torch
 
+FROM assembler AS assembler-tensorflow-cc
+
 FROM assembler AS assembler-tensorflow
 ARG TARGETARCH
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
@@ -73,7 +75,8 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
     /run/components/tensorflow/install-compiler.sh
 
 FROM assembler-${PART} AS payload-files
-ARG PART STACK PYTHON ACCELERATOR TARGETARCH
+ARG PART STACK PYTHON WHEEL_PYTHON ACCELERATOR TARGETARCH
+ARG BYTECODE=checked-hash
 COPY locks/${STACK}/${TARGETARCH}/${PYTHON}/${PART}.txt /lock.txt
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
     --mount=type=bind,source=components/payload,target=/run/components/payload \
@@ -110,12 +113,16 @@ ARG TORCH_VERSION
 ENV TORCH_VERSION=${TORCH_VERSION}
 
 FROM join-common AS tensorflow
+ARG TENSORFLOW_CC_ROOT=/out/
+COPY --link --from=part-tensorflow-cc ${TENSORFLOW_CC_ROOT} /
 ARG TENSORFLOW_ROOT=/out/
 COPY --link --from=part-tensorflow ${TENSORFLOW_ROOT} /
 ARG TENSORFLOW_VERSION
 ENV TENSORFLOW_VERSION=${TENSORFLOW_VERSION}
 
 FROM torch AS ml
+ARG TENSORFLOW_CC_ROOT=/out/
+COPY --link --from=part-tensorflow-cc ${TENSORFLOW_CC_ROOT} /
 ARG TENSORFLOW_ROOT=/out/
 COPY --link --from=part-tensorflow ${TENSORFLOW_ROOT} /
 ARG TENSORFLOW_VERSION

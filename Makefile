@@ -1,6 +1,8 @@
 # The few commands a newcomer needs. `make` alone lists them.
 # The image to build or explain; `make image` without it builds matrix.yaml's default.target.
 TARGET ?=
+# The platform to build and test for, such as linux/arm64 (make emulation); empty: the machine's own.
+PLATFORM ?=
 # Groups whose images `make list` lists: distributions, components, frameworks, stacks, architectures.
 GROUP ?=
 # Stacks whose locks `make locks` makes anew; all if empty.
@@ -28,15 +30,15 @@ unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 
-.PHONY: help image test lint unit bench list explain generate plan diff locks up down clean status
+.PHONY: help image test lint unit bench list explain generate plan diff locks up emulation down clean status
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' Makefile
 
 image: .python ## build, test, push and tag one image: make image TARGET=bookworm-base-torch-cu128
-	@$(RUN) scripts/publish.py image --check -- "$$TARGET"
+	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$(PLATFORM)") --check -- "$$TARGET"
 	@$(BOOTSTRAP) up
-	@$(RUN) scripts/publish.py image -- "$$TARGET"
+	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$(PLATFORM)") -- "$$TARGET"
 
 test: up ## the whole suite: linters, unit tests, real builds
 	@$(RUN) pytest
@@ -70,6 +72,9 @@ locks: .python ## the hash-pinned requirements in locks/ anew, after a change of
 
 up: ## set up: tools, local registry, builder (the commands above do it by themselves)
 	@$(BOOTSTRAP) up
+
+emulation: up ## let this machine build and test for the other architecture too: make image PLATFORM=linux/arm64
+	@$(BOOTSTRAP) emulate
 
 down: ## stop the registry and the builder; what they stored stays
 	@$(BOOTSTRAP) down

@@ -1170,10 +1170,11 @@ target "_files-cuda-cu128" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "cuda"
-    STACK       = "cu128"
-    PYTHON      = "any"
-    ACCELERATOR = "cuda"
+    PART         = "cuda"
+    STACK        = "cu128"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1189,10 +1190,11 @@ target "_files-cuda-cu130" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "cuda"
-    STACK       = "cu130"
-    PYTHON      = "any"
-    ACCELERATOR = "cuda"
+    PART         = "cuda"
+    STACK        = "cu130"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1208,10 +1210,11 @@ target "_files-cuda-cu121" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "cuda"
-    STACK       = "cu121"
-    PYTHON      = "any"
-    ACCELERATOR = "cuda"
+    PART         = "cuda"
+    STACK        = "cu121"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1227,10 +1230,11 @@ target "_files-common-cu121-py38" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
-    PART        = "common"
-    STACK       = "cu121"
-    PYTHON      = "3.8"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu121"
+    PYTHON       = "3.8"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1246,10 +1250,11 @@ target "_files-torch-cu121-py38" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cu121"
-    PYTHON      = "3.8"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu121"
+    PYTHON       = "3.8"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1265,10 +1270,11 @@ target "_files-common-cpu38-py38" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
-    PART        = "common"
-    STACK       = "cpu38"
-    PYTHON      = "3.8"
-    ACCELERATOR = "cpu"
+    PART         = "common"
+    STACK        = "cpu38"
+    PYTHON       = "3.8"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1284,10 +1290,11 @@ target "_files-torch-cpu38-py38" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cpu38"
-    PYTHON      = "3.8"
-    ACCELERATOR = "cpu"
+    PART         = "torch"
+    STACK        = "cpu38"
+    PYTHON       = "3.8"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1297,16 +1304,37 @@ target "payload-torch-cpu38-py38" {
   tags     = ["${REGISTRY}/payload:torch-cpu38-py38"]
 }
 
+target "_files-tensorflow-cc-cpu38" {
+  inherits  = ["_payload"]
+  target    = "payload-files"
+  platforms = platforms(["linux/amd64", "linux/arm64"])
+  contexts  = { os = OS_UBUNTU_20_04 }
+  args = {
+    PART         = "tensorflow-cc"
+    STACK        = "cpu38"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cpu"
+  }
+}
+
+target "payload-tensorflow-cc-cpu38" {
+  inherits = ["_files-tensorflow-cc-cpu38"]
+  target   = "payload"
+  tags     = ["${REGISTRY}/payload:tensorflow-cc-cpu38"]
+}
+
 target "_files-tensorflow-cpu38-py38" {
   inherits  = ["_payload"]
   target    = "payload-files"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_20_04 }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cpu38"
-    PYTHON      = "3.8"
-    ACCELERATOR = "cpu"
+    PART         = "tensorflow"
+    STACK        = "cpu38"
+    PYTHON       = "3.8"
+    WHEEL_PYTHON = "3.8"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1322,10 +1350,11 @@ target "_files-common-cu128-py310" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
-    PART        = "common"
-    STACK       = "cu128"
-    PYTHON      = "3.10"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu128"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1341,10 +1370,11 @@ target "_files-torch-cu128-py310" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cu128"
-    PYTHON      = "3.10"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu128"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1354,16 +1384,37 @@ target "payload-torch-cu128-py310" {
   tags     = ["${REGISTRY}/payload:torch-cu128-py310"]
 }
 
+target "_files-tensorflow-cc-cu128" {
+  inherits  = ["_payload"]
+  target    = "payload-files"
+  platforms = platforms(["linux/amd64"])
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tensorflow-cc"
+    STACK        = "cu128"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
+  }
+}
+
+target "payload-tensorflow-cc-cu128" {
+  inherits = ["_files-tensorflow-cc-cu128"]
+  target   = "payload"
+  tags     = ["${REGISTRY}/payload:tensorflow-cc-cu128"]
+}
+
 target "_files-tensorflow-cu128-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cu128"
-    PYTHON      = "3.10"
-    ACCELERATOR = "cuda"
+    PART         = "tensorflow"
+    STACK        = "cu128"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1379,10 +1430,11 @@ target "_files-common-cu130-py310" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
-    PART        = "common"
-    STACK       = "cu130"
-    PYTHON      = "3.10"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu130"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1398,10 +1450,11 @@ target "_files-torch-cu130-py310" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cu130"
-    PYTHON      = "3.10"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu130"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1417,10 +1470,11 @@ target "_files-common-cpu-py310" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
-    PART        = "common"
-    STACK       = "cpu"
-    PYTHON      = "3.10"
-    ACCELERATOR = "cpu"
+    PART         = "common"
+    STACK        = "cpu"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1436,10 +1490,11 @@ target "_files-torch-cpu-py310" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cpu"
-    PYTHON      = "3.10"
-    ACCELERATOR = "cpu"
+    PART         = "torch"
+    STACK        = "cpu"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1449,16 +1504,37 @@ target "payload-torch-cpu-py310" {
   tags     = ["${REGISTRY}/payload:torch-cpu-py310"]
 }
 
+target "_files-tensorflow-cc-cpu" {
+  inherits  = ["_payload"]
+  target    = "payload-files"
+  platforms = platforms(["linux/amd64", "linux/arm64"])
+  contexts  = { os = OS_BOOKWORM }
+  args = {
+    PART         = "tensorflow-cc"
+    STACK        = "cpu"
+    PYTHON       = "any"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cpu"
+  }
+}
+
+target "payload-tensorflow-cc-cpu" {
+  inherits = ["_files-tensorflow-cc-cpu"]
+  target   = "payload"
+  tags     = ["${REGISTRY}/payload:tensorflow-cc-cpu"]
+}
+
 target "_files-tensorflow-cpu-py310" {
   inherits  = ["_payload"]
   target    = "payload-files"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_22_04 }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cpu"
-    PYTHON      = "3.10"
-    ACCELERATOR = "cpu"
+    PART         = "tensorflow"
+    STACK        = "cpu"
+    PYTHON       = "3.10"
+    WHEEL_PYTHON = "3.10"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1474,10 +1550,11 @@ target "_files-common-cu128-py312" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
-    PART        = "common"
-    STACK       = "cu128"
-    PYTHON      = "3.12"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu128"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1493,10 +1570,11 @@ target "_files-torch-cu128-py312" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cu128"
-    PYTHON      = "3.12"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu128"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1512,10 +1590,11 @@ target "_files-tensorflow-cu128-py312" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cu128"
-    PYTHON      = "3.12"
-    ACCELERATOR = "cuda"
+    PART         = "tensorflow"
+    STACK        = "cu128"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1531,10 +1610,11 @@ target "_files-common-cu130-py312" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
-    PART        = "common"
-    STACK       = "cu130"
-    PYTHON      = "3.12"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu130"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1550,10 +1630,11 @@ target "_files-torch-cu130-py312" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cu130"
-    PYTHON      = "3.12"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu130"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1569,10 +1650,11 @@ target "_files-common-cpu-py312" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
-    PART        = "common"
-    STACK       = "cpu"
-    PYTHON      = "3.12"
-    ACCELERATOR = "cpu"
+    PART         = "common"
+    STACK        = "cpu"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1588,10 +1670,11 @@ target "_files-torch-cpu-py312" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cpu"
-    PYTHON      = "3.12"
-    ACCELERATOR = "cpu"
+    PART         = "torch"
+    STACK        = "cpu"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1607,10 +1690,11 @@ target "_files-tensorflow-cpu-py312" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_24_04 }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cpu"
-    PYTHON      = "3.12"
-    ACCELERATOR = "cpu"
+    PART         = "tensorflow"
+    STACK        = "cpu"
+    PYTHON       = "3.12"
+    WHEEL_PYTHON = "3.12"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1626,10 +1710,11 @@ target "_files-common-cu128-py314" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
-    PART        = "common"
-    STACK       = "cu128"
-    PYTHON      = "3.14"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu128"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1645,10 +1730,11 @@ target "_files-torch-cu128-py314" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cu128"
-    PYTHON      = "3.14"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu128"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1664,10 +1750,11 @@ target "_files-common-cu130-py314" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
-    PART        = "common"
-    STACK       = "cu130"
-    PYTHON      = "3.14"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu130"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1683,10 +1770,11 @@ target "_files-torch-cu130-py314" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cu130"
-    PYTHON      = "3.14"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu130"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1702,10 +1790,11 @@ target "_files-common-cpu-py314" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
-    PART        = "common"
-    STACK       = "cpu"
-    PYTHON      = "3.14"
-    ACCELERATOR = "cpu"
+    PART         = "common"
+    STACK        = "cpu"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1721,10 +1810,11 @@ target "_files-torch-cpu-py314" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_UBUNTU_26_04 }
   args = {
-    PART        = "torch"
-    STACK       = "cpu"
-    PYTHON      = "3.14"
-    ACCELERATOR = "cpu"
+    PART         = "torch"
+    STACK        = "cpu"
+    PYTHON       = "3.14"
+    WHEEL_PYTHON = "3.14"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1740,10 +1830,11 @@ target "_files-common-cu128-py311" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "common"
-    STACK       = "cu128"
-    PYTHON      = "3.11"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu128"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1759,10 +1850,11 @@ target "_files-torch-cu128-py311" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "torch"
-    STACK       = "cu128"
-    PYTHON      = "3.11"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu128"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1778,10 +1870,11 @@ target "_files-tensorflow-cu128-py311" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cu128"
-    PYTHON      = "3.11"
-    ACCELERATOR = "cuda"
+    PART         = "tensorflow"
+    STACK        = "cu128"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1797,10 +1890,11 @@ target "_files-common-cu130-py311" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "common"
-    STACK       = "cu130"
-    PYTHON      = "3.11"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu130"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1816,10 +1910,11 @@ target "_files-torch-cu130-py311" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "torch"
-    STACK       = "cu130"
-    PYTHON      = "3.11"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu130"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1835,10 +1930,11 @@ target "_files-common-cpu-py311" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "common"
-    STACK       = "cpu"
-    PYTHON      = "3.11"
-    ACCELERATOR = "cpu"
+    PART         = "common"
+    STACK        = "cpu"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1854,10 +1950,11 @@ target "_files-torch-cpu-py311" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "torch"
-    STACK       = "cpu"
-    PYTHON      = "3.11"
-    ACCELERATOR = "cpu"
+    PART         = "torch"
+    STACK        = "cpu"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1873,10 +1970,11 @@ target "_files-tensorflow-cpu-py311" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_BOOKWORM }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cpu"
-    PYTHON      = "3.11"
-    ACCELERATOR = "cpu"
+    PART         = "tensorflow"
+    STACK        = "cpu"
+    PYTHON       = "3.11"
+    WHEEL_PYTHON = "3.11"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -1892,10 +1990,11 @@ target "_files-common-cu128-py313" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_TRIXIE }
   args = {
-    PART        = "common"
-    STACK       = "cu128"
-    PYTHON      = "3.13"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu128"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1911,10 +2010,11 @@ target "_files-torch-cu128-py313" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_TRIXIE }
   args = {
-    PART        = "torch"
-    STACK       = "cu128"
-    PYTHON      = "3.13"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu128"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1930,10 +2030,11 @@ target "_files-tensorflow-cu128-py313" {
   platforms = platforms(["linux/amd64"])
   contexts  = { os = OS_TRIXIE }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cu128"
-    PYTHON      = "3.13"
-    ACCELERATOR = "cuda"
+    PART         = "tensorflow"
+    STACK        = "cu128"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1949,10 +2050,11 @@ target "_files-common-cu130-py313" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
-    PART        = "common"
-    STACK       = "cu130"
-    PYTHON      = "3.13"
-    ACCELERATOR = "cuda"
+    PART         = "common"
+    STACK        = "cu130"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1968,10 +2070,11 @@ target "_files-torch-cu130-py313" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
-    PART        = "torch"
-    STACK       = "cu130"
-    PYTHON      = "3.13"
-    ACCELERATOR = "cuda"
+    PART         = "torch"
+    STACK        = "cu130"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cuda"
   }
 }
 
@@ -1987,10 +2090,11 @@ target "_files-common-cpu-py313" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
-    PART        = "common"
-    STACK       = "cpu"
-    PYTHON      = "3.13"
-    ACCELERATOR = "cpu"
+    PART         = "common"
+    STACK        = "cpu"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -2006,10 +2110,11 @@ target "_files-torch-cpu-py313" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
-    PART        = "torch"
-    STACK       = "cpu"
-    PYTHON      = "3.13"
-    ACCELERATOR = "cpu"
+    PART         = "torch"
+    STACK        = "cpu"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -2025,10 +2130,11 @@ target "_files-tensorflow-cpu-py313" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { os = OS_TRIXIE }
   args = {
-    PART        = "tensorflow"
-    STACK       = "cpu"
-    PYTHON      = "3.13"
-    ACCELERATOR = "cpu"
+    PART         = "tensorflow"
+    STACK        = "cpu"
+    PYTHON       = "3.13"
+    WHEEL_PYTHON = "3.13"
+    ACCELERATOR  = "cpu"
   }
 }
 
@@ -2533,12 +2639,14 @@ target "_join-tensorflow-cpu38-ubuntu-20-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu38-py38")
-    part-tensorflow = part("tensorflow-cpu38-py38")
+    part-common        = part("common-cpu38-py38")
+    part-tensorflow-cc = part("tensorflow-cc-cpu38")
+    part-tensorflow    = part("tensorflow-cpu38-py38")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu38-py38")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu38")
     TENSORFLOW_ROOT    = root("tensorflow-cpu38-py38")
     TENSORFLOW_VERSION = "2.13.1"
   }
@@ -3361,14 +3469,16 @@ target "_join-tensorflow-cu128-ubuntu-22-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64"])
   contexts = {
-    part-cuda       = part("cuda-cu128")
-    part-common     = part("common-cu128-py310")
-    part-tensorflow = part("tensorflow-cu128-py310")
+    part-cuda          = part("cuda-cu128")
+    part-common        = part("common-cu128-py310")
+    part-tensorflow-cc = part("tensorflow-cc-cu128")
+    part-tensorflow    = part("tensorflow-cu128-py310")
   }
   args = {
     ACCELERATOR        = "cuda"
     CUDA_ROOT          = root("cuda-cu128")
     COMMON_ROOT        = root("common-cu128-py310")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cu128")
     TENSORFLOW_ROOT    = root("tensorflow-cu128-py310")
     TENSORFLOW_VERSION = "2.20.0"
     CUDA_VERSION       = "12.8.90"
@@ -3451,12 +3561,14 @@ target "_join-tensorflow-cpu-ubuntu-22-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu-py310")
-    part-tensorflow = part("tensorflow-cpu-py310")
+    part-common        = part("common-cpu-py310")
+    part-tensorflow-cc = part("tensorflow-cc-cpu")
+    part-tensorflow    = part("tensorflow-cpu-py310")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu-py310")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu")
     TENSORFLOW_ROOT    = root("tensorflow-cpu-py310")
     TENSORFLOW_VERSION = "2.20.0"
   }
@@ -3531,16 +3643,18 @@ target "_join-ml-cu128-ubuntu-22-04" {
   target    = "ml"
   platforms = platforms(["linux/amd64"])
   contexts = {
-    part-cuda       = part("cuda-cu128")
-    part-common     = part("common-cu128-py310")
-    part-torch      = part("torch-cu128-py310")
-    part-tensorflow = part("tensorflow-cu128-py310")
+    part-cuda          = part("cuda-cu128")
+    part-common        = part("common-cu128-py310")
+    part-torch         = part("torch-cu128-py310")
+    part-tensorflow-cc = part("tensorflow-cc-cu128")
+    part-tensorflow    = part("tensorflow-cu128-py310")
   }
   args = {
     ACCELERATOR        = "cuda"
     CUDA_ROOT          = root("cuda-cu128")
     COMMON_ROOT        = root("common-cu128-py310")
     TORCH_ROOT         = root("torch-cu128-py310")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cu128")
     TENSORFLOW_ROOT    = root("tensorflow-cu128-py310")
     TORCH_VERSION      = "2.10.0"
     TENSORFLOW_VERSION = "2.20.0"
@@ -3631,14 +3745,16 @@ target "_join-ml-cpu-ubuntu-22-04" {
   target    = "ml"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu-py310")
-    part-torch      = part("torch-cpu-py310")
-    part-tensorflow = part("tensorflow-cpu-py310")
+    part-common        = part("common-cpu-py310")
+    part-torch         = part("torch-cpu-py310")
+    part-tensorflow-cc = part("tensorflow-cc-cpu")
+    part-tensorflow    = part("tensorflow-cpu-py310")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu-py310")
     TORCH_ROOT         = root("torch-cpu-py310")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu")
     TENSORFLOW_ROOT    = root("tensorflow-cpu-py310")
     TORCH_VERSION      = "2.10.0"
     TENSORFLOW_VERSION = "2.20.0"
@@ -4837,14 +4953,16 @@ target "_join-tensorflow-cu128-ubuntu-24-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64"])
   contexts = {
-    part-cuda       = part("cuda-cu128")
-    part-common     = part("common-cu128-py312")
-    part-tensorflow = part("tensorflow-cu128-py312")
+    part-cuda          = part("cuda-cu128")
+    part-common        = part("common-cu128-py312")
+    part-tensorflow-cc = part("tensorflow-cc-cu128")
+    part-tensorflow    = part("tensorflow-cu128-py312")
   }
   args = {
     ACCELERATOR        = "cuda"
     CUDA_ROOT          = root("cuda-cu128")
     COMMON_ROOT        = root("common-cu128-py312")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cu128")
     TENSORFLOW_ROOT    = root("tensorflow-cu128-py312")
     TENSORFLOW_VERSION = "2.20.0"
     CUDA_VERSION       = "12.8.90"
@@ -4927,12 +5045,14 @@ target "_join-tensorflow-cpu-ubuntu-24-04" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu-py312")
-    part-tensorflow = part("tensorflow-cpu-py312")
+    part-common        = part("common-cpu-py312")
+    part-tensorflow-cc = part("tensorflow-cc-cpu")
+    part-tensorflow    = part("tensorflow-cpu-py312")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu-py312")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu")
     TENSORFLOW_ROOT    = root("tensorflow-cpu-py312")
     TENSORFLOW_VERSION = "2.20.0"
   }
@@ -5007,16 +5127,18 @@ target "_join-ml-cu128-ubuntu-24-04" {
   target    = "ml"
   platforms = platforms(["linux/amd64"])
   contexts = {
-    part-cuda       = part("cuda-cu128")
-    part-common     = part("common-cu128-py312")
-    part-torch      = part("torch-cu128-py312")
-    part-tensorflow = part("tensorflow-cu128-py312")
+    part-cuda          = part("cuda-cu128")
+    part-common        = part("common-cu128-py312")
+    part-torch         = part("torch-cu128-py312")
+    part-tensorflow-cc = part("tensorflow-cc-cu128")
+    part-tensorflow    = part("tensorflow-cu128-py312")
   }
   args = {
     ACCELERATOR        = "cuda"
     CUDA_ROOT          = root("cuda-cu128")
     COMMON_ROOT        = root("common-cu128-py312")
     TORCH_ROOT         = root("torch-cu128-py312")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cu128")
     TENSORFLOW_ROOT    = root("tensorflow-cu128-py312")
     TORCH_VERSION      = "2.10.0"
     TENSORFLOW_VERSION = "2.20.0"
@@ -5104,14 +5226,16 @@ target "_join-ml-cpu-ubuntu-24-04" {
   target    = "ml"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu-py312")
-    part-torch      = part("torch-cpu-py312")
-    part-tensorflow = part("tensorflow-cpu-py312")
+    part-common        = part("common-cpu-py312")
+    part-torch         = part("torch-cpu-py312")
+    part-tensorflow-cc = part("tensorflow-cc-cpu")
+    part-tensorflow    = part("tensorflow-cpu-py312")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu-py312")
     TORCH_ROOT         = root("torch-cpu-py312")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu")
     TENSORFLOW_ROOT    = root("tensorflow-cpu-py312")
     TORCH_VERSION      = "2.10.0"
     TENSORFLOW_VERSION = "2.20.0"
@@ -7355,14 +7479,16 @@ target "_join-tensorflow-cu128-bookworm" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64"])
   contexts = {
-    part-cuda       = part("cuda-cu128")
-    part-common     = part("common-cu128-py311")
-    part-tensorflow = part("tensorflow-cu128-py311")
+    part-cuda          = part("cuda-cu128")
+    part-common        = part("common-cu128-py311")
+    part-tensorflow-cc = part("tensorflow-cc-cu128")
+    part-tensorflow    = part("tensorflow-cu128-py311")
   }
   args = {
     ACCELERATOR        = "cuda"
     CUDA_ROOT          = root("cuda-cu128")
     COMMON_ROOT        = root("common-cu128-py311")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cu128")
     TENSORFLOW_ROOT    = root("tensorflow-cu128-py311")
     TENSORFLOW_VERSION = "2.20.0"
     CUDA_VERSION       = "12.8.90"
@@ -7457,12 +7583,14 @@ target "_join-tensorflow-cpu-bookworm" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu-py311")
-    part-tensorflow = part("tensorflow-cpu-py311")
+    part-common        = part("common-cpu-py311")
+    part-tensorflow-cc = part("tensorflow-cc-cpu")
+    part-tensorflow    = part("tensorflow-cpu-py311")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu-py311")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu")
     TENSORFLOW_ROOT    = root("tensorflow-cpu-py311")
     TENSORFLOW_VERSION = "2.20.0"
   }
@@ -7549,16 +7677,18 @@ target "_join-ml-cu128-bookworm" {
   target    = "ml"
   platforms = platforms(["linux/amd64"])
   contexts = {
-    part-cuda       = part("cuda-cu128")
-    part-common     = part("common-cu128-py311")
-    part-torch      = part("torch-cu128-py311")
-    part-tensorflow = part("tensorflow-cu128-py311")
+    part-cuda          = part("cuda-cu128")
+    part-common        = part("common-cu128-py311")
+    part-torch         = part("torch-cu128-py311")
+    part-tensorflow-cc = part("tensorflow-cc-cu128")
+    part-tensorflow    = part("tensorflow-cu128-py311")
   }
   args = {
     ACCELERATOR        = "cuda"
     CUDA_ROOT          = root("cuda-cu128")
     COMMON_ROOT        = root("common-cu128-py311")
     TORCH_ROOT         = root("torch-cu128-py311")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cu128")
     TENSORFLOW_ROOT    = root("tensorflow-cu128-py311")
     TORCH_VERSION      = "2.10.0"
     TENSORFLOW_VERSION = "2.20.0"
@@ -7661,14 +7791,16 @@ target "_join-ml-cpu-bookworm" {
   target    = "ml"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu-py311")
-    part-torch      = part("torch-cpu-py311")
-    part-tensorflow = part("tensorflow-cpu-py311")
+    part-common        = part("common-cpu-py311")
+    part-torch         = part("torch-cpu-py311")
+    part-tensorflow-cc = part("tensorflow-cc-cpu")
+    part-tensorflow    = part("tensorflow-cpu-py311")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu-py311")
     TORCH_ROOT         = root("torch-cpu-py311")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu")
     TENSORFLOW_ROOT    = root("tensorflow-cpu-py311")
     TORCH_VERSION      = "2.10.0"
     TENSORFLOW_VERSION = "2.20.0"
@@ -8350,14 +8482,16 @@ target "_join-tensorflow-cu128-trixie" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64"])
   contexts = {
-    part-cuda       = part("cuda-cu128")
-    part-common     = part("common-cu128-py313")
-    part-tensorflow = part("tensorflow-cu128-py313")
+    part-cuda          = part("cuda-cu128")
+    part-common        = part("common-cu128-py313")
+    part-tensorflow-cc = part("tensorflow-cc-cu128")
+    part-tensorflow    = part("tensorflow-cu128-py313")
   }
   args = {
     ACCELERATOR        = "cuda"
     CUDA_ROOT          = root("cuda-cu128")
     COMMON_ROOT        = root("common-cu128-py313")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cu128")
     TENSORFLOW_ROOT    = root("tensorflow-cu128-py313")
     TENSORFLOW_VERSION = "2.20.0"
     CUDA_VERSION       = "12.8.90"
@@ -8452,12 +8586,14 @@ target "_join-tensorflow-cpu-trixie" {
   target    = "tensorflow"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu-py313")
-    part-tensorflow = part("tensorflow-cpu-py313")
+    part-common        = part("common-cpu-py313")
+    part-tensorflow-cc = part("tensorflow-cc-cpu")
+    part-tensorflow    = part("tensorflow-cpu-py313")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu-py313")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu")
     TENSORFLOW_ROOT    = root("tensorflow-cpu-py313")
     TENSORFLOW_VERSION = "2.20.0"
   }
@@ -8544,16 +8680,18 @@ target "_join-ml-cu128-trixie" {
   target    = "ml"
   platforms = platforms(["linux/amd64"])
   contexts = {
-    part-cuda       = part("cuda-cu128")
-    part-common     = part("common-cu128-py313")
-    part-torch      = part("torch-cu128-py313")
-    part-tensorflow = part("tensorflow-cu128-py313")
+    part-cuda          = part("cuda-cu128")
+    part-common        = part("common-cu128-py313")
+    part-torch         = part("torch-cu128-py313")
+    part-tensorflow-cc = part("tensorflow-cc-cu128")
+    part-tensorflow    = part("tensorflow-cu128-py313")
   }
   args = {
     ACCELERATOR        = "cuda"
     CUDA_ROOT          = root("cuda-cu128")
     COMMON_ROOT        = root("common-cu128-py313")
     TORCH_ROOT         = root("torch-cu128-py313")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cu128")
     TENSORFLOW_ROOT    = root("tensorflow-cu128-py313")
     TORCH_VERSION      = "2.10.0"
     TENSORFLOW_VERSION = "2.20.0"
@@ -8656,14 +8794,16 @@ target "_join-ml-cpu-trixie" {
   target    = "ml"
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts = {
-    part-common     = part("common-cpu-py313")
-    part-torch      = part("torch-cpu-py313")
-    part-tensorflow = part("tensorflow-cpu-py313")
+    part-common        = part("common-cpu-py313")
+    part-torch         = part("torch-cpu-py313")
+    part-tensorflow-cc = part("tensorflow-cc-cpu")
+    part-tensorflow    = part("tensorflow-cpu-py313")
   }
   args = {
     ACCELERATOR        = "cpu"
     COMMON_ROOT        = root("common-cpu-py313")
     TORCH_ROOT         = root("torch-cpu-py313")
+    TENSORFLOW_CC_ROOT = root("tensorflow-cc-cpu")
     TENSORFLOW_ROOT    = root("tensorflow-cpu-py313")
     TORCH_VERSION      = "2.10.0"
     TENSORFLOW_VERSION = "2.20.0"
@@ -15971,14 +16111,17 @@ group "payloads" {
     "payload-common-cu121-py38",
     "payload-torch-cu121-py38",
     "payload-common-cpu38-py38",
+    "payload-tensorflow-cc-cpu38",
     "payload-tensorflow-cpu38-py38",
     "payload-common-cu128-py310",
     "payload-torch-cu128-py310",
+    "payload-tensorflow-cc-cu128",
     "payload-tensorflow-cu128-py310",
     "payload-common-cu130-py310",
     "payload-torch-cu130-py310",
     "payload-common-cpu-py310",
     "payload-torch-cpu-py310",
+    "payload-tensorflow-cc-cpu",
     "payload-tensorflow-cpu-py310",
     "payload-common-cu128-py312",
     "payload-torch-cu128-py312",

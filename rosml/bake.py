@@ -341,6 +341,7 @@ def _files(matrix: Matrix, payload: Payload) -> dict[str, object]:
             "PART": payload.part,
             "STACK": payload.stack,
             "PYTHON": payload.python,
+            "WHEEL_PYTHON": matrix.operating_systems[payload.os].python,
             "ACCELERATOR": matrix.stacks[payload.stack].accelerator,
         },
     }
@@ -372,7 +373,7 @@ def _join(matrix: Matrix, image: Image) -> dict[str, object]:
     framework, stack = matrix.frameworks[image.framework], matrix.stacks[image.stack or ""]
     parts = dict(zip(rules.parts(framework, stack), image.parts, strict=True))
     args: dict[str, str | Expression] = {"ACCELERATOR": stack.accelerator}
-    args |= {f"{part.upper()}_ROOT": call("root", parts[part]) for part in PARTS if part in parts}
+    args |= {f"{part.upper().replace('-', '_')}_ROOT": call("root", parts[part]) for part in PARTS if part in parts}
     args |= {f"{name.upper()}_VERSION": version for name, version in image.versions.items() if name != "nccl"}
     return {
         "target": image.framework,

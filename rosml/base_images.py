@@ -21,6 +21,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import IO, Any, Protocol
 
+from rosml import registry
 from rosml.errors import RosmlError
 from rosml.services import Services
 
@@ -75,14 +76,13 @@ class OperatingSystem(Protocol):
         """Digest of the official image."""
 
 
-def ensure(
-    services: Services, os: OperatingSystem, architecture: str = "amd64", say: Callable[[str], None] = print
-) -> str:
+def ensure(services: Services, os: OperatingSystem, architecture: str = "", say: Callable[[str], None] = print) -> str:
     """Reference by digest of an operating system's base image, which the builder can pull.
 
     Args:
         os: the operating system.
-        architecture: ``amd64`` or ``arm64``.
+        architecture: ``amd64`` or ``arm64``; the machine's own if empty. The image has both where it is not: payloads
+            are assembled on the machine's own.
         say: told when a base image is made, which takes half a minute.
 
     Raises:
@@ -96,23 +96,41 @@ def ensure(
             f"{os.image} is on Docker Hub, which does not answer, and only Debian images can be made here",
             "use a machine that reaches Docker Hub (or set ROSML_DOCKER_HUB=1 if it does), or a target on Debian",
         )
-    if architecture != native_architecture():
+    native = native_architecture()
+    if architecture in ("", native):
+        return f"{os.image}@{_debian(services, suite, native, say)}"
+    if not emulated(architecture):
         raise RosmlError(
-            f"a Debian base image for {architecture} cannot be made on {native_architecture()}",
-            f"use an {architecture} machine, or one that reaches Docker Hub",
+            f"a Debian base image for {architecture} cannot be made on {native}: its programs do not run here",
+            f"run 'make emulation', or use an {architecture} machine, or one that reaches Docker Hub",
         )
+    digests = [_debian(services, suite, name, say) for name in (native, architecture)]
+    return f"{os.image}@{registry.create_index(services, f'{services.registry}/library/debian', digests, {})}"
+
+
+def emulated(architecture: str) -> bool:
+    """Whether the kernel runs programs of another architecture (``make emulation``)."""
+    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(architecture, architecture)
+    return (BINFMT / f"qemu-{machine}").exists()
+
+
+BINFMT = Path("/proc/sys/fs/binfmt_misc")
+"""The kernel's table of interpreters."""
+
+
+def _debian(services: Services, suite: str, architecture: str, say: Callable[[str], None]) -> str:
+    """Digest of a Debian image for one architecture; made if it is not there."""
+    tag = suite if architecture == native_architecture() else f"{suite}-{architecture}"
     folder = services.state / "base"
     folder.mkdir(parents=True, exist_ok=True)
-    with (folder / f"{suite}.lock").open("a") as lock:
+    with (folder / f"{tag}.lock").open("a") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            say(f"base image debian:{suite}: waiting for another call that makes it")
+            say(f"base image debian:{tag}: waiting for another call that makes it")
             fcntl.flock(lock, fcntl.LOCK_EX)
-        digest = find(services, suite, architecture)
-        if not digest:
-            digest = make(services, suite, architecture, folder / suite, say, lock.fileno())
-    return f"{os.image}@{digest}"
+        digest = find(services, tag, architecture)
+        return digest or make(services, suite, architecture, folder / tag, say, lock.fileno(), tag)
 
 
 def debian_suite(image: str) -> str:
@@ -133,11 +151,11 @@ def recipe(architecture: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def find(services: Services, suite: str, architecture: str) -> str:
+def find(services: Services, tag: str, architecture: str) -> str:
     """Digest of the image that an earlier call made by the same recipe and that is still whole; empty otherwise."""
     services.require_registry()
     try:
-        headers, body = services.get(f"/v2/library/debian/manifests/{suite}", MANIFEST)
+        headers, body = services.get(f"/v2/library/debian/manifests/{tag}", MANIFEST)
         manifest = json.loads(body)
         if manifest.get("annotations", {}).get(RECIPE) != recipe(architecture):
             return ""
@@ -173,13 +191,20 @@ def isolated(argv: list[str]) -> list[str]:
 
 
 def make(
-    services: Services, suite: str, architecture: str, folder: Path, say: Callable[[str], None], lock: int | None = None
+    services: Services,
+    suite: str,
+    architecture: str,
+    folder: Path,
+    say: Callable[[str], None],
+    lock: int | None = None,
+    tag: str = "",
 ) -> str:
     """Makes a Debian image and pushes it; gives its digest. The tag appears last: an interrupted call leaves none.
 
     Args:
         folder: for its files; removed at the end.
         lock: file descriptor of a lock that holds while mmdebstrap runs, even if this process is killed.
+        tag: the image's tag in the local registry; the suite if empty.
 
     Raises:
         RosmlError: mmdebstrap is missing or fails, or the push does.
@@ -188,10 +213,11 @@ def make(
         raise RosmlError(
             "mmdebstrap is not installed; it makes base images where Docker Hub does not answer", "run 'make up'"
         )
-    say(f"base image debian:{suite}: making it with mmdebstrap, since Docker Hub does not answer")
+    tag = tag or suite
+    say(f"base image debian:{tag}: making it with mmdebstrap, since Docker Hub does not answer")
     started = time.monotonic()
     shutil.rmtree(folder, ignore_errors=True)
-    log = services.state / "log" / f"base-{suite}.log"
+    log = services.state / "log" / f"base-{tag}.log"
     try:
         log.parent.mkdir(parents=True, exist_ok=True)
         write_files(folder / "files")
@@ -199,13 +225,13 @@ def make(
         (folder / "tmp").mkdir()
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
         run_logged(isolated(command(suite, architecture, folder / "files", tar)), env, log, lock)
-        digest = write_layout(folder / "layout", tar, suite, architecture)
-        push(services, folder / "layout", suite)
+        digest = write_layout(folder / "layout", tar, tag, architecture)
+        push(services, folder / "layout", tag)
     except OSError as error:
-        raise RosmlError(f"base image debian:{suite}: {error}", "check the disk (df), then run it again") from None
+        raise RosmlError(f"base image debian:{tag}: {error}", "check the disk (df), then run it again") from None
     finally:
         shutil.rmtree(folder, ignore_errors=True)
-    say(f"base image debian:{suite}: made in {time.monotonic() - started:.0f} s, served as the mirror of Docker Hub")
+    say(f"base image debian:{tag}: made in {time.monotonic() - started:.0f} s, served as the mirror of Docker Hub")
     return digest
 
 
@@ -317,7 +343,7 @@ def put(blobs: Path, media_type: str, content: dict[str, Any]) -> dict[str, Any]
     return {"mediaType": media_type, "digest": f"sha256:{digest}", "size": len(data)}
 
 
-def push(services: Services, layout: Path, suite: str) -> None:
+def push(services: Services, layout: Path, tag: str) -> None:
     """Copies a layout into the local registry.
 
     Raises:
@@ -325,10 +351,10 @@ def push(services: Services, layout: Path, suite: str) -> None:
     """
     env = services.environment()
     Path(env["REGCTL_CONFIG"]).parent.mkdir(parents=True, exist_ok=True)
-    target = f"{services.registry}/library/debian:{suite}"
+    target = f"{services.registry}/library/debian:{tag}"
     for arguments in (
         ["registry", "set", "--tls=disabled", "--skip-check", services.registry],
-        ["image", "copy", f"ocidir://{layout}:{suite}", target],
+        ["image", "copy", f"ocidir://{layout}:{tag}", target],
     ):
         done = subprocess.run([services.regctl, *arguments], env=env, capture_output=True, text=True, check=False)
         if done.returncode != 0:

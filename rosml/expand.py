@@ -10,7 +10,18 @@ from pathlib import Path
 
 from rosml import ROOT, missing, names, rules
 from rosml.errors import RosmlError
-from rosml.model import ANY_PYTHON, Distribution, Framework, Matrix, Part, Size, Stack
+from rosml.model import (
+    ANY_PYTHON,
+    FAMILY_OF,
+    FOR_ANY_PYTHON,
+    UNTESTED,
+    Distribution,
+    Framework,
+    Matrix,
+    Part,
+    Size,
+    Stack,
+)
 from rosml.problems import SHOWN, InputError, listed, unknown
 from rosml.problems import Path as Place
 from rosml.source import Document, read, shown
@@ -23,7 +34,7 @@ class Payload:
 
     Attributes:
         name: `torch-cu128-py311`; also the tag in the repository `payload`, and the key in DIGESTS.
-        part: `cuda`, `common`, `torch` or `tensorflow`.
+        part: `cuda`, `common`, `torch`, `tensorflow-cc` or `tensorflow`.
         stack: name of the stack.
         python: version of Python, `any` where the part is the same for all.
         os: operating system that it is assembled on; one with that Python.
@@ -302,7 +313,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
     ros = f"ros{distribution.ros}"
     ml = ["ml"] if len(kind.facts.releases) > 1 else []
-    shared = [part.part for part in kind.payloads if part.part != "common"]
+    shared = [payload.part for payload in kind.payloads if payload.part not in UNTESTED]
     return Image(
         target=target,
         distribution=name,
@@ -374,10 +385,10 @@ def _latest(matrix: Matrix) -> str | None:
 
 def _payload(matrix: Matrix, part: Part, stack: str, python: str, architectures: tuple[str, ...]) -> Payload:
     systems = list(matrix.operating_systems)
-    if part == "cuda":  # the same for every Python
-        python, os = ANY_PYTHON, systems[0]
-    else:
-        os = next(name for name in systems if matrix.operating_systems[name].python == python)
+    pythons = _pythons(matrix, part, stack) if part in FOR_ANY_PYTHON else (python,)
+    os = next((name for name in systems if matrix.operating_systems[name].python in pythons), systems[0])
+    if part in FOR_ANY_PYTHON:
+        python = ANY_PYTHON
     return Payload(
         name=names.payload_name(part, stack, python),
         part=part,
@@ -391,6 +402,12 @@ def _payload(matrix: Matrix, part: Part, stack: str, python: str, architectures:
     )
 
 
+def _pythons(matrix: Matrix, part: Part, stack: str) -> tuple[str, ...]:
+    """The Pythons of the wheels that a part for any Python is taken from; none where the wheels say the same themselves."""
+    family = FAMILY_OF.get(part)
+    return matrix.releases.of(family)[matrix.stacks[stack].release(family) or ""].python if family else ()
+
+
 def _payloads(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Payload]:
     """Each payload that an image needs, once, for all architectures that any image needs it for."""
     needed: dict[tuple[str, str], dict[Part, set[str]]] = {}
@@ -402,7 +419,7 @@ def _payloads(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Payload]:
     merged: dict[str, tuple[Part, str, str, set[str]]] = {}
     for (stack, python), parts in needed.items():
         for part, wanted in parts.items():
-            name = names.payload_name(part, stack, ANY_PYTHON if part == "cuda" else python)
+            name = names.payload_name(part, stack, ANY_PYTHON if part in FOR_ANY_PYTHON else python)
             merged.setdefault(name, (part, stack, python, set()))[3].update(wanted)
     for part, stack, python, wanted in merged.values():
         yield _payload(matrix, part, stack, python, tuple(name for name in matrix.architectures if name in wanted))

@@ -7,6 +7,7 @@ per part. What a part holds follows from the dependency graph alone:
 * ``common``      numpy, and what both frameworks need
 * ``torch``       what only PyTorch needs
 * ``tensorflow``  what only TensorFlow needs
+* ``tensorflow-cc``  the wheel of TensorFlow once more, for its C++ library and headers (the same for every Python)
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from rosml import names
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.lockfile import NVIDIA_PACKAGES, cuda_packages, package_name, versions
-from rosml.model import ANY_PYTHON, FAMILIES, Family, Matrix
+from rosml.model import ANY_PYTHON, FAMILIES, FOR_ANY_PYTHON, Family, Matrix
 from rosml.problems import listed
 
 _HASH = re.compile(r"sha256:[0-9a-f]+")
@@ -341,6 +342,10 @@ def closure(root: str, pins: Iterable[Pin]) -> frozenset[str]:
     return frozenset(seen)
 
 
+TENSORFLOW_WHEELS = ("tensorflow", "tensorflow-cpu", "tensorflow-cpu-aws")
+"""Packages that may hold TensorFlow's C++ library: the last one does where `tensorflow` for arm64 only stands for it."""
+
+
 def split(pins: list[Pin], roots: Mapping[str, str]) -> dict[str, list[Pin]]:
     """Assigns every package to exactly one part. ``roots``: framework name to the requirement that asks for it."""
     needs = {framework: closure(package_name(requirement), pins) for framework, requirement in roots.items()}
@@ -354,6 +359,7 @@ def split(pins: list[Pin], roots: Mapping[str, str]) -> dict[str, list[Pin]]:
             parts["common"].append(pin)
         else:
             parts[owners[0]].append(pin)
+    parts["tensorflow-cc"] = [pin for pin in parts.get("tensorflow", ()) if pin.name in TENSORFLOW_WHEELS]
     return {part: sorted(content, key=lambda pin: pin.name) for part, content in parts.items() if content}
 
 
@@ -468,8 +474,8 @@ def _path(request: Request, part: str) -> str:
 
 
 def _python(request: Request, part: str) -> str:
-    """The Python version of a part's lock: CUDA's libraries are the same for all."""
-    return ANY_PYTHON if part == "cuda" else request.python
+    """The Python version of a part's lock; some parts are the same for all."""
+    return ANY_PYTHON if part in FOR_ANY_PYTHON else request.python
 
 
 def _merge(path: str, known: dict[str, Pin], found: list[Pin]) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from rosml import names
 from rosml.expand import Payload
-from rosml.model import FAMILIES, Stack
+from rosml.model import FAMILY_OF, Stack
 
 _PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
 _WHOLE = re.compile(
@@ -45,9 +45,9 @@ def current(text: str, payload: Payload, stack: Stack, architecture: str) -> boo
     if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
         return False
     pinned = versions(text)
-    if payload.part in FAMILIES:
-        requirement = stack.requirement(payload.part, architecture) or ""
-        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.release(payload.part)
+    if family := FAMILY_OF.get(payload.part):
+        requirement = stack.requirement(family, architecture) or ""
+        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.release(family)
     if payload.part == "cuda":
         facts = {package: getattr(stack, fact) for fact, package in cuda_packages(stack.cuda or "")}
         return all(pinned[package] == fact for package, fact in facts.items() if package in pinned and fact)

@@ -14,12 +14,12 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
 from pydantic_core import PydanticKnownError
 
-Part = Literal["cuda", "common", "torch", "tensorflow"]
+Part = Literal["cuda", "common", "torch", "tensorflow-cc", "tensorflow"]
 Family = Literal["torch", "tensorflow"]
 Generation = Literal["ros", "ros2"]
 """ROS 1 and ROS 2, as ROS's apt repositories and their packages call them."""
 
-PARTS: tuple[Part, ...] = ("cuda", "common", "torch", "tensorflow")
+PARTS: tuple[Part, ...] = ("cuda", "common", "torch", "tensorflow-cc", "tensorflow")
 """Payload parts in the order in which the Dockerfile joins them."""
 
 FAMILIES: tuple[Family, ...] = ("torch", "tensorflow")
@@ -27,6 +27,15 @@ FAMILIES: tuple[Family, ...] = ("torch", "tensorflow")
 
 ANY_PYTHON = "any"
 """Stands for the Python version of a part that is the same for all of them; also a folder name in locks/."""
+
+FOR_ANY_PYTHON: tuple[Part, ...] = ("cuda", "tensorflow-cc")
+"""Parts that are the same for every Python: NVIDIA's libraries, TensorFlow's C++ library and headers."""
+
+FAMILY_OF: dict[Part, Family] = {"torch": "torch", "tensorflow-cc": "tensorflow", "tensorflow": "tensorflow"}
+"""Whose release a part is taken from."""
+
+UNTESTED: tuple[Part, ...] = ("common", "tensorflow-cc")
+"""Parts without structure tests of their own: the tests of what needs them are theirs."""
 
 # What a pattern asks for, in words: the message for a value that does not match it.
 NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*$"

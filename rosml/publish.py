@@ -20,7 +20,7 @@ from typing import Any
 from rosml import bake, base_images, builder, files, forecast, missing, names, registry, results, verify
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
-from rosml.problems import listed
+from rosml.problems import listed, unknown
 from rosml.progress import Step
 from rosml.services import Services
 
@@ -92,8 +92,8 @@ class TestsFailed(RosmlError):
         )
 
 
-def require_buildable(image: Image) -> None:
-    """Checks, before anything is set up, that an image can be built.
+def require_buildable(image: Image, architecture: str = "") -> None:
+    """Checks, before anything is set up, that an image can be built for an architecture; the machine's own if empty.
 
     Raises:
         RosmlError: a lock is missing (exit code 2).
@@ -101,18 +101,26 @@ def require_buildable(image: Image) -> None:
     if not image.locked:
         text = f"{image.target} cannot be built yet: {missing.reason(image)}"
         raise RosmlError(text, missing.remedy(image), exit_code=2)
-    if base_images.native_architecture() not in image.architectures:
+    native = base_images.native_architecture()
+    if (architecture or native) not in image.architectures:
         raise RosmlError(
-            f"{image.target} exists for {listed(image.architectures)} only, and this machine is"
-            f" {base_images.native_architecture()}",
+            f"{image.target} exists for {listed(image.architectures)} only"
+            + ("" if architecture else f", and this machine is {native}"),
             "use such a machine, or another target: make list",
             exit_code=2,
         )
 
 
-def _platform(catalogue: Catalogue) -> str:
-    """The platform that is built here: the machine's own."""
-    return catalogue.matrix.architectures[base_images.native_architecture()].platform
+def architecture_of(catalogue: Catalogue, platform: str) -> str:
+    """The architecture of a platform such as `linux/arm64`.
+
+    Raises:
+        RosmlError: the matrix has no such platform (exit code 2).
+    """
+    known = {facts.platform: name for name, facts in catalogue.matrix.architectures.items()}
+    if platform not in known:
+        raise RosmlError(unknown("platform", platform, known), f"take one of {listed(list(known))}", exit_code=2)
+    return known[platform]
 
 
 @dataclass
@@ -124,12 +132,20 @@ class Publisher:
         catalogue: all that the matrix describes.
         say: told what is going on, a line at a time.
         namespace: first part of the repositories' names.
+        architecture: what to build for. An image for another architecture than the machine's own is built and tested
+            under emulation, and gets no tag: a tag is for all of an image's platforms.
     """
 
     services: Services
     catalogue: Catalogue
     say: Callable[[str], None]
     namespace: str = NAMESPACE
+    architecture: str = field(default_factory=base_images.native_architecture)
+
+    @property
+    def native(self) -> bool:
+        """Whether it builds for the machine's own architecture."""
+        return self.architecture == base_images.native_architecture()
 
     @property
     def prefix(self) -> str:
@@ -145,11 +161,13 @@ class Publisher:
         """
         image = self.catalogue.image(target)
         target = image.target  # a tag is a name as well
-        require_buildable(image)
+        require_buildable(image, "" if self.native else self.architecture)
         self.services.require_registry()
         self.services.require_builder()
         built = forecast.Built(self.services.state)
-        forecast.require(self.services.state, forecast.needed_mb(self.catalogue, image, built.names()), target)
+        forecast.require(
+            self.services.state, forecast.needed_mb(self.catalogue, image, built.names() if self.native else ()), target
+        )
         result = Result(target)
         clock = _Clock(result.seconds)
 
@@ -161,7 +179,8 @@ class Publisher:
         self.say(f"build {target} and push it by digest")
         before = _folder_bytes(self.services.state / "registry")
         self._build(image, bake_file, variables, result)
-        built.add([target, image.parent, *image.parts])
+        if self.native:
+            built.add([target, image.parent, *image.parts])
         result.uploaded = _folder_bytes(self.services.state / "registry") - before
         clock.lap("build and push")
 
@@ -169,6 +188,9 @@ class Publisher:
         self._test(image, bake_file, variables, result)
         clock.lap("structure tests")
 
+        if not self.native:
+            result.reference = f"{self.prefix}/{image.repository}@{result.manifest}"
+            return result
         self.say("index and tags")
         self._tag(image, result)
         clock.lap("index and tags")
@@ -188,9 +210,12 @@ class Publisher:
         assembled_on = {self.catalogue.payload_by_name[name].os for name in image.parts}
         systems = self.catalogue.matrix.operating_systems
         first = next(iter(systems))  # what the tools of tests and the cuda part are assembled on
-        variables = {"REGISTRY": self.prefix, "PLATFORM": _platform(self.catalogue)}
+        variables = {
+            "REGISTRY": self.prefix,
+            "PLATFORM": self.catalogue.matrix.architectures[self.architecture].platform,
+        }
         for name in sorted({image.os, first} | assembled_on):
-            reference = base_images.ensure(self.services, systems[name], say=self.say)
+            reference = base_images.ensure(self.services, systems[name], self.architecture, self.say)
             variables[names.os_variable(name)] = f"docker-image://{reference}"
             if name == image.os:
                 made = "made with mmdebstrap, because Docker Hub does not answer"
@@ -215,7 +240,9 @@ class Publisher:
 
     def _test(self, image: Image, bake_file: Path, variables: dict[str, str], result: Result) -> None:
         reference = f"{self.prefix}/{image.repository}@{result.manifest}"
-        folder = self.services.state / "tests" / image.target
+        folder = (
+            self.services.state / "tests" / (image.target if self.native else f"{image.target}-{self.architecture}")
+        )
         metadata, report_folder = folder / "metadata", folder / "report"
         shutil.rmtree(report_folder, ignore_errors=True)
         config = registry.image_config(self.services, reference, variables["PLATFORM"])

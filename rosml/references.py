@@ -6,7 +6,7 @@ import string
 from collections.abc import Iterable, Iterator
 
 from rosml import names
-from rosml.model import PARTS, Distribution, Matrix, OperatingSystem, Release
+from rosml.model import FAMILIES, FAMILY_OF, PARTS, Distribution, Matrix, OperatingSystem, Release
 from rosml.problems import Path, listed, near, unknown
 
 Finding = tuple[Path, str]
@@ -170,9 +170,11 @@ def _frameworks(matrix: Matrix) -> Iterator[Finding]:
         for family in framework.releases:
             if family not in framework.parts:
                 yield (*path, "releases"), f"{family} is not among the parts; add it to 'parts'"
-        for part in PARTS[2:]:
+        for part in FAMILIES:
             if part in framework.parts and part not in framework.releases:
                 yield (*path, "parts"), f"{part} is not among the releases; add it to 'releases'"
+        if ("tensorflow" in framework.parts) != ("tensorflow-cc" in framework.parts):
+            yield (*path, "parts"), "tensorflow and tensorflow-cc need each other; name both"
         if framework.parts and "cuda" not in framework.parts and "cuda" in framework.accelerators:
             text = "on stacks with CUDA it needs the part cuda; add it to 'parts', or say 'accelerators: [cpu]'"
             yield (*path, "parts"), text
@@ -351,7 +353,7 @@ def _forecast_parts(matrix: Matrix, name: str) -> list[str]:
         for part in PARTS
         if part in used
         and (part != "cuda" or stack.accelerator == "cuda")
-        and (part not in ("torch", "tensorflow") or getattr(stack, part))
+        and (part not in FAMILY_OF or stack.release(FAMILY_OF[part]))
     ]
 
 

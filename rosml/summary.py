@@ -30,11 +30,14 @@ def text(result: Result) -> str:
     """The summary as aligned lines."""
     moved = ", ".join(result.moved) if result.moved else "none: all pointed here already"
     shared = f" ({size(result.payloads)} of it payloads, which other images share)" if result.payloads else ""
-    rows = [
-        ("FROM", result.reference),
+    tagged = [
         ("digest", result.digest),
         ("tags", ", ".join(tag.rsplit("/", 1)[1] for tag in result.tags)),
         ("tags moved", moved),
+    ]
+    rows = [
+        ("FROM", result.reference),
+        *(tagged if result.tags else [("tags", "none: a tag is for all platforms of an image")]),
         ("base image", result.base),
         ("build on it", result.builder),
         ("size", f"{size(result.compressed)} compressed{shared}, {size(result.unpacked)} unpacked"),
@@ -47,7 +50,7 @@ def text(result: Result) -> str:
     if result.reused:
         rows.append(("reused", ", ".join(result.reused)))
     width = max(len(name) for name, _ in rows)
-    title = f"{result.target} is built, tested and published"
+    title = f"{result.target} is built, tested and {'published' if result.tags else 'pushed by its digest'}"
     return "\n".join(["", title, "-" * len(title), *(f"{name.ljust(width)}  {value}" for name, value in rows)])
 
 

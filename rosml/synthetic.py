@@ -60,8 +60,8 @@ def _head() -> str:
         "frameworks:",
         "  none: {repository: ros}",
         "  torch: {repository: ros-torch, parts: [cuda, common, torch], releases: [torch]}",
-        "  tensorflow: {repository: ros-tf, parts: [cuda, common, tensorflow], releases: [tensorflow]}",
-        "  ml: {repository: ros-ml, parts: [cuda, common, torch, tensorflow], releases: [torch, tensorflow]}",
+        "  tensorflow: {repository: ros-tf, parts: [cuda, common, tensorflow-cc, tensorflow], releases: [tensorflow]}",
+        "  ml: {repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow], releases: [torch, tensorflow]}",
         "releases:",
         *(
             f"  {family}: {{{version}: {{python: [{pythons}], wheels: {{{wheels}}}}}}}"
@@ -75,7 +75,7 @@ def _head() -> str:
         versions = ", ".join(f"{family}: {version}" for family, version in _FAMILIES.items())
         lines.append(f"  {stack}: {{accelerator: {accelerator}, {cuda}{versions}}}")
     lines += ["disk:", f"  os: {forecast}", "  components:", *(f"    {name}: {forecast}" for name in _COMPONENTS)]
-    parts = ", ".join(f"{part}: {forecast}" for part in ("cuda", "common", "torch", "tensorflow"))
+    parts = ", ".join(f"{part}: {forecast}" for part in ("cuda", "common", "torch", "tensorflow-cc", "tensorflow"))
     lines += ["  parts:", *(f"    {stack}: {{{parts}}}" for stack in _STACKS)]
     lines.append("rates: {packages: 25, payloads: 60, test: 15}")
     return "\n".join(lines)

@@ -26,13 +26,21 @@ def cli() -> None:
     """
 
 
+def say(line: str) -> None:
+    """Tells people what begins now."""
+    click.echo(click.style(f"==> {line}", bold=True), err=True)
+
+
 @cli.command()
 @click.argument("target", default="")
 @click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
 @click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
+@click.option(
+    "--platform", default="", metavar="PLATFORM", help="build and test for it, such as linux/arm64; no tag moves"
+)
 @click.option("--check", is_flag=True, help="only say whether there is such an image; needs no services")
 @click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
-def image(target: str, matrix: Path, namespace: str, check: bool, as_json: bool) -> None:
+def image(target: str, matrix: Path, namespace: str, platform: str, check: bool, as_json: bool) -> None:
     """Builds TARGET, runs its structure tests, and moves its tags in the local registry.
 
     Without TARGET: the one that matrix.yaml names as its default.
@@ -43,24 +51,66 @@ def image(target: str, matrix: Path, namespace: str, check: bool, as_json: bool)
       uv run scripts/publish.py image bookworm-base --json
     """
     from rosml import bake, expand, files
-    from rosml.publish import Publisher, require_buildable
+    from rosml.base_images import native_architecture
+    from rosml.publish import Publisher, architecture_of, require_buildable
     from rosml.services import Services
     from rosml.summary import text
 
-    def say(line: str) -> None:
-        click.echo(click.style(f"==> {line}", bold=True), err=True)
-
     catalogue = expand.load(matrix, ROOT)
     target = target or catalogue.matrix.default.target
-    require_buildable(catalogue.image(target))  # a typo is told before anything else happens
+    # A typo is told before anything else happens.
+    architecture = architecture_of(catalogue, platform) if platform else native_architecture()
+    require_buildable(catalogue.image(target), architecture if platform else "")
     if check:
         return
     services = Services.load(ROOT)
     bake_file = ROOT / "docker-bake.hcl"
     if matrix.resolve() == ROOT / "matrix.yaml" and files.write(bake_file, bake.render(catalogue)):
         say(f"{bake_file.name} was not up to date with {matrix.name}: written anew")
-    result = Publisher(services, catalogue, say, namespace).publish(target)
+    result = Publisher(services, catalogue, say, namespace, architecture).publish(target)
     click.echo(json.dumps(result.to_json(), indent=2) if as_json else text(result))
+
+
+@cli.command()
+@click.argument("payloads", nargs=-1, metavar="[NAME]...")
+@click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
+@click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
+@click.option("--json", "as_json", is_flag=True, help="print the results as JSON on standard output")
+@click.option("--markdown", is_flag=True, help="print them as a table in Markdown, for docs/digests.md")
+def payload(payloads: tuple[str, ...], matrix: Path, namespace: str, as_json: bool, markdown: bool) -> None:
+    """Assembles payloads and publishes them in the local registry: what COPY --link adds to an image of one's own.
+
+    For all of their architectures, without emulation. Without NAME: lists them.
+
+    \b
+    Examples:
+      uv run scripts/publish.py payload cuda-cu128 common-cu128-py311 torch-cu128-py311
+    """
+    from rosml import expand
+    from rosml import payloads as found
+    from rosml.services import Services
+
+    catalogue = expand.load(matrix, ROOT)
+    wanted = [found.find(catalogue, name) for name in payloads]
+    if not wanted:
+        for item in catalogue.payloads:
+            click.echo(f"{item.name}  {', '.join(item.platforms)}")
+        return
+    services = Services.load(ROOT)
+    services.require_registry()
+    services.require_builder()
+    results = []
+    for item in wanted:
+        results.append(found.publish(services, catalogue, item, say, namespace))
+        if not (as_json or markdown):
+            done = results[-1]
+            click.echo(f"{done.reference}@{done.digest}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")
+            for platform, (digest, size) in done.layers.items():
+                click.echo(f"  {platform}  {digest}  {size / 1e6:.1f} MB")
+    if as_json:
+        click.echo(json.dumps([done.to_json() for done in results], indent=2))
+    elif markdown:
+        click.echo(found.markdown(results), nl=False)
 
 
 @cli.command()

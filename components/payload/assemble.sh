@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Assembles one payload part under /out from a hash-pinned lock, for TARGETARCH, on whatever architecture this runs.
-#   PART       cuda | common | torch | tensorflow
+#   PART       cuda | common | torch | tensorflow-cc | tensorflow
 #   PYTHON     3.11, ...; "any" for a part that does not depend on the Python version
+#   WHEEL_PYTHON  the Python whose wheels it is taken from
 #   TARGETARCH amd64 | arm64 (set by BuildKit)
 #   LOCK       the requirements file with hashes
-# What a part leaves out is in components/<part>/prune.txt. Its own steps are in files.sh; they get OUT (/out), SITE
+# What a part leaves out is in components/<part>/prune.txt, or, where it takes little of its wheels, what it keeps is in
+# keep.txt. Its own steps are in files.sh; they get OUT (/out), SITE
 # (where packages go) and TRIPLET.
 # The result depends on the lock and on these scripts alone: not on the day, the machine or the build folder.
 set -euo pipefail
@@ -20,10 +22,8 @@ esac
 
 if [[ ${PYTHON:?} == any ]]; then
   SITE=/usr/local/lib/rosml/${PART:?}
-  python_version=3.11 # wheels of such parts are tagged py3-none: the version only has to be a valid one
 else
   SITE=/usr/local/lib/python$PYTHON/dist-packages
-  python_version=$PYTHON
 fi
 export OUT=/out SITE TRIPLET PYTHON
 
@@ -34,11 +34,11 @@ if grep -q '^torch==.*+cpu' "${LOCK:?}"; then export UV_TORCH_BACKEND=cpu; fi
 # not copied: one copy on disk instead of two.
 mkdir -p "$OUT$SITE" "$OUT/usr/lib/$TRIPLET"
 uv pip install --no-deps --require-hashes --only-binary :all: --link-mode hardlink --cache-dir /out/.cache \
-  --target "$OUT$SITE" --python-platform "$platform" --python-version "$python_version" --requirement "$LOCK"
+  --target "$OUT$SITE" --python-platform "$platform" --python-version "${WHEEL_PYTHON:?}" --requirement "$LOCK"
 rm -rf /out/.cache "$OUT$SITE/.lock"
 
-"$here/relocate_scripts.py"
 "$here/records.py" prune
+"$here/relocate_scripts.py"
 
 # What the part holds, for the login banner and for whoever asks: no import, no package manager needed.
 mkdir -p "$OUT/usr/local/share/rosml/versions.d"

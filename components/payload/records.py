@@ -1,9 +1,13 @@
 #!/usr/bin/env python3
 """Keeps a payload and the wheels' own records of their files (RECORD) in agreement.
 
-  records.py prune    removes what no use of an image needs: files whose path matches a line of the part's prune.txt
+  records.py prune    removes what no use of an image needs: files whose path matches a line of the part's prune.txt,
+                      and, where the part has a keep.txt, those that match no line of that
   records.py verify   every recorded file is there, byte for byte as in the wheel, but for those that match a line of
                       the part's adapted.txt, whose records follow what we ship; anything else fails
+  records.py link TARGET PATH...
+                      makes files, or folders with all that is in them, links to another part's at TARGET/PATH, and
+                      writes down what they were, so that a test can tell whether the other part's are the same
 
 Patterns are those of the shell, below the folder of the packages; `*` matches slashes as well. Lines that begin with #
 say why. uv has checked the wheels themselves against the lock's hashes before; this is about what became of them.
@@ -16,7 +20,9 @@ import csv
 import fnmatch
 import hashlib
 import os
+import shutil
 import sys
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 OUT = Path(os.environ["OUT"])
@@ -57,15 +63,22 @@ def digest(file: Path) -> tuple[str, int]:
     return "sha256=" + base64.urlsafe_b64encode(state.digest()).rstrip(b"=").decode(), file.stat().st_size
 
 
+NOT_KEPT = "what keep.txt does not name"
+
+
 def prune() -> None:
     """Removes files, and folders that are empty then; says what that saves."""
-    wanted = patterns("prune.txt")
+    wanted, kept_alone = patterns("prune.txt"), patterns("keep.txt")
     saved = {pattern: [0, 0] for pattern in wanted}
+    if kept_alone:
+        saved[NOT_KEPT] = [0, 0]
     for record in sorted(SITE.glob("*.dist-info/RECORD")):
         rows, kept = read(record), []
         for row in rows:
             file = SITE / row[0]
             pattern = matching(row[0], wanted)
+            if pattern is None and kept_alone and matching(row[0], kept_alone) is None:
+                pattern = NOT_KEPT
             if pattern is None:
                 kept.append(row)
                 continue
@@ -82,6 +95,46 @@ def prune() -> None:
             write(record, kept)
     for pattern, (count, size) in saved.items():
         print(f"prune: {pattern}: {count} files, {size / 1e6:.1f} MB")
+
+
+def link(target: str, *paths: str) -> None:
+    """Replaces files and folders by links to another part's.
+
+    Raises:
+        SystemExit: something in them is not what the wheel has, or is on no record.
+    """
+    here: dict[str, list[list[str]]] = {path: [] for path in paths}
+    for record in sorted(SITE.glob("*.dist-info/RECORD")):
+        rows = read(record)
+        for path, found in here.items():
+            inside = [row for row in rows if row[0] == path or row[0].startswith(f"{path}/")]
+            if inside:
+                found += inside
+                rows = [row for row in rows if row not in inside] + [[path, "", ""]]
+                write(record, rows)
+    for path, found in here.items():
+        place = SITE / path
+        files = [file for file in place.rglob("*") if not file.is_dir()] if place.is_dir() else [place]
+        recorded = {row[0]: (row[1], int(row[2])) for row in found}
+        wrong = [str(name) for file in files if recorded.get(name := str(file.relative_to(SITE))) != digest(file)]
+        if wrong or len(recorded) != len(files):
+            sys.exit(
+                f"records: {path} is not what the wheel has: {wrong[:5] or f'{len(files)} of {len(recorded)} files'}"
+            )
+        shutil.rmtree(place) if place.is_dir() else place.unlink()
+        place.symlink_to(f"{target}/{path}")
+    said = OUT / EXPECTED.lstrip("/") / Path(target).name
+    said.parent.mkdir(parents=True, exist_ok=True)
+    said.write_text(f"{summary(row for found in here.values() for row in found)}\n")
+
+
+EXPECTED = "/usr/local/share/rosml/expected.d"
+"""What a part takes another part's files to be: one file for each, by the name of the other part."""
+
+
+def summary(rows: Iterable[list[str]]) -> str:
+    """One digest for many entries of a RECORD, whatever their order."""
+    return hashlib.sha256("\n".join(sorted(",".join(row) for row in rows)).encode()).hexdigest()
 
 
 def verify() -> None:
@@ -118,4 +171,5 @@ def verify() -> None:
 
 
 if __name__ == "__main__":
-    {"prune": prune, "verify": verify}[sys.argv[1]]()
+    commands: dict[str, Callable[..., None]] = {"prune": prune, "verify": verify, "link": link}
+    commands[sys.argv[1]](*sys.argv[2:])

@@ -53,7 +53,7 @@ frameworks:
   none: {{repository: ros}}
   cuda: {{repository: ros-cuda, parts: [cuda], accelerators: [cuda]}}
   torch: {{repository: ros-torch, parts: [cuda, common, torch], releases: [torch]}}
-  ml: {{repository: ros-ml, parts: [cuda, common, torch, tensorflow], releases: [torch, tensorflow]}}
+  ml: {{repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow], releases: [torch, tensorflow]}}
 releases:
   torch:
     2.10.0: {{python: ["3.12", "3.14"], wheels: {{cu1: [amd64], cpu: [arm64]}}}}
@@ -95,11 +95,13 @@ disk:
       cuda: {{unpacked: 1000, compressed: 100}}
       common: {{unpacked: 300, compressed: 30}}
       torch: {{unpacked: 2000, compressed: 200}}
-      tensorflow: {{unpacked: 1500, compressed: 150}}
+      tensorflow-cc: {{unpacked: 1000, compressed: 100}}
+      tensorflow: {{unpacked: 500, compressed: 50}}
     cpu:
       common: {{unpacked: 300, compressed: 30}}
       torch: {{unpacked: 500, compressed: 50}}
-      tensorflow: {{unpacked: 500, compressed: 50}}
+      tensorflow-cc: {{unpacked: 400, compressed: 40}}
+      tensorflow: {{unpacked: 100, compressed: 10}}
 rates: {{packages: 10, payloads: 100, test: 5}}
 """
 

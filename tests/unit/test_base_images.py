@@ -39,6 +39,7 @@ def test_no_ubuntu_without_docker_hub(tmp_path: Path) -> None:
 
 def test_no_foreign_architecture_without_docker_hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
+    monkeypatch.setattr(base_images, "BINFMT", tmp_path)
     with pytest.raises(RosmlError, match="arm64 cannot be made on amd64"):
         base_images.ensure(load(tmp_path), System(), "arm64")
 

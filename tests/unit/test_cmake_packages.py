@@ -23,6 +23,10 @@ SCOPE = "_ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx1112basic_stringIcSt11cha
 SESSION = "_ZN10tensorflow13ClientSessionC1ERKNS_5ScopeE@@tensorflow"
 
 
+EMPTY = "sha256=47DEQpj8HBSa-_TImW-5JCeuQeRkm5NMpJWZG3hSuFU,0"
+"""An empty file in a RECORD."""
+
+
 def files(root: Path, *names: str) -> None:
     for name in names:
         (root / name).parent.mkdir(parents=True, exist_ok=True)
@@ -46,7 +50,7 @@ def assemble(root: Path, part: str, *symbols: str) -> None:
     }
     subprocess.run([ROOT / f"components/{part}/files.sh"], env=environment, check=True)
     # Links lead to places in the image.
-    for link in (root / "usr/lib" / TRIPLET).iterdir():
+    for link in [*(root / "usr/lib" / TRIPLET).iterdir(), *(root / SITE / "tensorflow").glob("*")]:
         if link.is_symlink() and os.readlink(link).startswith("/"):
             target = root / os.readlink(link).lstrip("/")
             link.unlink()
@@ -72,9 +76,11 @@ def tensorflow(folder: Path, version: str, *symbols: str) -> Path:
     site = root / SITE
     files(site, *(f"tensorflow/libtensorflow_{x}.so.2" for x in ("cc", "framework")))
     files(site, "tensorflow_estimator-2.13.0.dist-info/RECORD", f"tensorflow_cpu-{version}.dist-info/RECORD")
-    (site / f"tensorflow_cpu-{version}.dist-info/RECORD").write_text("tensorflow/libtensorflow_cc.so.2,sha256=x,1\n")
-    if version != "2.13.1":
-        files(site, "tensorflow/include/tensorflow/core/public/release_version.h")
+    header = "release_version.h" if version != "2.13.1" else "version.h"
+    shared = ("tensorflow/libtensorflow_cc.so.2", f"tensorflow/include/tensorflow/core/public/{header}")
+    files(site, shared[1])
+    files(root / "usr/local/lib/rosml/tensorflow-cc", *shared)
+    (site / f"tensorflow_cpu-{version}.dist-info/RECORD").write_text("".join(f"{file},{EMPTY}\n" for file in shared))
     assemble(root, "tensorflow", SCOPE, *symbols)
     return root
 

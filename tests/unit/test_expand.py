@@ -37,11 +37,12 @@ def test_image_facts(small: Catalogue) -> None:
         "groups": ["alpha", "base", "ml", "cu1", "all"],
         "parent": "alpha-base",
         "packages": [],
-        "parts": ["cuda-cu1", "common-cu1-py312", "torch-cu1-py312", "tensorflow-cu1-py312"],
+        "parts": ["cuda-cu1", "common-cu1-py312", "torch-cu1-py312", "tensorflow-cc-cu1", "tensorflow-cu1-py312"],
         "locks": [
             "locks/cu1/amd64/any/cuda.txt",
             "locks/cu1/amd64/3.12/common.txt",
             "locks/cu1/amd64/3.12/torch.txt",
+            "locks/cu1/amd64/any/tensorflow-cc.txt",
             "locks/cu1/amd64/3.12/tensorflow.txt",
         ],
         "tests": ["contract", "ros2", "ros2-core", "ros2-base", "cuda", "torch", "tensorflow", "ml"],
@@ -291,7 +292,7 @@ REASONS = {
     "alpha-base-none": "alpha-base-none is called alpha-base.",
     "cu1": "cu1: a group of 13 targets; see them with: make list GROUP=cu1",
     "default": "default: a group of 1 target; see them with: make list GROUP=default",
-    "payloads": "payloads: a group of 11 targets; see them with: make list",
+    "payloads": "payloads: a group of 13 targets; see them with: make list",
     "ros-ml:omega-base-cpu": "ros-ml:omega-base-cpu does not exist: no release of tensorflow has a wheel for "
     "Python 3.14, the Python of ubuntu-26.04.",
     "x.org:5000/y/ros-ml:omega": "x.org:5000/y/ros-ml:omega does not exist on any stack: no release of tensorflow has a "

@@ -18,7 +18,7 @@ from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload
 from rosml.inputs import MISSING, TARGET, Inputs
 
-PARTS = {"cuda", "common", "torch", "tensorflow"}
+PARTS = {"cuda", "common", "torch", "tensorflow-cc", "tensorflow"}
 LOCK = "locks/cu1/amd64/3.12/torch.txt"
 
 
@@ -82,6 +82,7 @@ FILES: dict[str, tuple[bool, set[str]]] = {
     "components/tensorflow/files.sh": (False, {"tensorflow"}),
     "components/tensorflow/client_session/client_session.cc": (False, {"tensorflow"}),
     "components/tensorflow/install-compiler.sh": (False, {"tensorflow"}),
+    "components/tensorflow-cc/keep.txt": (False, {"tensorflow-cc"}),
     "components/cuda/files.sh": (False, {"cuda"}),
     "components/cuda/prune.txt": (False, {"cuda"}),
     "components/payload/records.py": (False, PARTS),
@@ -322,8 +323,8 @@ BUILDABLE: dict[str, tuple[str, str, str]] = {
     ),
     "a stage that leaves out a part": (
         "parts: [cuda, common, torch], releases: [torch]}",
-        "parts: [cuda, common, torch, tensorflow], releases: [torch, tensorflow]}",
-        "the Dockerfile's stage torch does not take part-tensorflow",
+        "parts: [cuda, common, torch, tensorflow-cc, tensorflow], releases: [torch, tensorflow]}",
+        "the Dockerfile's stage torch does not take part-tensorflow-cc and part-tensorflow",
     ),
 }
 

@@ -110,7 +110,7 @@ def test_package_name(requirement: str, name: str) -> None:
 # ---- Splitting -------------------------------------------------------------------------------------------------------
 
 
-def test_every_package_is_in_one_part() -> None:
+def test_every_package_is_in_its_part() -> None:
     pins = [
         pin("torch"),
         pin("tensorflow"),
@@ -127,6 +127,16 @@ def test_every_package_is_in_one_part() -> None:
         "common": ["numpy", "typing-extensions"],
         "torch": ["mpmath", "sympy", "torch"],
         "tensorflow": ["keras", "tensorflow"],
+        "tensorflow-cc": ["tensorflow"],
+    }
+
+
+def test_the_wheel_with_the_library_is_in_two_parts() -> None:
+    """On some architectures `tensorflow` only stands for another package."""
+    pins = [pin("tensorflow"), pin("tensorflow-cpu-aws", "tensorflow"), pin("tensorflow-estimator", "tensorflow")]
+    assert parts(pins, {"tensorflow": "tensorflow==2"}) == {
+        "tensorflow": ["tensorflow", "tensorflow-cpu-aws", "tensorflow-estimator"],
+        "tensorflow-cc": ["tensorflow", "tensorflow-cpu-aws"],
     }
 
 
@@ -147,7 +157,10 @@ def test_cycle() -> None:
 
 def test_extras_and_spelling_of_roots() -> None:
     pins = [pin("tensorflow-cpu"), pin("keras", "tensorflow-cpu")]
-    assert parts(pins, {"tensorflow": "tensorflow_cpu[x]==2"}) == {"tensorflow": ["keras", "tensorflow-cpu"]}
+    assert parts(pins, {"tensorflow": "tensorflow_cpu[x]==2"}) == {
+        "tensorflow": ["keras", "tensorflow-cpu"],
+        "tensorflow-cc": ["tensorflow-cpu"],
+    }
 
 
 def test_numpy_is_common_even_of_one_framework() -> None:
@@ -452,9 +465,7 @@ APART = changed(
 
 
 def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path) -> None:
-    tensorflow = (
-        "  tf: {repository: ros-tf, parts: [common, tensorflow], releases: [tensorflow], accelerators: [cpu]}\n"
-    )
+    tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], releases: [tensorflow], accelerators: [cpu]}\n"
     catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
     asked = [list(item.roots) for item in lock.requests(catalogue) if (item.stack, item.python) == ("cpu", "3.12")]
     assert asked == [["tensorflow"], ["torch"], ["tensorflow"]]  # amd64 has no wheel of torch
@@ -466,9 +477,7 @@ def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path
 
 
 def test_what_they_share_must_agree(tmp_path: Path) -> None:
-    tensorflow = (
-        "  tf: {repository: ros-tf, parts: [common, tensorflow], releases: [tensorflow], accelerators: [cpu]}\n"
-    )
+    tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], releases: [tensorflow], accelerators: [cpu]}\n"
     catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
     uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; " + PINNED.format("numpy==1.2$n")
     with pytest.raises(RosmlError, match=r"common\.txt: numpy would be 1\.2. and 1\.2., depending on who asks"):

@@ -38,7 +38,13 @@ def test_a_shard(small: Catalogue) -> None:
     assert first.distributions == ("alpha",)
     assert first.targets[:4] == ("alpha-core", "alpha-base", "alpha-desktop", "alpha-core-cuda-cu1")
     assert len(first.targets) == 12
-    assert first.payloads == ("cuda-cu1", "common-cu1-py312", "torch-cu1-py312", "tensorflow-cu1-py312")
+    assert first.payloads == (
+        "cuda-cu1",
+        "common-cu1-py312",
+        "torch-cu1-py312",
+        "tensorflow-cc-cu1",
+        "tensorflow-cu1-py312",
+    )
     # The operating system, three components, and the payloads cuda, common, torch and tensorflow.
     assert first.download_mb == 10 + 3 * 2 + 100 + 30 + 200 + 150
     payloads = (1000 + 100) + (300 + 30) + (2000 + 200) + (1500 + 150)
@@ -240,7 +246,7 @@ def test_output(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixtur
 def test_table(small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run("--matrix", small_file, "--shards", "9") == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[1].split() == ["amd64-1", "amd", "alpha", "12", "4", "2", "0.5", "12.8"]
+    assert lines[1].split() == ["amd64-1", "amd", "alpha", "12", "5", "2", "0.5", "12.8"]
     assert lines[5] == "estimates: 2 minutes until all is built, 5 minutes of machines"
     assert lines[6].startswith("4 shards instead of 9:")
 

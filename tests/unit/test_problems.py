@@ -261,7 +261,7 @@ WRONG = {
     "no forecast of a part": (
         "      torch: {unpacked: 500, compressed: 50}\n",
         "",
-        "78:5: disk.parts.cpu: no forecast for part torch; "
+        "79:5: disk.parts.cpu: no forecast for part torch; "
         "add 'torch: {unpacked: 900, compressed: 250}', a guess will do",
     ),
     "budget of nothing": (
@@ -355,10 +355,11 @@ WRONG = {
     ),
     "a stack without forecasts": (
         "    cpu:\n      common: {unpacked: 300, compressed: 30}\n      torch: {unpacked: 500, compressed: 50}\n"
-        "      tensorflow: {unpacked: 500, compressed: 50}\n",
+        "      tensorflow-cc: {unpacked: 400, compressed: 40}\n      tensorflow: {unpacked: 100, compressed: 10}\n",
         "",
         "72:3: disk.parts: no forecast for stack cpu; add 'cpu: {common: {unpacked: 900, compressed: 250}, "
-        "torch: {unpacked: 900, compressed: 250}, tensorflow: {unpacked: 900, compressed: 250}}', a guess will do",
+        "torch: {unpacked: 900, compressed: 250}, "
+        "tensorflow-cc: {unpacked: 900, compressed: 250}, tensorflow: {unpacked: 900, compressed: 250}}', a guess will do",
     ),
     "an architecture by another name": (
         "    architectures: [amd64, arm64]\n    tools: colcon\n    codename: noble",

@@ -8,6 +8,7 @@ import hashlib
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -40,13 +41,14 @@ class Payload:
         with self.record.open("a", newline="") as stream:
             csv.writer(stream).writerow([path, f"sha256={digest}", len(content)])
 
-    def rules(self, prune: str = "", adapted: str = "") -> None:
+    def rules(self, prune: str = "", adapted: str = "", keep: str = "") -> None:
         (self.part / "prune.txt").write_text(prune)
+        (self.part / "keep.txt").write_text(keep)
         (self.part / "adapted.txt").write_text(adapted)
 
-    def run(self, command: str) -> subprocess.CompletedProcess[str]:
+    def run(self, *command: str) -> subprocess.CompletedProcess[str]:
         env = {**os.environ, "OUT": str(self.out), "SITE": f"/{SITE}", "PART_FOLDER": str(self.part)}
-        return subprocess.run([sys.executable, SCRIPT, command], env=env, capture_output=True, text=True, check=False)
+        return subprocess.run([sys.executable, SCRIPT, *command], env=env, capture_output=True, text=True, check=False)
 
     def recorded(self) -> dict[str, tuple[str, str]]:
         with self.record.open(newline="") as stream:
@@ -148,11 +150,16 @@ def test_rules_of_the_parts_match_something_that_wheels_had() -> None:
             "triton/backends/nvidia/lib/cupti/libcupti_static.a",
             "cuda/bindings/driver.cpp",
             "torch/bin/protoc-3.13.0.0",
+            "torch/bin/test_api",
+            "torch/bin/FileStoreTest",
+            "torch/test/atest",
             "sympy/polys/tests/test_rings.py",
             "networkx/tests/test_all_random_functions.py",
             "mpmath/tests/test_basic_ops.py",
         },
         "common": {"numpy/core/tests/test_dtype.py"},
+        "tensorflow": {"tensorflow/include/external/local_config_python/python_include/Python.h"},
+        "tensorflow-cc": {"tensorflow/include/external/local_config_python/python_include/Python.h"},
     }
     from fnmatch import fnmatchcase
 
@@ -161,3 +168,55 @@ def test_rules_of_the_parts_match_something_that_wheels_had() -> None:
         patterns = [line for line in lines if line and not line.startswith("#")]
         assert all(any(fnmatchcase(path, pattern) for path in paths) for pattern in patterns), part
         assert all(any(fnmatchcase(path, pattern) for pattern in patterns) for path in paths), part
+
+
+def test_a_part_that_takes_little_of_its_wheels_keeps_just_that(payload: Payload) -> None:
+    payload.add("thing/lib/deep/libthing.so", "library")
+    payload.rules(keep="thing/lib/*\n*.dist-info/*\n", prune="*.a\n")
+    done = payload.run("prune")
+    assert done.returncode == 0, done.stderr
+    assert "prune: what keep.txt does not name: 3 files" in done.stdout
+    assert payload.files() == {"thing/lib/deep/libthing.so", "thing-1.dist-info/RECORD"} == payload.recorded().keys()
+    assert payload.run("verify").returncode == 0
+
+
+LINK = ("link", "/usr/local/lib/rosml/other", "thing/lib", "thing/__init__.py")
+"""One folder and one file that another part has."""
+
+
+def test_links_to_another_part_take_the_place_of_files(payload: Payload) -> None:
+    payload.add("thing/lib/deep/more", "more\n")
+    before = [",".join((path, *fact)) for path, fact in payload.recorded().items() if path in TAKEN]
+    done = payload.run(*LINK)
+    assert done.returncode == 0, done.stderr
+    for path in ("thing/lib", "thing/__init__.py"):
+        assert os.readlink(payload.site / path) == f"/usr/local/lib/rosml/other/{path}"
+        assert payload.recorded()[path] == ("", ""), "pip removes the link, and leaves what it leads to alone"
+    assert payload.recorded().keys() == payload.files()
+    expected = hashlib.sha256("\n".join(sorted(before)).encode()).hexdigest()
+    assert (payload.out / "usr/local/share/rosml/expected.d/other").read_text() == f"{expected}\n"
+    assert payload.run("verify").returncode == 0
+
+
+TAKEN = ("thing/lib/libthing.a", "thing/lib/deep/more", "thing/__init__.py")
+
+
+def changed_file(payload: Payload) -> None:
+    (payload.site / "thing/lib/libthing.a").write_text("other  ")
+
+
+def file_on_no_record(payload: Payload) -> None:
+    (payload.site / "thing/lib/new").write_text("")
+
+
+def missing_file(payload: Payload) -> None:
+    payload.add("thing/lib/gone", "gone")
+    (payload.site / "thing/lib/gone").unlink()
+
+
+@pytest.mark.parametrize("damage", [changed_file, file_on_no_record, missing_file])
+def test_what_is_not_the_wheels_is_no_link(payload: Payload, damage: Callable[[Payload], None]) -> None:
+    damage(payload)
+    done = payload.run(*LINK)
+    assert done.returncode == 1
+    assert "records: thing/lib is not what the wheel has" in done.stderr

@@ -1,4 +1,4 @@
-"""The commands of scripts/bootstrap.py: tools, up, down, clean, status."""
+"""The commands of scripts/bootstrap.py: tools, up, emulate, down, clean, status."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any, Callable, NoReturn
 
-from machine import mounts, network, services
+from machine import emulation, mounts, network, services
 from machine.console import Failure, colour, elapsed, say
 from machine.install import (
     BUILDKITD,
@@ -140,6 +140,13 @@ def up(state: State) -> None:
     found, hub, bundle = prepare(state)
     services.up(state, found, hub, bundle, buildkit_image(state))
     say(f"set-up: done in {elapsed(started)}")
+
+
+def emulate(state: State) -> None:
+    """Command ``emulate``."""
+    if emulation.ensure(Installer(state, network.ca_bundle(os.environ))):
+        services.stop_builder(state)  # it looks once which architectures there are
+    up(state)
 
 
 def down(state: State) -> None:
@@ -269,6 +276,7 @@ def parser() -> argparse.ArgumentParser:
         "--python", action="store_true", help="only uv and the Python packages: enough for linters and lists"
     )
     commands.add_parser("up", help="the same, then start the local registry and the builder")
+    commands.add_parser("emulate", help="let this machine build and test for the other architecture, with QEMU")
     commands.add_parser("down", help="stop the registry and the builder; keeps what they stored")
     commands.add_parser("clean", help="stop them and remove all that was made (.state, .venv)")
     shown = commands.add_parser("status", help="say what is running")
@@ -292,7 +300,13 @@ def main(root: Path, argv: Sequence[str]) -> int:
             return 0
         if not sys.platform.startswith("linux"):
             raise Failure("this set-up needs Linux", "use a Linux machine, a virtual one, or WSL")
-        table: dict[str, Callable[[State], Any]] = {"tools": tools, "up": up, "down": down, "clean": clean}
+        table: dict[str, Callable[[State], Any]] = {
+            "tools": tools,
+            "up": up,
+            "emulate": emulate,
+            "down": down,
+            "clean": clean,
+        }
         work = python_tools if getattr(arguments, "python", False) else table[arguments.command]
         if work in (down, clean) and not state.folder.exists():
             work(state)

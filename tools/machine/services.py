@@ -322,6 +322,12 @@ def is_build_step(pid: int, root: Path) -> bool:
 
 
 # ---- all of it ------------------------------------------------------------------------------------------------------
+def stop_builder(state: State) -> None:
+    """Stops a buildkitd of our own, if one runs; what it stored stays."""
+    buildkit_daemon(state, str(state.bin / "buildkitd")).stop()
+    tidy_builder(state.folder / "buildkit")
+
+
 def describe(state: State, tools: Tools, registry: str, hub: bool, mirror: bool, bundle: str) -> dict[str, Any]:
     """Content of services.json."""
     return {

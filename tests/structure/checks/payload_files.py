@@ -7,6 +7,7 @@ Contents were compared when the payload was assembled (components/payload/record
 from __future__ import annotations
 
 import csv
+import hashlib
 import os
 import sys
 from pathlib import Path
@@ -27,6 +28,18 @@ for record in (record for site in sites for record in site.glob("*.dist-info/REC
                 continue
             if found != int(size):
                 wrong.append(f"{path} has {found} bytes, {size} are on record")
+# What one part takes another's files to be, when the two were assembled apart (records.py link): the library and headers
+# of the wheel for this Python are byte for byte those of the wheel that the other part was taken from.
+for expected in Path("/usr/local/share/rosml/expected.d").glob("*"):
+    rows = [
+        row
+        for record in Path("/usr/local/lib/rosml", expected.name).glob("*.dist-info/RECORD")
+        for row in csv.reader(record.open(newline=""))
+        if ".dist-info/" not in row[0]
+    ]
+    summary = hashlib.sha256("\n".join(sorted(",".join(row) for row in rows)).encode()).hexdigest()
+    if not rows or summary != expected.read_text().strip():
+        wrong.append(f"/usr/local/lib/rosml/{expected.name} is not what the parts on top of it were assembled for")
 print(f"{checked} files")
 if wrong or checked < 100:
     sys.exit("\n".join(wrong[:50]) or "no payload is here")

@@ -1,0 +1,67 @@
+"""Emulation: the kernel runs programs of another architecture through QEMU, so that images of it are built and tested here.
+
+The kernel keeps a table of interpreters (binfmt_misc); an entry with the flag F holds QEMU open, so build steps need no
+copy of it in their root file system. It lasts until the machine restarts.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+from machine.console import Failure, say
+from machine.install import Installer
+
+TABLE = Path("/proc/sys/fs/binfmt_misc")
+ENTRIES = Path("/usr/lib/binfmt.d")
+PACKAGE = "qemu-user-static"
+OTHER = {"x86_64": ("arm64", "qemu-aarch64"), "aarch64": ("amd64", "qemu-x86_64")}
+"""By this machine's processor: the architecture to emulate, and how QEMU's entry for it is called."""
+
+
+def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -> bool:
+    """Makes sure that the kernel runs programs of the other architecture; gives whether that is new.
+
+    Raises:
+        Failure: this user may not, the kernel cannot, or there is no QEMU for it.
+    """
+    architecture, name = OTHER.get(platform.machine(), ("", ""))
+    if not name:
+        raise Failure(f"no emulation is known for {platform.machine()}", "use a machine of the architecture itself")
+    if (table / name).exists():
+        say(f"emulation: {architecture} runs already")
+        return False
+    if os.geteuid() != 0:
+        by_hand = "docker run --privileged --rm tonistiigi/binfmt --install " + architecture
+        raise Failure(f"only root may let the kernel run programs of {architecture}", f"call it as root, or: {by_hand}")
+    entry = _entry(entries, name)
+    if entry is None:
+        installer.debian_packages({PACKAGE: f"runs programs of {architecture}"})
+        entry = _entry(entries, name)
+    if entry is None:
+        raise Failure(f"{PACKAGE} brings no {name}.conf in {entries}", "register QEMU by hand")
+    if not (table / "register").exists():
+        _run(["mount", "-t", "binfmt_misc", "binfmt_misc", str(table)])
+    if not (table / name).exists():  # installing the package may have done it
+        try:
+            (table / "register").write_text(entry)
+        except OSError as error:
+            raise Failure(
+                f"the kernel does not take QEMU's entry: {error}", "try a machine of the architecture itself"
+            ) from None
+    say(f"emulation: {architecture} runs, through QEMU, until this machine restarts")
+    return True
+
+
+def _entry(folder: Path, name: str) -> str | None:
+    """QEMU's line for the kernel's table; the name of its file differs between releases."""
+    return next((file.read_text() for file in sorted(folder.glob(f"{name}*.conf"))), None)
+
+
+def _run(argv: Sequence[str]) -> None:
+    done = subprocess.run(argv, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise Failure(f"{' '.join(argv)}: {done.stderr.strip()}", "a container needs its host to do this")
