@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from test_services import load
 
-from rosml import base_images
+from rosml import base_images, registry
 from rosml.errors import RosmlError
 
 DIGEST = f"sha256:{'a' * 64}"
@@ -42,6 +42,28 @@ def test_no_foreign_architecture_without_docker_hub(tmp_path: Path, monkeypatch:
     monkeypatch.setattr(base_images, "BINFMT", tmp_path)
     with pytest.raises(RosmlError, match="arm64 cannot be made on amd64"):
         base_images.ensure(load(tmp_path), System(), "arm64")
+
+
+def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The image has both: payloads are assembled on the machine's own architecture."""
+    monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
+    monkeypatch.setattr(base_images, "BINFMT", tmp_path)
+    (tmp_path / "qemu-aarch64").touch()
+    made: list[tuple[str, ...]] = []
+
+    def debian(_services: object, *wanted: object) -> str:
+        made.append(tuple(str(item) for item in wanted[:2]))
+        return f"sha256:{wanted[1]}"
+
+    def index(_services: object, repository: str, digests: list[str], _annotations: object) -> str:
+        assert digests == ["sha256:amd64", "sha256:arm64"]
+        return f"sha256:of-{repository.rpartition('/')[2]}"
+
+    monkeypatch.setattr(base_images, "_debian", debian)
+    monkeypatch.setattr(registry, "create_index", index)
+    assert base_images.ensure(load(tmp_path), System(), "arm64") == "docker.io/library/debian:bookworm@sha256:of-debian"
+    assert made == [("bookworm", "amd64"), ("bookworm", "arm64")]
+    assert base_images.ensure(load(tmp_path), System()) == "docker.io/library/debian:bookworm@sha256:amd64"
 
 
 @pytest.mark.parametrize(

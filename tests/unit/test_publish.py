@@ -18,7 +18,7 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse, write_locks
 from stubs import answering_registry, buildx, calls, executable, services
 
-from rosml import command, expand
+from rosml import base_images, command, expand, summary
 from rosml.errors import RosmlError
 from rosml.publish import Publisher, Result, TestsFailed
 from scripts import publish as script
@@ -107,11 +107,11 @@ class Stage:
     def write(self, name: str, text: str) -> None:
         (self.folder / name).write_text(text)
 
-    def publish(self, target: str = TARGET, **changes: Any) -> Result:
+    def publish(self, target: str = TARGET, architecture: str = "amd64", **changes: Any) -> Result:
         """Publishes as the command does."""
         facts = json.loads((self.folder / ".state/services.json").read_text())
         found = services(self.folder, **{**facts, **changes})
-        return Publisher(found, self.catalogue, self.said.append).publish(target)
+        return Publisher(found, self.catalogue, self.said.append, architecture=architecture).publish(target)
 
     def calls(self, start: str) -> list[str]:
         """The calls that start in some way."""
@@ -135,6 +135,7 @@ def registry() -> Iterator[str]:
 @pytest.fixture
 def stage(tmp_path: Path, registry: str, small: expand.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
     free(monkeypatch, 1_000_000)
+    monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     return Stage(tmp_path, registry, small)
 
 
@@ -215,6 +216,32 @@ def test_what_was_built_is_remembered(stage: Stage, monkeypatch: pytest.MonkeyPa
     assert {TARGET, "alpha-base", "cuda-cu1", "common-cu1-py312", "torch-cu1-py312"} <= set(built)
     free(monkeypatch, 1)
     assert stage.publish().digest == INDEX, "a second call needs no room"
+
+
+def test_another_architecture_is_built_and_tested_and_gets_no_tag(stage: Stage) -> None:
+    """A tag is for all platforms of an image: one of them alone does not move it."""
+    target = "alpha-core-ml-cpu"
+    stage.write("buildx", (stage.folder / "buildx").read_text().replace("case $1", 'env >"$here/env-$1"\ncase $1', 1))
+    stage.write("progress-cpu", "")
+    for name in ("ros2-core", "tensorflow", "torch", "ml"):
+        stage.write(f"report/{name}.json", results(one=True))
+    result = stage.publish(target, architecture="arm64")
+    assert stage.untouched()
+    assert "PLATFORM=linux/arm64\n" in (stage.folder / "env-bake").read_text()
+    assert result.reference == f"{stage.registry}/rosml/ros-ml@{MANIFEST}"
+    assert result.passed and not result.tags
+    assert not (stage.folder / ".state/results").exists(), "the records are of what has tags"
+    assert not (stage.folder / ".state/built.json").exists(), "and the forecast is the machine's own architecture's"
+    shown = summary.text(result)
+    assert f"{target} is built, tested and pushed by its digest" in shown
+    assert "none: a tag is for all platforms of an image" in shown
+
+
+def test_a_platform_that_nothing_has(checkout: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(checkout, TARGET, "--platform", "linux/riscv") == 2
+    assert "linux/amd64 and linux/arm64" in capsys.readouterr().err
+    assert run(checkout, TARGET, "--platform", "linux/arm64") == 2
+    assert f"{TARGET} exists for amd64 only\n" in capsys.readouterr().err
 
 
 # ---- Nothing is tagged -----------------------------------------------------------------------------------------------

@@ -13,17 +13,19 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from machine.console import Failure, say
-from machine.install import Installer
+from machine.install import Installer, which_system
 
 TABLE = Path("/proc/sys/fs/binfmt_misc")
 ENTRIES = Path("/usr/lib/binfmt.d")
 PACKAGE = "qemu-user-static"
+PROBE = "arch-test"
+"""What mmdebstrap asks whether programs of an architecture run; also its package."""
 OTHER = {"x86_64": ("arm64", "qemu-aarch64"), "aarch64": ("amd64", "qemu-x86_64")}
 """By this machine's processor: the architecture to emulate, and how QEMU's entry for it is called."""
 
 
 def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -> bool:
-    """Makes sure that the kernel runs programs of the other architecture; gives whether that is new.
+    """Makes sure that the kernel runs programs of the other architecture; gives whether it did not before.
 
     Raises:
         Failure: this user may not, the kernel cannot, or there is no QEMU for it.
@@ -31,15 +33,19 @@ def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -
     architecture, name = OTHER.get(platform.machine(), ("", ""))
     if not name:
         raise Failure(f"no emulation is known for {platform.machine()}", "use a machine of the architecture itself")
-    if (table / name).exists():
+    known = (table / name).exists()
+    if known and which_system(PROBE):
         say(f"emulation: {architecture} runs already")
         return False
     if os.geteuid() != 0:
         by_hand = "docker run --privileged --rm tonistiigi/binfmt --install " + architecture
         raise Failure(f"only root may let the kernel run programs of {architecture}", f"call it as root, or: {by_hand}")
     entry = _entry(entries, name)
-    if entry is None:
-        installer.debian_packages({PACKAGE: f"runs programs of {architecture}"})
+    missing = {} if entry else {PACKAGE: f"runs programs of {architecture}"}
+    if not which_system(PROBE):
+        missing[PROBE] = "tells mmdebstrap that they run"
+    if missing:
+        installer.debian_packages(missing)
         entry = _entry(entries, name)
     if entry is None:
         raise Failure(f"{PACKAGE} brings no {name}.conf in {entries}", "register QEMU by hand")
@@ -53,7 +59,7 @@ def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -
                 f"the kernel does not take QEMU's entry: {error}", "try a machine of the architecture itself"
             ) from None
     say(f"emulation: {architecture} runs, through QEMU, until this machine restarts")
-    return True
+    return not known
 
 
 def _entry(folder: Path, name: str) -> str | None:

@@ -1,0 +1,87 @@
+"""Emulation of the other architecture: what the kernel is told, and who is told what where it cannot be."""
+
+from __future__ import annotations
+
+import os
+import platform
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from machine import emulation
+from machine.console import Failure
+
+ENTRY = ":qemu-aarch64:M::\\x7fELF:\\xff:/usr/libexec/qemu:POF\n"
+
+
+class Installer:
+    """Installs nothing but QEMU's entry, and remembers what was asked for."""
+
+    def __init__(self, entries: Path) -> None:
+        self.entries, self.asked = entries, dict[str, str]()
+
+    def debian_packages(self, packages: Mapping[str, str]) -> None:
+        self.asked.update(packages)
+        if emulation.PACKAGE in packages:
+            (self.entries / "qemu-aarch64.conf").write_text(ENTRY)
+
+
+@pytest.fixture
+def machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Installer:
+    """A machine for amd64 whose kernel has a table without entries."""
+    for name in ("table", "entries"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "table/register").write_text("")
+    monkeypatch.setattr(platform, "machine", lambda: "x86_64")
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    monkeypatch.setattr(emulation, "which_system", lambda name: None)
+    return Installer(tmp_path / "entries")
+
+
+def ensure(machine: Installer) -> bool:
+    folder = machine.entries.parent
+    return emulation.ensure(machine, folder / "table", folder / "entries")  # type: ignore[arg-type]
+
+
+def test_qemu_is_installed_and_the_kernel_told(machine: Installer) -> None:
+    assert ensure(machine)
+    assert list(machine.asked) == [emulation.PACKAGE, emulation.PROBE]
+    assert (machine.entries.parent / "table/register").read_text() == ENTRY
+
+
+def test_nothing_to_do(machine: Installer, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    (machine.entries.parent / "table/qemu-aarch64").touch()
+    monkeypatch.setattr(emulation, "which_system", lambda name: f"/usr/bin/{name}")
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    assert not ensure(machine)
+    assert not machine.asked
+    assert "arm64 runs already" in capsys.readouterr().out
+
+
+def test_a_kernel_that_knows_needs_no_new_builder(machine: Installer) -> None:
+    """The builder is started anew for what it could not do before, and for nothing else."""
+    (machine.entries.parent / "table/qemu-aarch64").touch()
+    assert not ensure(machine)
+    assert emulation.PROBE in machine.asked
+
+
+def test_a_plain_user(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    with pytest.raises(Failure, match="only root") as caught:
+        ensure(machine)
+    assert "--install arm64" in caught.value.remedy
+
+
+def test_a_kernel_that_refuses(machine: Installer) -> None:
+    register = machine.entries.parent / "table/register"
+    register.unlink()
+    register.mkdir()
+    with pytest.raises(Failure, match="the kernel does not take QEMU's entry"):
+        ensure(machine)
+
+
+def test_another_processor(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(platform, "machine", lambda: "riscv64")
+    with pytest.raises(Failure, match="no emulation is known for riscv64"):
+        ensure(machine)

@@ -1,0 +1,170 @@
+"""Payloads as images of their own, with stand-ins for buildx and the registry: for all architectures that have a lock,
+bytecode or not, and said so."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import changed, parse, write_locks
+from stubs import answering_registry, buildx, calls, executable, services
+
+from rosml import base_images, expand, payloads
+from rosml.errors import RosmlError
+
+INDEX, LAYER = "sha256:" + "b" * 64, "sha256:" + "c" * 64
+BAKE = """
+case $1 in
+build) shift; for word; do last=$word; done
+    cat "$last/Dockerfile" >>"$here/calls"; (cd "$last" && find bin lib -type f) >>"$here/calls"
+    printf '{"containerimage.digest": "sha256:stand-in"}' >"$metadata" ;;
+*) env | grep '^OS_' >>"$here/calls"; printf '{"%s": {"containerimage.digest": "%s"}}' "$target" "$(cat "$here/digest")" >"$metadata" ;;
+esac
+"""
+REGCTL = """
+here='{folder}'
+echo "regctl $*" >>"$here/calls"
+for word; do :; done
+case "$1 $2 $word" in
+"manifest get "*bbbb) cat "$here/index.json" ;;
+"manifest get "*) cat "$here/manifest.json" ;;
+"image copy "*) ;;
+*) exit 1 ;;
+esac
+"""
+
+
+@pytest.fixture(scope="module")
+def registry() -> Iterator[str]:
+    with answering_registry() as address:
+        yield address
+
+
+class Stage:
+    """A checkout with stand-ins."""
+
+    def __init__(self, folder: Path, registry: str, catalogue: expand.Catalogue) -> None:
+        self.folder, self.catalogue, self.said = folder, catalogue, list[str]()
+        self.facts: dict[str, Any] = {
+            "registry": registry,
+            "buildx": buildx(folder, BAKE),
+            "regctl": executable(folder / "regctl", REGCTL.format(folder=folder)),
+        }
+        (folder / "digest").write_text(INDEX)
+        entries = [
+            {"digest": f"sha256:{name}", "platform": {"os": "linux", "architecture": name}}
+            for name in ("amd64", "arm64")
+        ]
+        (folder / "index.json").write_text(json.dumps({"manifests": entries}))
+        (folder / "manifest.json").write_text(json.dumps({"layers": [{"digest": LAYER, "size": 2_500_000}]}))
+        write_locks(folder, catalogue)
+
+    def publish(self, name: str, **changes: Any) -> payloads.Assembled:
+        found = services(self.folder, **{**self.facts, **changes})
+        (found.state / "tmp").mkdir(exist_ok=True)
+        return payloads.publish(found, self.catalogue, payloads.find(self.catalogue, name), self.said.append)
+
+
+@pytest.fixture
+def stage(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> Stage:
+    monkeypatch.setattr(payloads, "VERSIONS", str(tmp_path / "versions"))
+    return Stage(tmp_path, registry, parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")))
+
+
+def baked(stage: Stage) -> str:
+    (call,) = [call for call in calls(stage.folder) if call.startswith("buildx bake")]
+    return call
+
+
+def test_all_architectures(stage: Stage) -> None:
+    found = stage.publish("common-cpu-py312")
+    assert found.reference.endswith("/rosml/payload:common-cpu-py312")
+    assert (found.digest, found.bytecode) == (INDEX, "3.12")
+    assert found.layers == {"linux/amd64": (LAYER, 2_500_000), "linux/arm64": (LAYER, 2_500_000)}
+    assert "payload-common-cpu-py312.platform=linux/amd64,linux/arm64" in baked(stage)
+    assert "BYTECODE" not in baked(stage)
+    copied = [call for call in calls(stage.folder) if call.startswith("regctl image copy")]
+    assert copied[0].endswith("/payload:common-cpu-py312") and INDEX in copied[0]
+
+
+def test_an_architecture_without_a_lock_is_left_out(stage: Stage) -> None:
+    (stage.folder / "locks/cpu/amd64/3.12/common.txt").unlink()
+    (stage.folder / "digest").write_text("sha256:one")
+    assert list(stage.publish("common-cpu-py312").layers) == ["linux/arm64"]
+    assert "platform=linux/arm64 " in baked(stage)
+    (stage.folder / "locks/cpu/arm64/3.12/common.txt").unlink()
+    with pytest.raises(RosmlError, match=r"no lock yet: locks/cpu/amd64/3\.12/common\.txt"):
+        stage.publish("common-cpu-py312")
+
+
+@pytest.fixture
+def debian(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Stage:
+    """Docker Hub does not answer, and the matrix has a Debian."""
+    systems = dict(stage.catalogue.matrix.operating_systems)
+    first = next(iter(systems.values()))
+    systems["bookworm"] = first.model_copy(update={"image": "docker.io/library/debian:bookworm", "python": "3.11"})
+    matrix = stage.catalogue.matrix.model_copy(update={"operating_systems": systems})
+    stage.catalogue = expand.Catalogue(matrix, stage.catalogue.images, stage.catalogue.payloads)
+    stage.facts |= {"mirror": True, "docker_hub": False}
+    monkeypatch.setattr(base_images, "_debian", lambda *_: "sha256:made")
+    return stage
+
+
+def test_without_the_base_image_or_a_python(debian: Stage) -> None:
+    found = debian.publish("common-cpu-py312")
+    assert found.bytecode == ""
+    assert "payload-common-cpu-py312.args.BYTECODE=none" in baked(debian)
+    assert found.assembled_on.endswith("instead of docker.io/library/ubuntu:24.04, without bytecode: no Python 3.12")
+    assert found.assembled_on in debian.said[0]
+    assert "| none |" in payloads.markdown([found])
+
+
+def test_without_the_base_image_with_a_python(debian: Stage) -> None:
+    for version in ("3.12.1", "3.12.10"):
+        home = debian.folder / "versions" / version
+        (home / "lib/python3.12/test").mkdir(parents=True)
+        (home / "bin").mkdir()
+        for file in ("bin/python3.12", "lib/python3.12/os.py", "lib/python3.12/test/test_os.py"):
+            (home / file).write_text(version)
+    found = debian.publish("common-cpu-py312")
+    assert found.bytecode == "3.12.10"
+    assert "BYTECODE" not in baked(debian)
+    said = "\n".join(calls(debian.folder))
+    assert "FROM docker.io/library/debian:bookworm@sha256:made\n" in said
+    assert "lib/python3.12/os.py" in said
+    assert "test_os.py" not in said
+    assert f"OS_UBUNTU_24_04=docker-image://{debian.facts['registry']}/library/assembler@sha256:stand-in" in said
+
+
+def test_what_has_no_python_needs_none(debian: Stage) -> None:
+    found = debian.publish("tensorflow-cc-cpu")
+    assert "BYTECODE" not in baked(debian)
+    assert "without bytecode" not in found.assembled_on
+    assert "| no Python in it |" in payloads.markdown([found])
+
+
+def test_no_debian_either(stage: Stage) -> None:
+    with pytest.raises(RosmlError, match=r"ubuntu:24\.04 is on Docker Hub, which does not answer"):
+        stage.publish("common-cpu-py312", mirror=True, docker_hub=False)
+
+
+def test_unknown(stage: Stage) -> None:
+    with pytest.raises(RosmlError, match="common-cpu-py312") as caught:
+        payloads.find(stage.catalogue, "comon-cpu-py312")
+    assert caught.value.exit_code == 2
+    assert payloads.find(stage.catalogue, "payload-common-cpu-py312").part == "common"
+
+
+def test_the_stand_in_cannot_be_made(debian: Stage) -> None:
+    home = debian.folder / "versions/3.12.1"
+    (home / "bin").mkdir(parents=True)
+    (home / "lib/python3.12").mkdir(parents=True)
+    (home / "bin/python3.12").write_text("")
+    shutil.rmtree(home / "lib")
+    (home / "lib").mkdir()
+    with pytest.raises((RosmlError, OSError)):
+        debian.publish("common-cpu-py312", buildx=["/nowhere"])
