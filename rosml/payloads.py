@@ -69,9 +69,22 @@ def find(catalogue: Catalogue, name: str) -> Payload:
 
 
 def publish(
-    services: Services, catalogue: Catalogue, payload: Payload, say: Callable[[str], None], namespace: str = NAMESPACE
+    services: Services,
+    catalogue: Catalogue,
+    payload: Payload,
+    say: Callable[[str], None],
+    namespace: str = NAMESPACE,
+    again: bool = False,
 ) -> Assembled:
     """Assembles a payload for all architectures that have its lock, and moves its tag.
+
+    Args:
+        services: registry and builder.
+        catalogue: all that the matrix describes.
+        payload: what to assemble.
+        say: told what is going on, a line at a time.
+        namespace: first part of the repository's name.
+        again: assemble it even if the builder has it: the same inputs give the same digests.
 
     Raises:
         RosmlError: a lock is missing, no base image can be had, a service is down, or the build failed.
@@ -98,6 +111,8 @@ def publish(
     ]
     if not base.python and payload.python != ANY_PYTHON:
         sets.append(f"{payload.target}.args.BYTECODE=none")
+    if again:
+        sets.append(f"{payload.target}.no-cache=true")
     variables = {"REGISTRY": prefix, names.os_variable(payload.os): f"docker-image://{base.reference}"}
     say(f"payload {payload.name} for {', '.join(platforms)}, assembled on {base.said}")
     _, metadata = builder.run(services, builder.Bake(payload.target, payload.target, file, tuple(sets), variables))

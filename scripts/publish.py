@@ -77,7 +77,10 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
 @click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
 @click.option("--json", "as_json", is_flag=True, help="print the results as JSON on standard output")
 @click.option("--markdown", is_flag=True, help="print them as a table in Markdown, for docs/digests.md")
-def payload(payloads: tuple[str, ...], matrix: Path, namespace: str, as_json: bool, markdown: bool) -> None:
+@click.option("--again", is_flag=True, help="assemble them without the builder's cache")
+def payload(
+    payloads: tuple[str, ...], matrix: Path, namespace: str, as_json: bool, markdown: bool, again: bool
+) -> None:
     """Assembles payloads and publishes them in the local registry: what COPY --link adds to an image of one's own.
 
     For all of their architectures, without emulation. Without NAME: lists them.
@@ -101,7 +104,7 @@ def payload(payloads: tuple[str, ...], matrix: Path, namespace: str, as_json: bo
     services.require_builder()
     results = []
     for item in wanted:
-        results.append(found.publish(services, catalogue, item, say, namespace))
+        results.append(found.publish(services, catalogue, item, say, namespace, again))
         if not (as_json or markdown):
             done = results[-1]
             click.echo(f"{done.reference}@{done.digest}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")

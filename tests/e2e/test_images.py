@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import textwrap
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
@@ -86,7 +86,8 @@ BOTH = "bookworm-perception-ml-cu128"
 
 def test_both_frameworks_share_their_layers_and_import_in_either_order(published: Publish) -> None:
     both, torch = published(BOTH), published(FIRST)
-    assert both.layers[-PAYLOAD_PARTS - 1 : -1] == torch.layers[-PAYLOAD_PARTS:]
+    more = len(both.image.parts) - PAYLOAD_PARTS
+    assert both.layers[-PAYLOAD_PARTS - more : -more] == torch.layers[-PAYLOAD_PARTS:]
     report = verify.read_report(ROOT / ".state" / "tests" / both.image.target / "report", ("ml", "ros1-perception"))
     assert {outcome.name for outcome in report.outcomes if outcome.passed} >= {
         "import torch, then tensorflow",
@@ -119,6 +120,56 @@ def test_tensorflow_without_cuda(published: Publish, target: str) -> None:
     assert image.result["compressed"] < 1_000_000_000
 
 
+def test_the_cplusplus_part_of_tensorflow_is_the_same_for_every_python(published: Publish) -> None:
+    older, newer = published("bookworm-core-tensorflow-cpu"), published("trixie-core-tensorflow-cpu")
+    layers = [image.layers[-len(image.image.parts) :] for image in (older, newer)]
+    shared = older.image.parts.index("tensorflow-cc-cpu")
+    assert [one == other for one, other in zip(*layers, strict=True)] == [
+        index == shared for index in range(len(older.image.parts))
+    ]
+
+
+def test_a_payload_for_arm64_is_assembled_without_emulation(
+    services: Services, published: Publish, catalogue: Catalogue, tmp_path: Path
+) -> None:
+    """Libraries of that architecture, ours among them, and bytecode, looked at on this one."""
+    image = published("bookworm-core-tensorflow-cpu")
+    platforms = {"PLATFORM": "linux/arm64"}
+    for name in ("tensorflow-cc-cpu", "tensorflow-cpu-py311"):
+        push_payload(services, image, catalogue.payload_by_name[name], variables=platforms)
+    repository = f"{services.registry}/{NAMESPACE}/payload"
+    (tmp_path / "Dockerfile").write_text(
+        textwrap.dedent(f"""\
+            FROM --platform=linux/arm64 {repository}:tensorflow-cc-cpu AS cc
+            FROM --platform=linux/arm64 {repository}:tensorflow-cpu-py311 AS python
+            FROM --platform=$BUILDPLATFORM {image.result["reference"]}
+            COPY --from=cc / /arm64/
+            COPY --from=python / /arm64/
+            COPY look.sh /
+            RUN bash /look.sh
+        """)
+    )
+    (tmp_path / "look.sh").write_text(
+        textwrap.dedent("""\
+            set -euo pipefail
+            site=/arm64/usr/local/lib/python3.11/dist-packages
+            mapfile -t files < <(find /arm64 -type f -name '*.so*')
+            echo "${#files[@]} libraries"
+            test "${#files[@]}" -gt 50
+            for file in "${files[@]}"; do
+              readelf --file-header "$file" | grep -q AArch64 || { echo "$file is not for arm64" >&2; exit 1; }
+            done
+            test -f /arm64/usr/lib/aarch64-linux-gnu/libtensorflow_client_session.so.2
+            test -f $site/tensorflow/__pycache__/__init__.cpython-311.pyc
+        """)
+    )
+    outcome = run(
+        *services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", str(tmp_path),
+        env=services.environment(),
+    )  # fmt: skip
+    assert outcome.code == 0, outcome.err
+
+
 def test_a_payload_assembled_again_elsewhere_has_the_same_digest(
     published: Publish, services: Services, catalogue: Catalogue, checkout: Path
 ) -> None:
@@ -133,7 +184,9 @@ def test_a_payload_assembled_again_elsewhere_has_the_same_digest(
     assert again == image.layers[-len(again) :]
 
 
-def push_payload(services: Services, image: Published, payload: Payload, *sets: str) -> list[str]:
+def push_payload(
+    services: Services, image: Published, payload: Payload, *sets: str, variables: Mapping[str, str] | None = None
+) -> list[str]:
     """Pushes a payload as an image of its own, by its name as a tag; returns its layers."""
     repository = f"{services.registry}/{NAMESPACE}/payload"
     bake = builder.Bake(
@@ -141,7 +194,12 @@ def push_payload(services: Services, image: Published, payload: Payload, *sets: 
         f"payload-{payload.name}",
         ROOT / "docker-bake.hcl",
         (f"{payload.target}.output=type=image,push=true,{COMPRESSION}", *sets),
-        {"REGISTRY": f"{services.registry}/{NAMESPACE}", "OS_BOOKWORM": base_image(image), "PLATFORM": PLATFORM},
+        {
+            "REGISTRY": f"{services.registry}/{NAMESPACE}",
+            "OS_BOOKWORM": base_image(image),
+            "PLATFORM": PLATFORM,
+            **(variables or {}),
+        },
     )
     builder.run(services, bake)
     return [layer.digest for layer in registry.layers(services, f"{repository}:{payload.name}")]

@@ -63,10 +63,11 @@ class Stage:
         (folder / "manifest.json").write_text(json.dumps({"layers": [{"digest": LAYER, "size": 2_500_000}]}))
         write_locks(folder, catalogue)
 
-    def publish(self, name: str, **changes: Any) -> payloads.Assembled:
+    def publish(self, name: str, again: bool = False, **changes: Any) -> payloads.Assembled:
         found = services(self.folder, **{**self.facts, **changes})
         (found.state / "tmp").mkdir(exist_ok=True)
-        return payloads.publish(found, self.catalogue, payloads.find(self.catalogue, name), self.said.append)
+        payload = payloads.find(self.catalogue, name)
+        return payloads.publish(found, self.catalogue, payload, self.said.append, again=again)
 
 
 @pytest.fixture
@@ -89,6 +90,11 @@ def test_all_architectures(stage: Stage) -> None:
     assert "BYTECODE" not in baked(stage)
     copied = [call for call in calls(stage.folder) if call.startswith("regctl image copy")]
     assert copied[0].endswith("/payload:common-cpu-py312") and INDEX in copied[0]
+
+
+def test_without_the_builders_cache(stage: Stage) -> None:
+    stage.publish("common-cpu-py312", again=True)
+    assert "--set payload-common-cpu-py312.no-cache=true" in baked(stage)
 
 
 def test_an_architecture_without_a_lock_is_left_out(stage: Stage) -> None:
