@@ -191,14 +191,15 @@ def _with_python(services: Services, reference: str, python: str, home: Path) ->
     """
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
         context = Path(folder)
-        for part in (f"bin/python{python}", f"lib/python{python}"):
+        shared = [str(file.relative_to(home)) for file in (home / "lib").glob(f"libpython{python}*.so*")]
+        for part in (f"bin/python{python}", f"lib/python{python}", *shared):
             (context / part).parent.mkdir(exist_ok=True)
             if (home / part).is_dir():
                 left_out = shutil.ignore_patterns("test", "tests", "__pycache__", "site-packages", "config-*", "*.a")
                 shutil.copytree(home / part, context / part, ignore=left_out)
             else:
                 shutil.copy(home / part, context / part)
-        (context / "Dockerfile").write_text(f"FROM {reference}\nCOPY bin /usr/local/bin\nCOPY lib /usr/local/lib\n")
+        (context / "Dockerfile").write_text(f"FROM {reference}\nCOPY bin /usr/bin\nCOPY lib /usr/lib\n")
         repository = f"{services.registry}/library/assembler"
         command = [*services.buildx, "build", "--builder", services.builder, "--metadata-file", str(context / "said")]
         command += ["--output", f"type=image,name={repository},push=true,push-by-digest=true", str(context)]
