@@ -48,7 +48,7 @@ FROM ros AS {marker}
 RUN --mount=type=secret,id=ca-bundle --mount=type=bind,source=locks,target=/locks \\
     if [ -s /run/secrets/ca-bundle ]; then export PIP_CERT=/run/secrets/ca-bundle; fi; \\
     PIP_CONFIG_FILE=/dev/null PIP_BREAK_SYSTEM_PACKAGES=1 PIP_ROOT_USER_ACTION=ignore \\
-    pip install --no-cache-dir --no-deps --ignore-installed --require-hashes {requirements}
+    pip install --no-cache-dir --no-deps --ignore-installed --require-hashes {requirements} # {marker}
 """
 """As everybody does it, in its fastest form: nothing to resolve, and nothing of Debian's to remove, which pip cannot."""
 
@@ -266,6 +266,8 @@ class _Bench:
             ours[day] = self._push(image.target, image.repository, ros[day])
             say(f"{day}'s image, the usual way: pip install")
             usual[day] = self._push(self._name("usual", day), image.repository, ros[day])
+            if day == "yesterday":  # gigabytes that would push the payloads out of the builder's cache
+                self._prune(self._name("usual", day))
 
         say(f"import {', '.join(frameworks(image, catalogue))} in fresh containers")
         both = {"ours": ours["today"].reference, "usual": usual["today"].reference}
@@ -292,7 +294,8 @@ class _Bench:
                 registry.delete(self.publisher.services, reference)
             except RosmlError:
                 left.append(reference)
-        self._prune(f"bench-{self.run}")
+        self._prune(self._name())
+        self._prune(f"{self.publisher.prefix}/")
         if left:
             self.publisher.say(f"left in the registry, without a tag: {', '.join(left)}")
         return left
@@ -385,10 +388,10 @@ class _Bench:
             image_bytes=sum(layer.size for layer in layers),
         )
 
-    def _prune(self, marker: str) -> None:
-        """Removes steps with a marker from the builder's cache, where it keeps gigabytes that nobody will need."""
+    def _prune(self, words: str) -> None:
+        """Removes from the builder's cache what is described with some words: a marker, or where it was pulled from."""
         services = self.publisher.services
-        argv = [*services.buildx, "prune", "--force", "--all", "--filter", f"description~={marker}"]
+        argv = [*services.buildx, "prune", "--force", "--all", "--filter", f"description~={words}"]
         with suppress(OSError, subprocess.TimeoutExpired):  # the builder forgets them by itself, only later
             subprocess.run(
                 [*argv, "--builder", services.builder],
@@ -421,10 +424,12 @@ def print_table(found: Comparison) -> None:
 
 
 def times(ratio: float | None) -> str:
-    """``12.34`` -> ``12 x``; small ones keep a decimal."""
+    """``12.34`` -> ``12 x``; small ones keep a decimal, and beyond a thousand it is no measure any more."""
     if ratio is None:
         return ""
-    return f"{ratio:,.0f} x" if ratio >= 10 else f"{ratio:.1f} x"
+    if ratio > 1_000:
+        return "> 1,000 x"
+    return f"{ratio:.0f} x" if ratio >= 10 else f"{ratio:.1f} x"
 
 
 def notes(found: Comparison) -> list[str]:

@@ -177,10 +177,11 @@ def test_nothing_is_tagged_and_nothing_is_left(stage: Stage) -> None:
     assert found.left == ()
     assert stage.removed == list("123456")
     assert not stage.calls("regctl image copy")
-    (prune,) = stage.calls("buildx prune")
-    marker = prune.partition("description~=")[2].split()[0]
-    assert marker in (stage.folder / f".state/bake/bench-{TARGET}.hcl").read_text()
-    assert marker != "bench-", "what others built is left alone"
+    yesterday, marked, pulled = [call.partition("description~=")[2].split()[0] for call in stage.calls("buildx prune")]
+    file = (stage.folder / f".state/bake/bench-{TARGET}.hcl").read_text()
+    assert yesterday == f"{marked}-usual-yesterday"
+    assert all(f"# {marked}-usual-{day}\\n" in file for day in ("yesterday", "today")), "pip's step is among them"
+    assert pulled == f"{stage.publisher.services.registry}/bench/", "what others built is left alone"
 
 
 def test_a_registry_that_removes_nothing(stage: Stage) -> None:
@@ -280,7 +281,7 @@ def test_table(capsys: pytest.CaptureFixture[str]) -> None:
     rows = {line[0]: [word.strip() for word in line[1:] if word.strip()] for line in lines}
     assert rows[TARGET] == ["ours", "RUN pip install", "ratio"]
     assert rows["second image: build and push"] == ["2.0 s", "1 min 30 s", "45 x"]
-    assert rows["second image: new in the registry"] == ["3.0 kB", "1.50 GB", "500,000 x"]
+    assert rows["second image: new in the registry"] == ["3.0 kB", "1.50 GB", "> 1,000 x"]
     assert rows["to pull after a change of ROS"] == ["0 B", "1.50 GB"]
     assert rows["import, in a fresh container"] == ["1.5 s", "1.6 s", "1.1 x"]
 
