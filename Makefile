@@ -1,5 +1,5 @@
 # The few commands a newcomer needs. `make` alone lists them.
-# The image to build or explain; `make image` without it builds matrix.yaml's default.target.
+# The image to build, explain or measure; `make image` without it builds matrix.yaml's default.target.
 TARGET ?=
 # The platform to build and test for, such as linux/arm64 (make emulation); empty: the machine's own.
 PLATFORM ?=
@@ -49,8 +49,8 @@ lint: .python ## the linters only
 unit: .python ## the linters and the unit tests: no builder, two minutes
 	@$(RUN) pytest tests/lint tests/unit
 
-bench: .python ## how fast the generator is: the real matrix, and up to 10,000 images
-	@$(RUN) scripts/bench.py
+bench: up ## our second image beside one with RUN pip install, and how fast the generator is: make bench TARGET=bookworm-base-torch-cu128
+	@$(RUN) scripts/bench.py --target="$$TARGET"
 
 list: .python ## every image that can be built, or those of groups: make list GROUP="jazzy torch"; JSON=1
 	@$(RUN) scripts/generate_bake.py --list $(patsubst %,--group=%,$(GROUP)) $(if $(JSON),--json)

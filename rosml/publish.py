@@ -172,7 +172,7 @@ class Publisher:
         clock = _Clock(result.seconds)
 
         self.say("base image")
-        variables = self._base_images(image, result)
+        variables = self.variables(image, result)
         bake_file = self._bake_file(image)
         clock.lap("base image")
 
@@ -205,8 +205,11 @@ class Publisher:
         files.write(file, bake.excerpt(self.catalogue, (image.target, image.test_target)))
         return file
 
-    def _base_images(self, image: Image, result: Result) -> dict[str, str]:
-        """Variables of the bake file that say where base images are."""
+    def variables(self, image: Image, result: Result) -> dict[str, str]:
+        """Variables of the bake file: the registry, the platform, and where base images are, which are made if need be.
+
+        What the image starts from is noted in `result`.
+        """
         assembled_on = {self.catalogue.payload_by_name[name].os for name in image.parts}
         systems = self.catalogue.matrix.operating_systems
         first = next(iter(systems))  # what the tools of tests and the cuda part are assembled on

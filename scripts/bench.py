@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the generator: a whole run on the real matrix, and matrices of up to 10,000 images."""
+"""Measures the generator, and our second image beside one whose Dockerfile has a `RUN pip install`."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
@@ -22,6 +23,12 @@ import click
 
 from rosml import ROOT, command
 from rosml.errors import RosmlError
+
+if TYPE_CHECKING:
+    from rosml.publish import Publisher
+
+TARGET = "bookworm-base-tensorflow-cpu"
+"""What is built in both ways: the smallest with a framework. One with CUDA takes several times as long."""
 
 RUNS = 5
 """Whole runs on the real matrix, of which the median counts."""
@@ -56,17 +63,30 @@ class Measured:
 
 
 @click.command(help=__doc__)
+@click.option("--generator", is_flag=True, help="Measure the generator alone; needs no registry and no builder.")
+@click.option("--target", default="", help=f"The image that is built in both ways; {TARGET} if it is empty.")
 @click.option("--json", "as_json", is_flag=True, help="Print the numbers as JSON.")
-@click.option("--check", is_flag=True, help="Exit 1 if a limit is missed; on an idle machine it means something.")
-def main(as_json: bool, check: bool) -> None:
+@click.option("--check", is_flag=True, help="Exit 1 if the generator misses a limit, which an idle machine can tell.")
+def main(generator: bool, target: str, as_json: bool, check: bool) -> None:
+    if generator and target:
+        raise click.UsageError("--generator builds no image: leave --target out")
+    publisher = None if generator else bench_publisher(target or TARGET)  # what cannot be built is told before all else
     real = whole_run()
     sizes = [measured(size) for size in SIZES]
-    if as_json:
-        growth = sizes[-1].each / sizes[0].each
-        data = {"real_seconds": real, "sizes": [asdict(size) for size in sizes], "growth": growth}
-        click.echo(json.dumps(data, indent=2))
-    else:
+    growth = sizes[-1].each / sizes[0].each
+    data: dict[str, Any] = {"real_seconds": real, "sizes": [asdict(size) for size in sizes], "growth": growth}
+    if not as_json:
         print_table(real, sizes)
+    if publisher:
+        from rosml import comparison
+
+        found = comparison.compare(publisher, target or TARGET)
+        data["comparison"] = found.to_json()
+        if not as_json:
+            click.echo()
+            comparison.print_table(found)
+    if as_json:
+        click.echo(json.dumps(data, indent=2))
     problems = missed(real, sizes)
     if problems and check:
         raise RosmlError(
@@ -75,6 +95,24 @@ def main(as_json: bool, check: bool) -> None:
         )
     for problem in problems:
         click.echo(f"{problem} for an idle machine", err=True)
+
+
+def bench_publisher(target: str) -> Publisher:
+    """What builds in the bench's namespace of the local registry.
+
+    Raises:
+        RosmlError: the target cannot be built in both ways, or the services are not up.
+    """
+    from rosml import comparison, expand
+    from rosml.publish import Publisher
+    from rosml.services import Services
+
+    def say(line: str) -> None:
+        click.echo(click.style(f"==> {line}", bold=True), err=True)
+
+    catalogue = expand.load(ROOT / "matrix.yaml", ROOT)
+    comparison.require_comparable(catalogue.image(target), catalogue, ROOT)
+    return Publisher(Services.load(ROOT), catalogue, say, comparison.NAMESPACE)
 
 
 def whole_run() -> float:
@@ -140,4 +178,4 @@ def print_table(real: float, sizes: Sequence[Measured]) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(command.run(main))
+    sys.exit(command.run(main, "interrupted: no tag was made or moved; finished steps are kept"))

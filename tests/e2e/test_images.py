@@ -83,6 +83,9 @@ def test_nothing_runs_after_the_join(published: Publish, catalogue: Catalogue) -
 
 BOTH = "bookworm-perception-ml-cu128"
 
+TALK_SECONDS = 600
+"""Longest that two processes may talk, for all orders of imports; 90 seconds are usual."""
+
 
 def test_both_frameworks_share_their_layers_and_import_in_either_order(published: Publish) -> None:
     both, torch = published(BOTH), published(FIRST)
@@ -111,6 +114,36 @@ def test_ros_and_both_frameworks_in_one_c_plus_plus_program(
     )  # fmt: skip
     assert outcome.code == 0, outcome.err
     assert "pictures: seen, wrong: 0" in outcome.err
+
+
+def test_ros_2_from_wheels_and_both_frameworks_in_one_process(
+    services: Services, published: Publish, tmp_path: Path
+) -> None:
+    """rclpy, Fast DDS and messages in a virtual environment on the image's Python, beside ROS 1: a node in whose callback
+    both frameworks infer answers another process, whichever of the three was imported first."""
+    image = published(BOTH)
+    shutil.copytree(Path(__file__).parent / "rclpy_wheels", tmp_path / "rclpy_wheels")
+    (tmp_path / "Dockerfile").write_text(
+        textwrap.dedent(f"""\
+            FROM {image.result["reference"]} AS ros2
+            COPY rclpy_wheels/requirements.txt /rclpy_wheels/
+            RUN --mount=type=secret,id=ca-bundle \\
+                if [ -s /run/secrets/ca-bundle ]; then export PIP_CERT=/run/secrets/ca-bundle; fi; \\
+                python3 -m venv --system-site-packages /ros2 && /ros2/bin/pip install --no-cache-dir --no-deps \\
+                  --require-hashes --only-binary :all: --requirement /rclpy_wheels/requirements.txt
+            FROM ros2 AS talk
+            COPY rclpy_wheels /rclpy_wheels
+            RUN --network=none timeout {TALK_SECONDS} /entrypoint.sh /rclpy_wheels/run.sh /ros2/bin/python
+        """)
+    )
+    secret = ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
+    outcome = run(
+        *services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", "--no-cache-filter", "talk",
+        *secret, str(tmp_path),
+        env=services.environment(),
+    )  # fmt: skip
+    assert outcome.code == 0, outcome.err
+    assert outcome.err.count("20 answers, wrong: 0; exit codes 0 and 0") == 6, outcome.err
 
 
 @pytest.mark.parametrize("target", ["bookworm-core-tensorflow-cpu", "trixie-core-tensorflow-cpu"])

@@ -12,6 +12,7 @@ CALLS = {
     "locks UPGRADE=1": "scripts/lock.py --upgrade",
     "list JSON=1": "scripts/generate_bake.py --list --json",
     "list GROUP=jazzy\\ torch": "scripts/generate_bake.py --list --group=jazzy --group=torch",
+    "bench TARGET=x": 'scripts/bench.py --target="$TARGET"',
     "plan JSON=1": 'scripts/generate_bake.py --shards "8" --json',
     "diff JSON=1": 'scripts/generate_bake.py --diff "$REV" --json',
 }

@@ -35,6 +35,19 @@ def test_layers(tmp_path: Path, address: str) -> None:
     assert calls(tmp_path) == [f"manifest get --format raw-body r@{DIGEST}"]
 
 
+def test_stored(tmp_path: Path, address: str) -> None:
+    """Layers, config and manifest; a layer that is in an image twice is stored once."""
+    layers = '{"digest": "l", "size": 7}, {"digest": "l", "size": 7}'
+    answer = f'{{"layers": [{layers}], "config": {{"digest": "c", "size": 3}}}}'
+    found = having(tmp_path, address, f"case $2 in get) echo '{answer}' ;; head) echo 99 ;; esac")
+    assert registry.stored(found, f"r@{DIGEST}") == {"l": 7, "c": 3, DIGEST: 99}
+
+
+def test_delete(tmp_path: Path, address: str) -> None:
+    registry.delete(having(tmp_path, address, ""), f"r@{DIGEST}")
+    assert calls(tmp_path) == [f"manifest delete r@{DIGEST}"]
+
+
 def test_config(tmp_path: Path, address: str) -> None:
     found = having(tmp_path, address, 'echo \'{"config": {"Cmd": ["bash"]}}\'')
     assert registry.image_config(found, "r:t", "linux/arm64") == {"config": {"Cmd": ["bash"]}}

@@ -1,0 +1,447 @@
+"""Our second image beside the usual one, whose Dockerfile has a `RUN pip install`: time, registry, download, import.
+
+Both are built twice on the same pair of ROS images, yesterday's and today's, which differ in a file of some bytes: it
+stands for changed ROS packages. Yesterday's images are there already when today's, the second ones, are measured, as in
+real life. Both install the versions of the same locks, checked by hash, and are compressed and pushed in the same way.
+
+Everything is pushed by digest into a namespace of its own: no tag is ever made, and none can move.
+"""
+
+from __future__ import annotations
+
+import json
+import secrets
+import shutil
+import subprocess
+import time
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from rosml import bake, base_images, builder, files, forecast, hcl, lockfile, publish, registry
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image
+from rosml.model import FAMILIES
+from rosml.progress import BuildProgress
+from rosml.publish import COMPRESSION, Publisher, Result
+from rosml.summary import duration, size
+
+NAMESPACE = "bench"
+"""Namespace in the local registry: nothing of anybody else is in it."""
+
+DAYS = ("yesterday", "today")
+
+ROUNDS = 2
+"""Imports of each image, of which the faster counts: the first one reads from the disk."""
+
+CHANGE = """\
+FROM ros AS {marker}
+RUN echo {marker} >/etc/rosml-bench
+"""
+"""What stands for changed ROS packages. A marker is new in each comparison: nothing is found in the builder's cache, and
+everything that it left there is known by its marker."""
+
+USUAL = """\
+FROM ros AS {marker}
+RUN --mount=type=secret,id=ca-bundle --mount=type=bind,source=locks,target=/locks \\
+    if [ -s /run/secrets/ca-bundle ]; then export PIP_CERT=/run/secrets/ca-bundle; fi; \\
+    PIP_CONFIG_FILE=/dev/null PIP_BREAK_SYSTEM_PACKAGES=1 PIP_ROOT_USER_ACTION=ignore \\
+    pip install --no-cache-dir --no-deps --ignore-installed --require-hashes {requirements} # {marker}
+"""
+"""As everybody does it, in its fastest form: nothing to resolve, and nothing of Debian's to remove, which pip cannot."""
+
+IMPORT = """\
+FROM image AS {marker}
+COPY <<"EOF" /import.py
+import importlib, json, sys, time
+start = time.perf_counter()
+versions = {{name: importlib.import_module(name).__version__ for name in sys.argv[1:]}}
+print(json.dumps({{"seconds": time.perf_counter() - start, "versions": versions}}))
+EOF
+RUN --network=none : {marker}; python3 /import.py {modules} >/import.json
+FROM scratch
+COPY --from={marker} /import.json /
+"""
+"""A fresh container that imports, and nothing else."""
+
+
+@dataclass(frozen=True)
+class Side:
+    """What one way of making the second image came to.
+
+    Attributes:
+        build_and_push_seconds: wall time of building and pushing today's image.
+        registry_new_bytes: of today's image what neither yesterday's nor today's ROS image had brought: layers, config
+            and manifest, as they are stored.
+        pull_bytes: layers of today's image that whoever has yesterday's does not have.
+        import_seconds: importing the frameworks in a fresh container, without the start of the interpreter.
+        first_image_seconds: wall time of building and pushing yesterday's image.
+        install_seconds: the builder's work on the framework in today's image: `pip install`; 0 where layers are joined.
+        image_bytes: all layers of today's image, as they are stored.
+    """
+
+    build_and_push_seconds: float = 0.0
+    registry_new_bytes: int = 0
+    pull_bytes: int = 0
+    import_seconds: float = 0.0
+    first_image_seconds: float = 0.0
+    install_seconds: float = 0.0
+    image_bytes: int = 0
+
+
+PRUNE_SECONDS = 600.0
+"""What removing some gigabytes from the builder's cache may take."""
+
+ROWS = {
+    "build_and_push_seconds": "second image: build and push",
+    "registry_new_bytes": "second image: new in the registry",
+    "pull_bytes": "to pull after a change of ROS",
+    "import_seconds": "import, in a fresh container",
+    "first_image_seconds": "first image: build and push",
+    "image_bytes": "an image, compressed",
+}
+"""What is shown of both sides, with the ratio, in this order."""
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Both ways side by side.
+
+    Attributes:
+        target: the image that was built.
+        ours, usual: what each came to.
+        versions: what was imported, the same in both.
+        packages: how many packages the locks pin.
+        assembling_seconds: the builder's work of assembling payloads, once for all images of a stack; 0 if they were
+            there already.
+        compression: how layers were compressed and pushed, on both sides.
+        left: manifests that could not be removed from the registry.
+    """
+
+    target: str
+    ours: Side
+    usual: Side
+    versions: dict[str, str]
+    packages: int
+    assembling_seconds: float
+    compression: str = COMPRESSION
+    left: tuple[str, ...] = ()
+
+    @property
+    def ratios(self) -> dict[str, float | None]:
+        """How many times as much the usual way takes, by row; None where ours takes nothing."""
+        ours, usual = asdict(self.ours), asdict(self.usual)
+        return {row: usual[row] / ours[row] if ours[row] else None for row in ROWS}
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`: units are in the names."""
+        return {**asdict(self), "left": list(self.left), "ratios": self.ratios}
+
+
+def require_comparable(image: Image, catalogue: Catalogue, root: Path) -> None:
+    """Checks, before anything is set up, that an image can be built in both ways.
+
+    Args:
+        image: what is to be compared.
+        catalogue: all that the matrix describes.
+        root: the checkout with the locks.
+
+    Raises:
+        RosmlError: there is no framework to compare, a lock is missing, or pip would need another index (exit code 2).
+    """
+    publish.require_buildable(image)
+    if not frameworks(image, catalogue):
+        raise RosmlError(
+            f"{image.target} has no framework: there is nothing to compare",
+            "take an image with PyTorch or TensorFlow: make list GROUP=torch",
+            exit_code=2,
+        )
+    for name, version in pins(image, catalogue, root).items():
+        if "+" in version:
+            raise RosmlError(
+                f"{name} {version} is on PyTorch's own index alone, where pip does not look by itself",
+                "take a target of another stack: make list GROUP=cu128",
+                exit_code=2,
+            )
+
+
+def frameworks(image: Image, catalogue: Catalogue) -> tuple[str, ...]:
+    """What is imported: the modules of an image's frameworks."""
+    parts = [catalogue.payload_by_name[name].part for name in image.parts]
+    return tuple(part for part in parts if part in FAMILIES)
+
+
+def locks(image: Image, catalogue: Catalogue) -> tuple[str, ...]:
+    """The locks of an image's payloads for this machine's architecture, relative to the checkout."""
+    payloads = [catalogue.payload_by_name[name] for name in image.parts]
+    architecture = base_images.native_architecture()
+    return tuple(payload.locks[payload.architectures.index(architecture)] for payload in payloads)
+
+
+def pins(image: Image, catalogue: Catalogue, root: Path) -> dict[str, str]:
+    """What is installed in both ways: packages and their versions."""
+    found: dict[str, str] = {}
+    for path in locks(image, catalogue):
+        found.update(lockfile.versions((root / path).read_text()))
+    return found
+
+
+def needed_mb(catalogue: Catalogue, image: Image, built: set[str]) -> int:
+    """Megabytes that a comparison takes: ours as `make image` does, and the usual image twice, each unpacked in the
+    builder and compressed in builder and registry; pip keeps all wheels of one beside it until it is done."""
+    sizes = [catalogue.payload_by_name[name].disk for name in image.parts]
+    unpacked, compressed = sum(size.unpacked for size in sizes), sum(size.compressed for size in sizes)
+    usual = len(DAYS) * (unpacked + 2 * compressed) + compressed
+    return forecast.needed_mb(catalogue, image, built) + usual
+
+
+def compare(publisher: Publisher, target: str) -> Comparison:
+    """Builds and measures both ways, and removes from the registry what it pushed.
+
+    Args:
+        publisher: with a namespace of the bench's own.
+        target: an image with a framework.
+
+    Raises:
+        RosmlError: unknown target, nothing to compare, no room, a service is down, a build failed.
+    """
+    image = publisher.catalogue.image(target)
+    services = publisher.services
+    require_comparable(image, publisher.catalogue, services.root)
+    services.require_registry()
+    services.require_builder()
+    built = forecast.Built(services.state)
+    needed = needed_mb(publisher.catalogue, image, built.names())
+    forecast.require(services.state, needed, f"{image.target} in both ways")
+    bench = _Bench(publisher, image, secrets.token_hex(6))
+    try:
+        found = bench.measure()
+        built.add([image.parent, *image.parts])
+    finally:
+        left = bench.clean()
+    return replace(found, left=tuple(left))
+
+
+@dataclass(frozen=True)
+class _Pushed:
+    """An image that was pushed: repository and digest, seconds of wall time, and what the builder did."""
+
+    reference: str
+    seconds: float
+    progress: BuildProgress
+
+
+@dataclass
+class _Bench:
+    """One comparison.
+
+    Attributes:
+        publisher, image: what is compared.
+        run: tells this comparison's steps in the builder from all others'.
+        pushed: manifests that are to be removed.
+    """
+
+    publisher: Publisher
+    image: Image
+    run: str
+    variables: dict[str, str] = field(default_factory=dict)
+    pushed: list[str] = field(default_factory=list)
+
+    def measure(self) -> Comparison:
+        """All builds and imports, one after the other."""
+        catalogue, image, say = self.publisher.catalogue, self.image, self.publisher.say
+        say("base image")
+        self.variables = self.publisher.variables(image, Result(image.target))
+        self._write()
+
+        say(f"{image.parent}, yesterday's and today's")
+        parent = catalogue.by_target[image.parent].repository
+        ros = {day: self._push(self._name("ros", day), parent, "").reference for day in DAYS}
+
+        ours, usual = {}, {}
+        for day in DAYS:
+            say(f"{day}'s image, ours: joined with payloads")
+            ours[day] = self._push(image.target, image.repository, ros[day])
+            say(f"{day}'s image, the usual way: pip install")
+            usual[day] = self._push(self._name("usual", day), image.repository, ros[day])
+            if day == "yesterday":  # gigabytes that would push the payloads out of the builder's cache
+                self._prune(self._name("usual", day))
+
+        say(f"import {', '.join(frameworks(image, catalogue))} in fresh containers")
+        both = {"ours": ours["today"].reference, "usual": usual["today"].reference}
+        imports = [{way: self._import(way, number, both[way]) for way in both} for number in range(ROUNDS)]
+        versions = [imported[way]["versions"] for imported in imports for way in both]
+        if any(others != versions[0] for others in versions):
+            raise RosmlError(f"the two ways did not install the same: {versions[0]} and {versions[1]}")
+
+        seconds = {way: min(float(imported[way]["seconds"]) for imported in imports) for way in both}
+        return Comparison(
+            target=image.target,
+            ours=self._side(ours, ros, seconds["ours"]),
+            usual=self._side(usual, ros, seconds["usual"]),
+            versions=versions[0],
+            packages=len(pins(image, catalogue, self.publisher.services.root)),
+            assembling_seconds=ours["yesterday"].progress.phases().get("assemble payloads", 0.0),
+        )
+
+    def clean(self) -> list[str]:
+        """Removes what was pushed, and the builder's cache of it; returns the manifests that could not be removed."""
+        left = []
+        for reference in self.pushed:
+            try:
+                registry.delete(self.publisher.services, reference)
+            except RosmlError:
+                left.append(reference)
+        self._prune(self._name())
+        self._prune(f"{self.publisher.prefix}/")
+        if left:
+            self.publisher.say(f"left in the registry, without a tag: {', '.join(left)}")
+        return left
+
+    def _name(self, *words: str) -> str:
+        """A bake target, a stage and a marker in one: ``bench-0123456789ab-usual-today``."""
+        return "-".join(("bench", self.run, *words))
+
+    @property
+    def _file(self) -> Path:
+        return self.publisher.services.state / "bake" / f"bench-{self.image.target}.hcl"
+
+    def _write(self) -> None:
+        """The bake file: ours as it always is, the usual one, and what both need."""
+        catalogue, image = self.publisher.catalogue, self.image
+        requirements = " ".join(f"--requirement /{path}" for path in locks(image, catalogue))
+        dockerfiles = {
+            **{self._name("ros", day): CHANGE for day in DAYS},
+            **{self._name("usual", day): USUAL for day in DAYS},
+            **{self._name(way, str(number)): IMPORT for way in ("ours", "usual") for number in range(ROUNDS)},
+        }
+        blocks = [
+            hcl.block(
+                "target",
+                name,
+                {
+                    "inherits": ["_common"],
+                    "dockerfile-inline": text.format(
+                        marker=name, requirements=requirements, modules=" ".join(frameworks(image, catalogue))
+                    ),
+                    "platforms": [self.variables["PLATFORM"]],
+                    "contexts": {"ros": f"target:{image.parent}"} if text is CHANGE else {},
+                },
+            )
+            for name, text in dockerfiles.items()
+        ]
+        self._file.parent.mkdir(parents=True, exist_ok=True)
+        files.write(self._file, "\n".join([bake.excerpt(catalogue, (image.target,)), *blocks]))
+
+    def _push(self, target: str, repository: str, ros: str) -> _Pushed:
+        """Builds a target on a ROS image, or on the bake file's own, and pushes it by digest."""
+        repository = f"{self.publisher.prefix}/{repository}"
+        sets = [f"{target}.output=type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"]
+        if target == self.image.target:
+            sets.append(f"{target}.tags=")
+        if ros:
+            sets.append(f"{target}.contexts.ros=docker-image://{ros}")
+        start = time.monotonic()
+        progress, metadata = self._bake(target, sets)
+        seconds = time.monotonic() - start
+        digest = metadata.get("containerimage.digest", "")
+        if not digest:
+            raise RosmlError(f"buildx did not say which digest it pushed for {target}", "run it again")
+        reference = f"{repository}@{digest}"
+        self.pushed.append(reference)
+        return _Pushed(reference, seconds, progress)
+
+    def _bake(self, target: str, sets: Sequence[str]) -> tuple[BuildProgress, dict[str, str]]:
+        name = target.replace(f"-{self.run}", "") if self.run in target else f"bench-{target}"
+        return builder.run(self.publisher.services, builder.Bake(target, name, self._file, sets, self.variables))
+
+    def _import(self, way: str, number: int, reference: str) -> dict[str, Any]:
+        """Seconds and versions of an import in a container that has just been made."""
+        name = self._name(way, str(number))
+        folder = self.publisher.services.state / "bench" / way
+        shutil.rmtree(folder, ignore_errors=True)
+        self._bake(
+            name, (f"{name}.contexts.image=docker-image://{reference}", f"{name}.output=type=local,dest={folder}")
+        )
+        try:
+            content = json.loads((folder / "import.json").read_text())
+            return {"seconds": float(content["seconds"]), "versions": dict(content["versions"])}
+        except (OSError, ValueError, TypeError, KeyError) as error:
+            raise RosmlError(f"importing in {reference} gave no result: {error}", "run it again") from None
+
+    def _side(self, images: dict[str, _Pushed], ros: dict[str, str], import_seconds: float) -> Side:
+        """What a way came to, from its two images."""
+        services, today, yesterday = self.publisher.services, images["today"], images["yesterday"]
+        there = {**registry.stored(services, yesterday.reference), **registry.stored(services, ros["today"])}
+        pulled = {layer.digest for layer in registry.layers(services, yesterday.reference)}
+        layers = registry.layers(services, today.reference)
+        stored = registry.stored(services, today.reference)
+        return Side(
+            build_and_push_seconds=today.seconds,
+            registry_new_bytes=sum(size for digest, size in stored.items() if digest not in there),
+            pull_bytes=sum(layer.size for layer in layers if layer.digest not in pulled),
+            import_seconds=import_seconds,
+            first_image_seconds=yesterday.seconds,
+            install_seconds=sum(step.seconds for step in today.progress.steps.values() if "pip install" in step.name),
+            image_bytes=sum(layer.size for layer in layers),
+        )
+
+    def _prune(self, words: str) -> None:
+        """Removes from the builder's cache what is described with some words: a marker, or where it was pulled from."""
+        services = self.publisher.services
+        argv = [*services.buildx, "prune", "--force", "--all", "--filter", f"description~={words}"]
+        with suppress(OSError, subprocess.TimeoutExpired):  # the builder forgets them by itself, only later
+            subprocess.run(
+                [*argv, "--builder", services.builder],
+                env=services.environment(),
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                timeout=PRUNE_SECONDS,
+                check=False,
+            )
+
+
+def print_table(found: Comparison) -> None:
+    """Prints both ways side by side, and what has to be known to judge them."""
+    from rich.table import Table  # slow to import, and only needed here
+
+    from rosml.listing import console, show
+
+    table = Table(box=None, header_style="bold", pad_edge=False)
+    table.add_column(found.target, no_wrap=True)
+    for column in ("ours", "RUN pip install", "ratio"):
+        table.add_column(column, justify="right", no_wrap=True)
+    ours, usual, ratios = asdict(found.ours), asdict(found.usual), found.ratios
+    for row, title in ROWS.items():
+        show_value = duration if row.endswith("_seconds") else size
+        table.add_row(title, show_value(ours[row]), show_value(usual[row]), times(ratios[row]))
+    show(table)
+    out = console()
+    for line in notes(found):
+        out.print(line, style="dim")
+
+
+def times(ratio: float | None) -> str:
+    """``12.34`` -> ``12 x``; small ones keep a decimal, and beyond a thousand it is no measure any more."""
+    if ratio is None:
+        return ""
+    if ratio > 1_000:
+        return "> 1,000 x"
+    return f"{ratio:.0f} x" if ratio >= 10 else f"{ratio:.1f} x"
+
+
+def notes(found: Comparison) -> list[str]:
+    """What was measured, and how."""
+    versions = ", ".join(f"{name} {version}" for name, version in found.versions.items())
+    assembled = (
+        f"{duration(found.assembling_seconds)} of work in this run" if found.assembling_seconds else "before this run"
+    )
+    return [
+        f"{versions}: the same {found.packages} pinned packages both ways, {found.compression.split(',oci')[0]}",
+        f"pip's download and installation took {duration(found.usual.install_seconds)} of the usual second image",
+        f"the payloads of ours were assembled once, {assembled}",
+        "ROS's change is a file of some bytes; a real one adds its own size to the pull both ways",
+        "their tags were none and their manifests are removed; layers stay in the registry's storage: make clean",
+    ]
