@@ -75,6 +75,7 @@ def publish(
     say: Callable[[str], None],
     namespace: str = NAMESPACE,
     again: bool = False,
+    platform: str = "",
 ) -> Assembled:
     """Assembles a payload for all architectures that have its lock, and moves its tag.
 
@@ -85,15 +86,19 @@ def publish(
         say: told what is going on, a line at a time.
         namespace: first part of the repository's name.
         again: assemble it even if the builder has it: the same inputs give the same digests.
+        platform: only for this one, where the wheels of another cannot be had.
 
     Raises:
         RosmlError: a lock is missing, no base image can be had, a service is down, or the build failed.
     """
     started = time.monotonic()
+    if platform and platform not in payload.platforms:
+        known = ", ".join(payload.platforms)
+        raise RosmlError(f"payload {payload.name} is for {known}", f"take one of them, not {platform}", exit_code=2)
     platforms = [
-        platform
-        for platform, lock in zip(payload.platforms, payload.locks, strict=True)
-        if (services.root / lock).is_file()
+        name
+        for name, lock in zip(payload.platforms, payload.locks, strict=True)
+        if platform in ("", name) and (services.root / lock).is_file()
     ]
     if not platforms:
         raise RosmlError(f"payload {payload.name} has no lock yet: {', '.join(payload.locks)}", "run 'make locks'")

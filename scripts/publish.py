@@ -77,9 +77,16 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
 @click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
 @click.option("--json", "as_json", is_flag=True, help="print the results as JSON on standard output")
 @click.option("--markdown", is_flag=True, help="print them as a table in Markdown, for docs/digests.md")
+@click.option("--platform", default="", metavar="PLATFORM", help="for this one only, such as linux/arm64")
 @click.option("--again", is_flag=True, help="assemble them without the builder's cache")
 def payload(
-    payloads: tuple[str, ...], matrix: Path, namespace: str, as_json: bool, markdown: bool, again: bool
+    payloads: tuple[str, ...],
+    matrix: Path,
+    namespace: str,
+    as_json: bool,
+    markdown: bool,
+    platform: str,
+    again: bool,
 ) -> None:
     """Assembles payloads and publishes them in the local registry: what COPY --link adds to an image of one's own.
 
@@ -104,7 +111,7 @@ def payload(
     services.require_builder()
     results = []
     for item in wanted:
-        results.append(found.publish(services, catalogue, item, say, namespace, again))
+        results.append(found.publish(services, catalogue, item, say, namespace, again, platform))
         if not (as_json or markdown):
             done = results[-1]
             click.echo(f"{done.reference}@{done.digest}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")

@@ -63,11 +63,11 @@ class Stage:
         (folder / "manifest.json").write_text(json.dumps({"layers": [{"digest": LAYER, "size": 2_500_000}]}))
         write_locks(folder, catalogue)
 
-    def publish(self, name: str, again: bool = False, **changes: Any) -> payloads.Assembled:
+    def publish(self, name: str, again: bool = False, platform: str = "", **changes: Any) -> payloads.Assembled:
         found = services(self.folder, **{**self.facts, **changes})
         (found.state / "tmp").mkdir(exist_ok=True)
         payload = payloads.find(self.catalogue, name)
-        return payloads.publish(found, self.catalogue, payload, self.said.append, again=again)
+        return payloads.publish(found, self.catalogue, payload, self.said.append, again=again, platform=platform)
 
 
 @pytest.fixture
@@ -95,6 +95,14 @@ def test_all_architectures(stage: Stage) -> None:
 def test_without_the_builders_cache(stage: Stage) -> None:
     stage.publish("common-cpu-py312", again=True)
     assert "--set payload-common-cpu-py312.no-cache=true" in baked(stage)
+
+
+def test_one_platform_only(stage: Stage) -> None:
+    (stage.folder / "digest").write_text("sha256:one")
+    assert list(stage.publish("common-cpu-py312", platform="linux/arm64").layers) == ["linux/arm64"]
+    assert "platform=linux/arm64 " in baked(stage)
+    with pytest.raises(RosmlError, match="is for linux/amd64, linux/arm64"):
+        stage.publish("common-cpu-py312", platform="linux/s390x")
 
 
 def test_an_architecture_without_a_lock_is_left_out(stage: Stage) -> None:
