@@ -983,7 +983,7 @@ target "bookworm-core" {
   contexts = { parent = "target:_os-bookworm" }
   args = {
     ROS_PACKAGES = "ros-core ros-core-dev ros-core-python-dev"
-    ROS_TOOLS    = "rosbash catkin colcon python3-colcon-ros python3-colcon-cmake python3-rosdep2 vcstool"
+    ROS_TOOLS    = "rosbash catkin python3-rosdep2 vcstool colcon python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
   }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-core"
@@ -1087,7 +1087,7 @@ target "trixie-core" {
   contexts = { parent = "target:_os-trixie" }
   args = {
     ROS_PACKAGES = "ros-core ros-core-dev ros-core-python-dev"
-    ROS_TOOLS    = "rosbash catkin colcon python3-colcon-ros python3-colcon-cmake python3-rosdep2 vcstool"
+    ROS_TOOLS    = "rosbash catkin python3-rosdep2 vcstool colcon python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
   }
   labels = {
     "org.opencontainers.image.title"       = "trixie-core"

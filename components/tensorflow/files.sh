@@ -49,12 +49,13 @@ if [[ -e $tensorflow/include/tensorflow/core/public/release_version.h ]]; then
 fi
 
 # Wheels from about 2.20 on have the header of ClientSession, the documented way to run a graph, but not the class.
-# It is linked by whoever names libtensorflow_cc and uses it, by way of a linker script, as libc.so is one.
+# It is linked by whoever names libtensorflow_cc and uses it, by way of a linker script, as libc.so is one. ldconfig
+# complains about a file that is no library, unless these words are in it.
 if ! exports _ZN10tensorflow13ClientSessionC1E; then
   session=libtensorflow_client_session.so.$soversion
   "$here/client_session/build.sh" "$libraries/$session" "${flags[@]}"
   rm "$libraries/libtensorflow_cc.so"
-  printf 'INPUT(/usr/lib/%s/%s AS_NEEDED(/usr/lib/%s/%s))\n' \
+  printf '/* GNU ld script */\nINPUT(/usr/lib/%s/%s AS_NEEDED(/usr/lib/%s/%s))\n' \
     "$TRIPLET" "libtensorflow_cc.so.$soversion" "$TRIPLET" "$session" >"$libraries/libtensorflow_cc.so"
 fi
 

@@ -221,7 +221,7 @@ def test_what_depends_on_tensorflow_finds_it_under_its_other_name(newer: Path) -
 def test_a_client_session_is_built_where_the_wheel_has_none(tmp_path: Path, newer: Path) -> None:
     libraries = newer / "usr/lib" / TRIPLET
     assert (libraries / "libtensorflow_cc.so").read_text() == (
-        f"INPUT(/usr/lib/{TRIPLET}/libtensorflow_cc.so.2 "
+        f"/* GNU ld script */\nINPUT(/usr/lib/{TRIPLET}/libtensorflow_cc.so.2 "
         f"AS_NEEDED(/usr/lib/{TRIPLET}/libtensorflow_client_session.so.2))\n"
     )
     text = (

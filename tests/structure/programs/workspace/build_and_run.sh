@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# A workspace of a message, a Python package that uses it and the image's frameworks, and a C++ node, built as users do:
+# with catkin_make, and with colcon build --symlink-install. Its nodes run from both.
+set -euo pipefail
+here=$(dirname "$(readlink -f "$0")")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export HOME=$work TF_CPP_MIN_LOG_LEVEL=3 PYTHONDONTWRITEBYTECODE=1
+flags=(-DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCATKIN_ENABLE_TESTING=OFF)
+
+# workspace NAME COMMAND...: builds a workspace of its own.
+workspace() {
+  local name=$1
+  mkdir "$work/$name" && cp -r "$here/src" "$work/$name"
+  (cd "$work/$name" && "${@:2}") >"$work/log.$name" 2>&1 || { cat "$work/log.$name" >&2; return 1; }
+}
+
+# node NAME COMMAND...: runs a node; the entrypoint sources the workspace.
+node() { WORKSPACE=$work/$1 /entrypoint.sh rosrun "${@:2}" | sed "s|^|$1: |"; }
+
+workspace catkin_make catkin_make --use-ninja "${flags[@]}" & catkin=$!
+workspace colcon colcon build --symlink-install --cmake-args -G Ninja "${flags[@]}" || { wait; exit 1; }
+wait "$catkin"
+frameworks=()
+for name in torch tensorflow; do
+  promise=EXPECT_${name^^}
+  if [[ -v $promise ]]; then frameworks+=("$name"); fi
+done
+node catkin_make example_py score.py
+node catkin_make example_cpp score_cpp
+node colcon example_py score.py "${frameworks[@]}"
+node colcon example_cpp score_cpp
