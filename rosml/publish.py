@@ -98,7 +98,8 @@ def require_buildable(image: Image, architecture: str = "") -> None:
     Raises:
         RosmlError: a lock is missing (exit code 2).
     """
-    if not image.locked:
+    # Tags are for all platforms, and need all locks; one platform alone needs its own.
+    if any(lock.split("/")[2] == architecture for lock in image.unlocked) or (image.unlocked and not architecture):
         text = f"{image.target} cannot be built yet: {missing.reason(image)}"
         raise RosmlError(text, missing.remedy(image), exit_code=2)
     native = base_images.native_architecture()

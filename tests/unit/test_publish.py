@@ -20,7 +20,7 @@ from stubs import answering_registry, buildx, calls, executable, services
 
 from rosml import base_images, command, expand, summary
 from rosml.errors import RosmlError
-from rosml.publish import Publisher, Result, TestsFailed
+from rosml.publish import Publisher, Result, TestsFailed, require_buildable
 from scripts import publish as script
 
 TARGET = "alpha-base-torch-cu1"
@@ -235,6 +235,16 @@ def test_another_architecture_is_built_and_tested_and_gets_no_tag(stage: Stage) 
     shown = summary.text(result)
     assert f"{target} is built, tested and pushed by its digest" in shown
     assert "none: a tag is for all platforms of an image" in shown
+
+
+def test_one_architecture_needs_no_lock_of_another(stage: Stage) -> None:
+    catalogue = parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}"))
+    present = {lock for payload in catalogue.payloads for lock in payload.locks} - {"locks/cpu/amd64/3.12/torch.txt"}
+    image = expand.with_locks(catalogue, present).image("alpha-core-torch-cpu")
+    require_buildable(image, "arm64")
+    for architecture in ("", "amd64"):
+        with pytest.raises(RosmlError, match="cannot be built yet"):
+            require_buildable(image, architecture)
 
 
 def test_a_platform_that_nothing_has(checkout: Stage, capsys: pytest.CaptureFixture[str]) -> None:
