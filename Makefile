@@ -30,10 +30,10 @@ unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 
-.PHONY: help image test lint unit bench list explain generate plan diff locks up emulation down clean status
+.PHONY: help image test test-arm64 lint unit bench list explain generate plan diff locks up emulation down clean status
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' Makefile
+	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-11s %s\n", $$1, $$2}' Makefile
 
 image: .python ## build, test, push and tag one image: make image TARGET=bookworm-base-torch-cu128
 	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$(PLATFORM)") --check -- "$$TARGET"
@@ -42,6 +42,9 @@ image: .python ## build, test, push and tag one image: make image TARGET=bookwor
 
 test: up ## the whole suite: linters, unit tests, real builds
 	@$(RUN) pytest
+
+test-arm64: emulation ## an image for arm64 with both frameworks, built and tested under emulation: half an hour
+	@ROSML_TEST_ARM64=1 $(RUN) pytest tests/e2e/test_arm64.py
 
 lint: .python ## the linters only
 	@$(RUN) pytest tests/lint
