@@ -443,5 +443,5 @@ def notes(found: Comparison) -> list[str]:
         f"pip's download and installation took {duration(found.usual.install_seconds)} of the usual second image",
         f"the payloads of ours were assembled once, {assembled}",
         "ROS's change is a file of some bytes; a real one adds its own size to the pull both ways",
-        "their tags were none and their manifests are removed; layers stay in the registry's storage: make clean",
+        "nothing was tagged, and the manifests are removed; their layers stay until 'make clean', which removes all there is",
     ]
