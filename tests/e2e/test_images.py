@@ -99,21 +99,39 @@ def test_both_frameworks_share_their_layers_and_import_in_either_order(published
     }
 
 
+def build_on(services: Services, image: Published, folder: Path, name: str, *steps: str) -> str:
+    """Builds on an image, with a folder beside this file copied to /NAME; returns what the builder said."""
+    shutil.copytree(Path(__file__).parent / name, folder / name)
+    shutil.copy(ROOT / "components/build/network.sh", folder)
+    lines = [f"FROM {image.result['reference']}", f"COPY {name} /{name}", *(f"RUN {step}" for step in steps)]
+    (folder / "Dockerfile").write_text("\n".join(lines) + "\n")
+    secret = ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
+    outcome = run(
+        *services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", *secret, str(folder),
+        env=services.environment(),
+    )  # fmt: skip
+    assert outcome.code == 0, outcome.err
+    return outcome.err
+
+
 def test_ros_and_both_frameworks_in_one_c_plus_plus_program(
     services: Services, published: Publish, tmp_path: Path
 ) -> None:
     """A catkin package with roscpp, cv_bridge, libtorch (TorchScript) and tensorflow_cc (SavedModel)."""
-    image = published(BOTH)
-    shutil.copytree(Path(__file__).parent / "coexist", tmp_path / "coexist")
-    (tmp_path / "Dockerfile").write_text(
-        f"FROM {image.result['reference']}\nCOPY coexist /coexist\nRUN /entrypoint.sh /coexist/run.sh\n"
+    said = build_on(services, published(BOTH), tmp_path, "coexist", "/entrypoint.sh /coexist/run.sh")
+    assert "pictures: seen, wrong: 0" in said
+
+
+def test_tensorflow_and_the_systems_protobuf_in_one_program(
+    services: Services, published: Publish, tmp_path: Path
+) -> None:
+    """Each target sees the protobuf, abseil and Eigen that it links; no image has the system's, but for Eigen."""
+    install = (
+        "--mount=type=bind,source=network.sh,target=/network.sh --mount=type=secret,id=ca-bundle "
+        "bash -c '. /network.sh && apt-get update && apt-get install --yes libprotobuf-dev protobuf-compiler libabsl-dev'"
     )
-    outcome = run(
-        *services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", str(tmp_path),
-        env=services.environment(),
-    )  # fmt: skip
-    assert outcome.code == 0, outcome.err
-    assert "pictures: seen, wrong: 0" in outcome.err
+    said = build_on(services, published(BOTH), tmp_path, "headers", install, "/headers/run.sh")
+    assert "both: done" in said
 
 
 def test_ros_2_from_wheels_and_both_frameworks_in_one_process(
