@@ -17,6 +17,7 @@ fi
 compile() { "python$PYTHON" -m compileall -q "$@"; }
 
 # Some packages ship templates and code for other Pythons that do not compile; they are never imported here.
-compile --invalidation-mode "$BYTECODE" -j 0 -s "${OUT:?}" -p / "$OUT${SITE:?}" >/tmp/compileall.log 2>&1 ||
+# -d: the path in the image, for tracebacks; Python 3.8 has no other way to say so.
+compile --invalidation-mode "$BYTECODE" -j 0 -d "${SITE:?}" "${OUT:?}$SITE" >/tmp/compileall.log 2>&1 ||
   { echo "bytecode: left without bytecode:"; grep -o "File \"[^\"]*\"" /tmp/compileall.log | sort -u; } ||
   { cat /tmp/compileall.log; exit 1; }
