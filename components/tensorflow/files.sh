@@ -24,9 +24,9 @@ version=${version##*-}
 exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c " $1" >/dev/null; }
 
 # `pip install` of what depends on "tensorflow" must find it, also where the wheel that carries it is called otherwise
-# (tensorflow-cpu): a package without files that says so.
-if [[ $wheel != tensorflow-* ]]; then
-  alias=$OUT$SITE/tensorflow-$version.dist-info
+# (tensorflow-cpu): a package without files that says so. Some releases for arm64 bring one themselves.
+alias=$OUT$SITE/tensorflow-$version.dist-info
+if [[ ! -d $alias ]]; then
   mkdir "$alias"
   printf '%s\n' 'Metadata-Version: 2.1' 'Name: tensorflow' "Version: $version" \
     "Summary: Stands for ${wheel%%-*}, which is the same package under another name" \

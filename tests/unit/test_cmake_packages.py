@@ -71,11 +71,11 @@ def torch(tmp_path: Path) -> Path:
     return root
 
 
-def tensorflow(folder: Path, version: str, *symbols: str) -> Path:
+def tensorflow(folder: Path, version: str, *symbols: str, beside: str = "tensorflow_estimator-2.13.0") -> Path:
     root = folder / "tensorflow root"
     site = root / SITE
     files(site, *(f"tensorflow/libtensorflow_{x}.so.2" for x in ("cc", "framework")))
-    files(site, "tensorflow_estimator-2.13.0.dist-info/RECORD", f"tensorflow_cpu-{version}.dist-info/RECORD")
+    files(site, f"{beside}.dist-info/RECORD", f"tensorflow_cpu-{version}.dist-info/RECORD")
     header = "release_version.h" if version != "2.13.1" else "version.h"
     shared = ("tensorflow/libtensorflow_cc.so.2", f"tensorflow/include/tensorflow/core/public/{header}")
     files(site, shared[1])
@@ -216,6 +216,12 @@ def test_what_depends_on_tensorflow_finds_it_under_its_other_name(newer: Path) -
     assert found.requires == ["tensorflow_cpu==2.20.0"]
     assert found.files
     assert all(Path(str(file.locate())).exists() for file in found.files)
+
+
+def test_a_release_that_brings_that_package_itself(tmp_path: Path) -> None:
+    """On arm64 `tensorflow` 2.13.1 is a wheel without files, which requires another one."""
+    root = tensorflow(tmp_path, "2.13.1", SESSION, beside="tensorflow-2.13.1")
+    assert (root / SITE / "tensorflow-2.13.1.dist-info/RECORD").read_text() == ""
 
 
 def test_a_client_session_is_built_where_the_wheel_has_none(tmp_path: Path, newer: Path) -> None:
