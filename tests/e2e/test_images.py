@@ -122,6 +122,16 @@ def test_ros_and_both_frameworks_in_one_c_plus_plus_program(
     assert "pictures: seen, wrong: 0" in said
 
 
+def test_the_usual_examples_of_both_frameworks_in_c_plus_plus(
+    services: Services, published: Publish, tmp_path: Path
+) -> None:
+    """MNIST with libtorch's C++ frontend; gradient descent and label_image with TensorFlow's ClientSession."""
+    steps = [f"/examples/{framework}/run.sh" for framework in ("torch", "tensorflow")]
+    said = build_on(services, published(BOTH), tmp_path, "examples", *steps)
+    for words in ("mnist: accuracy", "train: loss", "label_image: green"):
+        assert words in said
+
+
 def test_tensorflow_and_the_systems_protobuf_in_one_program(
     services: Services, published: Publish, tmp_path: Path
 ) -> None:
