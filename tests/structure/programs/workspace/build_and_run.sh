@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# A workspace of a message, a Python package that uses it and the image's frameworks, and a C++ node, built as users do:
-# with catkin_make, and with colcon build --symlink-install. Its nodes run from both.
+# A workspace of a message, and a package with a Python module that uses it and the image's frameworks and a C++ node,
+# built as users do: with catkin_make, and with colcon build --symlink-install. Its nodes run from both.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export HOME=$work TF_CPP_MIN_LOG_LEVEL=3 PYTHONDONTWRITEBYTECODE=1
+export ROS_LANG_DISABLE=geneus:genlisp:gennodejs # messages for C++ and Python are enough here
 flags=(-DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 -DCATKIN_ENABLE_TESTING=OFF)
 
 # workspace NAME COMMAND...: builds a workspace of its own.
@@ -26,7 +27,7 @@ for name in torch tensorflow; do
   promise=EXPECT_${name^^}
   if [[ -v $promise ]]; then frameworks+=("$name"); fi
 done
-node catkin_make example_py score.py
-node catkin_make example_cpp score_cpp
-node colcon example_py score.py "${frameworks[@]}"
-node colcon example_cpp score_cpp
+node catkin_make example score.py
+node catkin_make example score_cpp
+node colcon example score.py "${frameworks[@]}"
+node colcon example score_cpp

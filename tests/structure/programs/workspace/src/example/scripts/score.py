@@ -4,10 +4,10 @@
 import io
 import sys
 
-import example_py
+import example
 from example_msgs.msg import Score
 
-sent = example_py.score(sys.argv[1:])
+sent = example.score(sys.argv[1:])
 stream = io.BytesIO()
 sent.serialize(stream)
 received = Score().deserialize(stream.getvalue())
