@@ -8898,7 +8898,7 @@ target "noetic-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-core") }
   args = {
-    TESTS  = "contract ros1 ros1-core"
+    TESTS  = "contract ros1 ros1-core ros1-workspace"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core"
   }
 }
@@ -8908,7 +8908,7 @@ target "noetic-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-base") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base"
   }
 }
@@ -8918,7 +8918,7 @@ target "noetic-robot-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-robot") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot"
   }
 }
@@ -8928,7 +8928,7 @@ target "noetic-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-perception") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception"
   }
 }
@@ -8938,7 +8938,7 @@ target "noetic-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-desktop") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop"
   }
 }
@@ -8948,7 +8948,7 @@ target "noetic-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-desktop-full") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full"
   }
 }
@@ -8958,7 +8958,7 @@ target "noetic-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -8968,7 +8968,7 @@ target "noetic-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -8978,7 +8978,7 @@ target "noetic-robot-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -8988,7 +8988,7 @@ target "noetic-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -8998,7 +8998,7 @@ target "noetic-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9008,7 +9008,7 @@ target "noetic-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9018,7 +9018,7 @@ target "noetic-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9028,7 +9028,7 @@ target "noetic-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9038,7 +9038,7 @@ target "noetic-robot-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9048,7 +9048,7 @@ target "noetic-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9058,7 +9058,7 @@ target "noetic-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9068,7 +9068,7 @@ target "noetic-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9078,7 +9078,7 @@ target "noetic-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9088,7 +9088,7 @@ target "noetic-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9098,7 +9098,7 @@ target "noetic-robot-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9108,7 +9108,7 @@ target "noetic-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9118,7 +9118,7 @@ target "noetic-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9128,7 +9128,7 @@ target "noetic-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9138,7 +9138,7 @@ target "noetic-core-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-core-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9148,7 +9148,7 @@ target "noetic-base-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-base-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9158,7 +9158,7 @@ target "noetic-robot-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-robot-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9168,7 +9168,7 @@ target "noetic-perception-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-perception-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9178,7 +9178,7 @@ target "noetic-desktop-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9188,7 +9188,7 @@ target "noetic-desktop-full-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-full-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9198,7 +9198,7 @@ target "noetic-core-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-core-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core torch"
+    TESTS  = "contract ros1 ros1-core ros1-workspace torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core torch=2.4.1"
   }
 }
@@ -9208,7 +9208,7 @@ target "noetic-base-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-base-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1"
   }
 }
@@ -9218,7 +9218,7 @@ target "noetic-robot-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-robot-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1"
   }
 }
@@ -9228,7 +9228,7 @@ target "noetic-perception-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-perception-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1"
   }
 }
@@ -9238,7 +9238,7 @@ target "noetic-desktop-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1"
   }
 }
@@ -9248,7 +9248,7 @@ target "noetic-desktop-full-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-full-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1"
   }
 }
@@ -9258,7 +9258,7 @@ target "noetic-core-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-core-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-workspace tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core tensorflow=2.13.1"
   }
 }
@@ -9268,7 +9268,7 @@ target "noetic-base-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-base-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base tensorflow=2.13.1"
   }
 }
@@ -9278,7 +9278,7 @@ target "noetic-robot-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-robot-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot tensorflow=2.13.1"
   }
 }
@@ -9288,7 +9288,7 @@ target "noetic-perception-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-perception-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception tensorflow=2.13.1"
   }
 }
@@ -9298,7 +9298,7 @@ target "noetic-desktop-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-desktop-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop tensorflow=2.13.1"
   }
 }
@@ -9308,7 +9308,7 @@ target "noetic-desktop-full-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-desktop-full-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full tensorflow=2.13.1"
   }
 }
@@ -12428,7 +12428,7 @@ target "bookworm-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-core") }
   args = {
-    TESTS  = "contract ros1 ros1-core"
+    TESTS  = "contract ros1 ros1-core ros1-workspace"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev"
   }
 }
@@ -12438,7 +12438,7 @@ target "bookworm-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-base") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev"
   }
 }
@@ -12448,7 +12448,7 @@ target "bookworm-robot-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-robot") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev"
   }
 }
@@ -12458,7 +12458,7 @@ target "bookworm-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-perception") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev"
   }
 }
@@ -12468,7 +12468,7 @@ target "bookworm-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-desktop") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev"
   }
 }
@@ -12478,7 +12478,7 @@ target "bookworm-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-desktop-full") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev"
   }
 }
@@ -12488,7 +12488,7 @@ target "bookworm-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12498,7 +12498,7 @@ target "bookworm-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12508,7 +12508,7 @@ target "bookworm-robot-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12518,7 +12518,7 @@ target "bookworm-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12528,7 +12528,7 @@ target "bookworm-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12538,7 +12538,7 @@ target "bookworm-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12548,7 +12548,7 @@ target "bookworm-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12558,7 +12558,7 @@ target "bookworm-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12568,7 +12568,7 @@ target "bookworm-robot-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12578,7 +12578,7 @@ target "bookworm-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12588,7 +12588,7 @@ target "bookworm-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12598,7 +12598,7 @@ target "bookworm-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12608,7 +12608,7 @@ target "bookworm-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12618,7 +12618,7 @@ target "bookworm-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12628,7 +12628,7 @@ target "bookworm-robot-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12638,7 +12638,7 @@ target "bookworm-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12648,7 +12648,7 @@ target "bookworm-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12658,7 +12658,7 @@ target "bookworm-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12668,7 +12668,7 @@ target "bookworm-core-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12678,7 +12678,7 @@ target "bookworm-base-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12688,7 +12688,7 @@ target "bookworm-robot-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12698,7 +12698,7 @@ target "bookworm-perception-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12708,7 +12708,7 @@ target "bookworm-desktop-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12718,7 +12718,7 @@ target "bookworm-desktop-full-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12728,7 +12728,7 @@ target "bookworm-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12738,7 +12738,7 @@ target "bookworm-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12748,7 +12748,7 @@ target "bookworm-robot-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12758,7 +12758,7 @@ target "bookworm-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12768,7 +12768,7 @@ target "bookworm-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12778,7 +12778,7 @@ target "bookworm-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12788,7 +12788,7 @@ target "bookworm-core-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core torch"
+    TESTS  = "contract ros1 ros1-core ros1-workspace torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
   }
 }
@@ -12798,7 +12798,7 @@ target "bookworm-base-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
   }
 }
@@ -12808,7 +12808,7 @@ target "bookworm-robot-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
   }
 }
@@ -12818,7 +12818,7 @@ target "bookworm-perception-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
   }
 }
@@ -12828,7 +12828,7 @@ target "bookworm-desktop-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
   }
 }
@@ -12838,7 +12838,7 @@ target "bookworm-desktop-full-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
   }
 }
@@ -12848,7 +12848,7 @@ target "bookworm-core-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12858,7 +12858,7 @@ target "bookworm-base-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12868,7 +12868,7 @@ target "bookworm-robot-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12878,7 +12878,7 @@ target "bookworm-perception-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12888,7 +12888,7 @@ target "bookworm-desktop-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12898,7 +12898,7 @@ target "bookworm-desktop-full-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12908,7 +12908,7 @@ target "bookworm-core-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-workspace tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0"
   }
 }
@@ -12918,7 +12918,7 @@ target "bookworm-base-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0"
   }
 }
@@ -12928,7 +12928,7 @@ target "bookworm-robot-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0"
   }
 }
@@ -12938,7 +12938,7 @@ target "bookworm-perception-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0"
   }
 }
@@ -12948,7 +12948,7 @@ target "bookworm-desktop-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0"
   }
 }
@@ -12958,7 +12958,7 @@ target "bookworm-desktop-full-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0"
   }
 }
@@ -12968,7 +12968,7 @@ target "bookworm-core-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-core-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12978,7 +12978,7 @@ target "bookworm-base-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-base-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12988,7 +12988,7 @@ target "bookworm-robot-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-robot-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12998,7 +12998,7 @@ target "bookworm-perception-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-perception-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13008,7 +13008,7 @@ target "bookworm-desktop-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13018,7 +13018,7 @@ target "bookworm-desktop-full-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-full-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13028,7 +13028,7 @@ target "bookworm-core-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-core-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-workspace torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13038,7 +13038,7 @@ target "bookworm-base-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-base-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13048,7 +13048,7 @@ target "bookworm-robot-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-robot-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13058,7 +13058,7 @@ target "bookworm-perception-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-perception-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13068,7 +13068,7 @@ target "bookworm-desktop-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13078,7 +13078,7 @@ target "bookworm-desktop-full-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-full-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch tensorflow ml"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13088,7 +13088,7 @@ target "trixie-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-core") }
   args = {
-    TESTS  = "contract ros1 ros1-core"
+    TESTS  = "contract ros1 ros1-core ros1-workspace"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev"
   }
 }
@@ -13098,7 +13098,7 @@ target "trixie-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-base") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev"
   }
 }
@@ -13108,7 +13108,7 @@ target "trixie-robot-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-robot") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev"
   }
 }
@@ -13118,7 +13118,7 @@ target "trixie-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-perception") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev"
   }
 }
@@ -13128,7 +13128,7 @@ target "trixie-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-desktop") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev"
   }
 }
@@ -13138,7 +13138,7 @@ target "trixie-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-desktop-full") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev"
   }
 }
@@ -13148,7 +13148,7 @@ target "trixie-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13158,7 +13158,7 @@ target "trixie-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13168,7 +13168,7 @@ target "trixie-robot-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13178,7 +13178,7 @@ target "trixie-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13188,7 +13188,7 @@ target "trixie-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13198,7 +13198,7 @@ target "trixie-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13208,7 +13208,7 @@ target "trixie-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13218,7 +13218,7 @@ target "trixie-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13228,7 +13228,7 @@ target "trixie-robot-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13238,7 +13238,7 @@ target "trixie-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13248,7 +13248,7 @@ target "trixie-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13258,7 +13258,7 @@ target "trixie-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13268,7 +13268,7 @@ target "trixie-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13278,7 +13278,7 @@ target "trixie-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13288,7 +13288,7 @@ target "trixie-robot-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13298,7 +13298,7 @@ target "trixie-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13308,7 +13308,7 @@ target "trixie-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13318,7 +13318,7 @@ target "trixie-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13328,7 +13328,7 @@ target "trixie-core-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13338,7 +13338,7 @@ target "trixie-base-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13348,7 +13348,7 @@ target "trixie-robot-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13358,7 +13358,7 @@ target "trixie-perception-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13368,7 +13368,7 @@ target "trixie-desktop-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13378,7 +13378,7 @@ target "trixie-desktop-full-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13388,7 +13388,7 @@ target "trixie-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13398,7 +13398,7 @@ target "trixie-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13408,7 +13408,7 @@ target "trixie-robot-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13418,7 +13418,7 @@ target "trixie-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13428,7 +13428,7 @@ target "trixie-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13438,7 +13438,7 @@ target "trixie-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13448,7 +13448,7 @@ target "trixie-core-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core torch"
+    TESTS  = "contract ros1 ros1-core ros1-workspace torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
   }
 }
@@ -13458,7 +13458,7 @@ target "trixie-base-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
   }
 }
@@ -13468,7 +13468,7 @@ target "trixie-robot-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
   }
 }
@@ -13478,7 +13478,7 @@ target "trixie-perception-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
   }
 }
@@ -13488,7 +13488,7 @@ target "trixie-desktop-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
   }
 }
@@ -13498,7 +13498,7 @@ target "trixie-desktop-full-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
   }
 }
@@ -13508,7 +13508,7 @@ target "trixie-core-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-core-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13518,7 +13518,7 @@ target "trixie-base-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-base-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13528,7 +13528,7 @@ target "trixie-robot-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-robot-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13538,7 +13538,7 @@ target "trixie-perception-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-perception-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13548,7 +13548,7 @@ target "trixie-desktop-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13558,7 +13558,7 @@ target "trixie-desktop-full-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-full-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13568,7 +13568,7 @@ target "trixie-core-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-core-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-workspace tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0"
   }
 }
@@ -13578,7 +13578,7 @@ target "trixie-base-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-base-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0"
   }
 }
@@ -13588,7 +13588,7 @@ target "trixie-robot-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-robot-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0"
   }
 }
@@ -13598,7 +13598,7 @@ target "trixie-perception-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-perception-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0"
   }
 }
@@ -13608,7 +13608,7 @@ target "trixie-desktop-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0"
   }
 }
@@ -13618,7 +13618,7 @@ target "trixie-desktop-full-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-full-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0"
   }
 }
@@ -13628,7 +13628,7 @@ target "trixie-core-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-core-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13638,7 +13638,7 @@ target "trixie-base-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-base-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13648,7 +13648,7 @@ target "trixie-robot-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-robot-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13658,7 +13658,7 @@ target "trixie-perception-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-perception-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13668,7 +13668,7 @@ target "trixie-desktop-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13678,7 +13678,7 @@ target "trixie-desktop-full-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-full-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13688,7 +13688,7 @@ target "trixie-core-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-core-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-workspace torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13698,7 +13698,7 @@ target "trixie-base-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-base-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13708,7 +13708,7 @@ target "trixie-robot-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-robot-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13718,7 +13718,7 @@ target "trixie-perception-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-perception-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13728,7 +13728,7 @@ target "trixie-desktop-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13738,7 +13738,7 @@ target "trixie-desktop-full-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-full-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch tensorflow ml"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }

@@ -313,6 +313,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
     ros = f"ros{distribution.ros}"
     ml = ["ml"] if len(kind.facts.releases) > 1 else []
+    workspace = ["ros1-workspace"] if distribution.ros == 1 else []
     shared = [payload.part for payload in kind.payloads if payload.part not in UNTESTED]
     return Image(
         target=target,
@@ -333,7 +334,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         parent=ros_image if kind.stack else below,
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
         parts=tuple(payload.name for payload in kind.payloads),
-        tests=("contract", ros, *(f"{ros}-{link}" for link in chain), *shared, *ml),
+        tests=("contract", ros, *(f"{ros}-{link}" for link in chain), *workspace, *shared, *ml),
         locks=tuple(lock for payload in kind.payloads for lock in payload.locks),
         disk=Size.total(
             matrix.disk.os,

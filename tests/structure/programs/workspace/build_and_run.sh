@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A workspace of a message, and a package with a Python module that uses it and the image's frameworks and a C++ node,
-# built as users do: with catkin_make, and with colcon build --symlink-install. Its nodes run from both.
+# built as users do: with colcon build --symlink-install, and where there is no framework with catkin_make as well. Its
+# nodes run.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 work=$(mktemp -d)
@@ -19,15 +20,18 @@ workspace() {
 # node NAME COMMAND...: runs a node; the entrypoint sources the workspace.
 node() { WORKSPACE=$work/$1 /entrypoint.sh rosrun "${@:2}" | sed "s|^|$1: |"; }
 
-workspace catkin_make catkin_make --use-ninja "${flags[@]}" & catkin=$!
-workspace colcon colcon build --symlink-install --cmake-args -G Ninja "${flags[@]}" || { wait; exit 1; }
-wait "$catkin"
 frameworks=()
 for name in torch tensorflow; do
   promise=EXPECT_${name^^}
   if [[ -v $promise ]]; then frameworks+=("$name"); fi
 done
-node catkin_make example score.py
-node catkin_make example score_cpp
+workspace colcon colcon build --symlink-install --cmake-args -G Ninja "${flags[@]}" & colcon=$!
+# With frameworks it is colcon alone, which configures and builds the same packages by the same CMake code.
+if [[ ${#frameworks[@]} -eq 0 ]]; then
+  workspace catkin_make catkin_make --use-ninja "${flags[@]}" || { wait; exit 1; }
+  node catkin_make example score.py
+  node catkin_make example score_cpp
+fi
+wait "$colcon"
 node colcon example score.py "${frameworks[@]}"
 node colcon example score_cpp
