@@ -13,6 +13,11 @@ for name in tensorflow_cc tensorflow_framework; do
   ln -s "$versioned" "$libraries/lib$name.so"
 done
 soversion=${versioned##*.so.}
+# What wheels for arm64 bring beside it (OpenMP's runtime, under a name of its own): it is looked for next to the folder of
+# the link that a program finds, which is not next to the package.
+for library in "$OUT$SITE"/tensorflow*.libs/*.so*; do
+  if [[ -e $library ]]; then ln -s "${library#"$OUT"}" "$libraries/"; fi
+done
 
 # <name>-<version>.dist-info: tensorflow, tensorflow_cpu or tensorflow_cpu_aws, whichever has the library.
 wheel=$(basename "$(dirname "$(grep -l '^tensorflow/libtensorflow_cc\.so' "$OUT$SITE"/*.dist-info/RECORD)")")

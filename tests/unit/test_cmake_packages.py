@@ -224,6 +224,14 @@ def test_a_release_that_brings_that_package_itself(tmp_path: Path) -> None:
     assert (root / SITE / "tensorflow-2.13.1.dist-info/RECORD").read_text() == ""
 
 
+def test_libraries_beside_the_package_are_found_by_programs(tmp_path: Path) -> None:
+    """Wheels for arm64 bring OpenMP's runtime in a folder of their own, below which no program looks."""
+    bundled = f"{SITE}/tensorflow_cpu_aws.libs/libomp-f1025659.so.5"
+    files(tmp_path / "tensorflow root", bundled)
+    root = tensorflow(tmp_path, "2.20.0")
+    assert (root / "usr/lib" / TRIPLET / "libomp-f1025659.so.5").resolve() == root / bundled
+
+
 def test_a_client_session_is_built_where_the_wheel_has_none(tmp_path: Path, newer: Path) -> None:
     libraries = newer / "usr/lib" / TRIPLET
     assert (libraries / "libtensorflow_cc.so").read_text() == (
