@@ -133,8 +133,8 @@ class Services:
         except (OSError, HTTPException) as error:
             raise RosmlError(f"the registry at {self.registry} does not answer: {error}", REMEDY) from None
 
-    def require_builder(self) -> None:
-        """Checks that buildx reaches the builder.
+    def require_builder(self, platform: str = "") -> None:
+        """Checks that buildx reaches the builder, and that it runs programs of a platform.
 
         Raises:
             RosmlError: it does not.
@@ -158,3 +158,8 @@ class Services:
         if done.returncode != 0 or "running" not in status:
             what = f"is {status[0]}" if status else "does not answer"
             raise RosmlError(f"the builder '{self.builder}' {what}", remedy)
+        known = [line.split(":", 1)[1] for line in done.stdout.splitlines() if line.startswith("Platforms:")]
+        if platform and platform not in {name.strip(" *") for text in known for name in text.split(",")}:
+            raise RosmlError(
+                f"the builder '{self.builder}' does not run programs for {platform}", "run 'make emulation'"
+            )
