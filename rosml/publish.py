@@ -164,7 +164,8 @@ class Publisher:
         target = image.target  # a tag is a name as well
         require_buildable(image, "" if self.native else self.architecture)
         self.services.require_registry()
-        self.services.require_builder()
+        platform = self.catalogue.matrix.architectures[self.architecture].platform
+        self.services.require_builder("" if self.native else platform)
         built = forecast.Built(self.services.state)
         forecast.require(
             self.services.state, forecast.needed_mb(self.catalogue, image, built.names() if self.native else ()), target

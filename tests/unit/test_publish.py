@@ -222,6 +222,10 @@ def test_another_architecture_is_built_and_tested_and_gets_no_tag(stage: Stage) 
     """A tag is for all platforms of an image: one of them alone does not move it."""
     target = "alpha-core-ml-cpu"
     stage.write("buildx", (stage.folder / "buildx").read_text().replace("case $1", 'env >"$here/env-$1"\ncase $1', 1))
+    with pytest.raises(RosmlError, match="does not run programs for linux/arm64") as caught:
+        stage.publish(target, architecture="arm64")
+    assert caught.value.remedy == "run 'make emulation'"
+    stage.write("status", "Status: running\nPlatforms: linux/amd64, linux/arm64*\n")
     stage.write("progress-cpu", "")
     for name in ("ros2-core", "tensorflow", "torch", "ml"):
         stage.write(f"report/{name}.json", results(one=True))
