@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import textwrap
 from collections.abc import Callable, Mapping
@@ -81,7 +82,8 @@ def test_nothing_runs_after_the_join(published: Publish, catalogue: Catalogue) -
     assert len(joined.layers) == len(ros.layers) + len(joined.image.parts)
 
 
-BOTH = "bookworm-perception-ml-cu128"
+BOTH = os.environ.get("ROSML_TEST_BOTH", "bookworm-perception-ml-cu128")
+"""An image with cv_bridge and both frameworks; another one takes minutes more: ROSML_TEST_BOTH=trixie-perception-ml-cu128."""
 
 TALK_SECONDS = 600
 """Longest that two processes may talk, for all orders of imports; 90 seconds are usual."""
