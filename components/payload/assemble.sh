@@ -44,6 +44,7 @@ rm -rf /out/.cache "$OUT$SITE/.lock"
 mkdir -p "$OUT/usr/local/share/rosml/versions.d"
 sed -n 's/^\([A-Za-z0-9._-]*\)==\([^ ]*\).*/\1 \2/p' "$LOCK" >"$OUT/usr/local/share/rosml/versions.d/$PART"
 
+if [[ $PART == tensorflow* ]]; then "$here/abseil_for_gcc.py"; fi
 if [[ -x $here/../part/files.sh ]]; then "$here/../part/files.sh"; fi
 "$here/records.py" verify
 [[ $PYTHON == any ]] || "$here/bytecode.sh"

@@ -220,3 +220,60 @@ def test_what_is_not_the_wheels_is_no_link(payload: Payload, damage: Callable[[P
     done = payload.run(*LINK)
     assert done.returncode == 1
     assert "records: thing/lib is not what the wheel has" in done.stderr
+
+
+# ---- abseil's hash ---------------------------------------------------------------------------------------------------
+
+HASH = "tensorflow/include/absl/hash/internal/hash.h"
+HASH_H = """\
+#ifdef __ARM_ACLE
+#include <arm_acle.h>
+#endif
+namespace absl {
+  ABSL_ATTRIBUTE_ALWAYS_INLINE static uint64_t WeakMix(uint64_t n) {
+#ifdef __ARM_ACLE
+    // gbswap_64 compiles to `rev` on ARM, but `rbit` is better because it
+    // reverses bits rather than reversing bytes.
+    return __rbitll(n * kMul);
+#else
+    return absl::gbswap_64(n * kMul);
+#endif
+  }
+"""
+
+
+def adapt(payload: Payload, architecture: str = "arm64") -> subprocess.CompletedProcess[str]:
+    env = {**os.environ, "OUT": str(payload.out), "SITE": f"/{SITE}", "TARGETARCH": architecture}
+    script = SCRIPT.with_name("abseil_for_gcc.py")
+    return subprocess.run([sys.executable, script], env=env, capture_output=True, text=True, check=False)
+
+
+def test_the_hash_of_tensorflows_libraries_for_arm64_is_that_of_every_compiler(payload: Payload) -> None:
+    payload.add(HASH, HASH_H)
+    done = adapt(payload)
+    assert done.returncode == 0, done.stderr
+    text = (payload.site / HASH).read_text()
+    assert "rbit %0, %1" in text
+    assert "__rbitll" not in text
+    assert "gbswap_64(n * kMul)" in text, "for other architectures"
+    assert payload.run("verify").returncode == 0, "its record follows"
+    assert adapt(payload).returncode == 0
+    assert (payload.site / HASH).read_text() == text
+
+
+def test_other_architectures_and_releases_keep_their_hash(payload: Payload) -> None:
+    assert adapt(payload).returncode == 0, "a payload without that header"
+    payload.add(HASH, HASH_H)
+    assert adapt(payload, "amd64").returncode == 0
+    assert (payload.site / HASH).read_text() == HASH_H
+    old = HASH_H.replace("#ifdef __ARM_ACLE\n    //", "#if 0\n    //")
+    (payload.site / HASH).write_text(old)
+    assert adapt(payload).returncode == 0
+    assert (payload.site / HASH).read_text() == old
+
+
+def test_a_hash_that_is_not_known_is_an_error(payload: Payload) -> None:
+    payload.add(HASH, HASH_H.replace("return __rbitll(n * kMul)", "return __rbitll(n + kMul)"))
+    done = adapt(payload)
+    assert done.returncode == 1
+    assert "hashes in a way that is not known" in done.stderr
