@@ -192,6 +192,7 @@ class Publisher:
 
         if not self.native:
             result.reference = f"{self.prefix}/{image.repository}@{result.manifest}"
+            result.builder = builder_command(self.services)
             return result
         self.say("index and tags")
         self._tag(image, result)
