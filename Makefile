@@ -76,7 +76,7 @@ locks: .python ## the hash-pinned requirements in locks/ anew, after a change of
 up: ## set up: tools, local registry, builder (the commands above do it by themselves)
 	@$(BOOTSTRAP) up
 
-emulation: up ## let this machine build and test for the other architecture too: make image PLATFORM=linux/arm64
+emulation: up ## let this machine build and test for the other architecture too: make image TARGET=bookworm-core PLATFORM=linux/arm64
 	@$(BOOTSTRAP) emulate
 
 down: ## stop the registry and the builder; what they stored stays

@@ -209,7 +209,8 @@ def test_a_payload_for_arm64_is_assembled_without_emulation(
         textwrap.dedent("""\
             set -euo pipefail
             mapfile -t files < <(find /arm64 -type f -name '*.so*')
-            test "${#files[@]}" -gt 20
+            echo "${#files[@]} libraries"
+            test "${#files[@]}" -ge 10
             for file in "${files[@]}"; do
               readelf --file-header "$file" | grep -q AArch64 || { echo "$file is not for arm64" >&2; exit 1; }
             done
