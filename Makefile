@@ -2,7 +2,7 @@
 # The image to build, explain or measure; `make image` without it builds matrix.yaml's default.target.
 TARGET ?=
 # The platform to build and test for, such as linux/arm64 (make emulation); empty: the machine's own.
-PLATFORM ?=
+PLATFORM :=
 # Groups whose images `make list` lists: distributions, components, frameworks, stacks, architectures.
 GROUP ?=
 # Stacks whose locks `make locks` makes anew; all if empty.
@@ -23,7 +23,7 @@ export PATH := $(CURDIR)/.state/bin:$(PATH)
 export UV_COMPILE_BYTECODE := 1
 export UV_CACHE_DIR ?= $(CURDIR)/.state/uv
 export HYPOTHESIS_STORAGE_DIRECTORY ?= $(CURDIR)/.state/cache/hypothesis
-export TARGET REV
+export TARGET REV PLATFORM
 # A ROS workspace sets them; they would change what our Python imports.
 unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
@@ -36,9 +36,9 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-11s %s\n", $$1, $$2}' Makefile
 
 image: .python ## build, test, push and tag one image: make image TARGET=bookworm-base-torch-cu128
-	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$(PLATFORM)") --check -- "$$TARGET"
+	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$$PLATFORM") --check -- "$$TARGET"
 	@$(BOOTSTRAP) up
-	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$(PLATFORM)") -- "$$TARGET"
+	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$$PLATFORM") -- "$$TARGET"
 
 test: up ## the whole suite: linters, unit tests, real builds
 	@$(RUN) pytest

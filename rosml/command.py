@@ -19,13 +19,23 @@ INTERRUPTED = 130
 """Exit code after Ctrl-C, as shells have it: 128 and the signal's number."""
 
 
-def run(main: click.Command, interrupted: str = "interrupted", arguments: Sequence[str] | None = None) -> int:
+BROKEN_PIPE = 141
+"""Exit code where nobody reads the output any more, as of a program that the signal ended: for commands that work."""
+
+
+def run(
+    main: click.Command,
+    interrupted: str = "interrupted",
+    arguments: Sequence[str] | None = None,
+    reader_gone: int = 0,
+) -> int:
     """Runs a click command.
 
     Args:
         main: the command.
         interrupted: what to say after Ctrl-C or SIGTERM.
         arguments: the command line; this process' own by default.
+        reader_gone: exit code where nobody reads the output any more; 0 for commands that do nothing but print.
 
     Returns:
         The exit code: 0, 1 for work that failed, 2 for wrong input, 130 when interrupted.
@@ -62,6 +72,7 @@ def run(main: click.Command, interrupted: str = "interrupted", arguments: Sequen
         return 1
     except BrokenPipeError:  # the reader of our output is gone: `… --list | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains when it ends
+        return reader_gone
     except OSError as error:
         click.echo(f"{click.style('error:', fg='red', bold=True)} {error}", err=True)
         return 1

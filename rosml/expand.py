@@ -448,6 +448,18 @@ def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
                 ("stacks", image.stack),
                 f"{image.stack} and {kinds[common][1]} would share the target {common}; rename one",
             )
+    sources: dict[str, tuple[Part, str, str]] = {}
+    for stack, python, framework in {(image.stack, image.python, image.framework): None for image in catalogue.images}:
+        for part in (
+            rules.parts(catalogue.matrix.frameworks[framework], catalogue.matrix.stacks[stack]) if stack else ()
+        ):
+            source = (part, stack or "", ANY_PYTHON if part in FOR_ANY_PYTHON else python)
+            name = names.payload_name(*source)
+            if sources.setdefault(name, source) != source:
+                yield (
+                    ("stacks", source[1]),
+                    f"{source[1]} and {sources[name][1]} would share the payload {name}; rename one",
+                )
     taken = owners.keys() | {payload.target for payload in catalogue.payloads}
     for axis in ("distributions", "components", "frameworks", "stacks"):
         for name in getattr(catalogue.matrix, axis):

@@ -35,7 +35,7 @@ class Assembled:
 
     Attributes:
         name: `torch-cu128-py311`.
-        reference: its tag.
+        reference: where it is, with its digest; with its tag, where that was moved.
         digest: what the tag points at.
         layers: by platform, the digest of its one layer and the layer's size in bytes.
         assembled_on: the base image, and what is said of it.
@@ -64,7 +64,8 @@ def find(catalogue: Catalogue, name: str) -> Payload:
     """
     payload = catalogue.payload_by_name.get(name.removeprefix("payload-"))
     if payload is None:
-        raise RosmlError(unknown("payload", name, catalogue.payload_by_name), "take one of them", exit_code=2)
+        text = unknown("payload", name, catalogue.payload_by_name)
+        raise RosmlError(text, "see all with: uv run scripts/publish.py payload", exit_code=2)
     return payload
 
 
@@ -77,7 +78,7 @@ def publish(
     again: bool = False,
     platform: str = "",
 ) -> Assembled:
-    """Assembles a payload for all architectures that have its lock, and moves its tag.
+    """Assembles a payload for all architectures that have its lock, and moves its tag if these are all that it has.
 
     Args:
         services: registry and builder.
@@ -86,7 +87,7 @@ def publish(
         say: told what is going on, a line at a time.
         namespace: first part of the repository's name.
         again: assemble it even if the builder has it: the same inputs give the same digests.
-        platform: only for this one, where the wheels of another cannot be had.
+        platform: only for this one, where the wheels of another cannot be had; no tag moves then.
 
     Raises:
         RosmlError: a lock is missing, no base image can be had, a service is down, or the build failed.
@@ -124,29 +125,38 @@ def publish(
     digest = metadata.get("containerimage.digest", "")
     if not digest:
         raise RosmlError(f"buildx did not say which digest it pushed for {payload.target}", "run it again")
-    registry.tag(services, repository, digest, payload.name)
     layers = dict(_layers(services, f"{repository}@{digest}", platforms))
-    reference = f"{repository}:{payload.name}"
+    reference = f"{repository}@{digest}"
+    if len(platforms) == len(payload.platforms):  # a tag is for all platforms
+        registry.tag(services, repository, digest, payload.name)
+        reference = f"{repository}:{payload.name}@{digest}"
     python = base.python if payload.python != ANY_PYTHON else ""
     return Assembled(payload.name, reference, digest, layers, base.said, python, time.monotonic() - started)
 
 
 def _layers(services: Services, reference: str, platforms: list[str]) -> Iterator[tuple[str, tuple[str, int]]]:
-    """The layer of each platform."""
-    content = registry.manifest(services, reference)
+    """The layer of each platform.
+
+    Raises:
+        RosmlError: the registry's answer is not that of payloads.
+    """
     repository = reference.partition("@")[0]
-    if "layers" in content:  # one platform only
-        entries = {platforms[0]: content}
-    else:
-        entries = {
-            f"{entry['platform']['os']}/{entry['platform']['architecture']}": registry.manifest(
-                services, f"{repository}@{entry['digest']}"
-            )
-            for entry in content["manifests"]
-        }
-    for platform, manifest in entries.items():
-        (layer,) = manifest["layers"]
-        yield platform, (layer["digest"], layer["size"])
+    try:
+        content = registry.manifest(services, reference)
+        if "layers" in content:  # one platform only
+            entries = {platforms[0]: content}
+        else:
+            entries = {
+                f"{entry['platform']['os']}/{entry['platform']['architecture']}": registry.manifest(
+                    services, f"{repository}@{entry['digest']}"
+                )
+                for entry in content["manifests"]
+            }
+        for platform, manifest in entries.items():
+            (layer,) = manifest["layers"]
+            yield platform, (layer["digest"], layer["size"])
+    except (KeyError, TypeError, ValueError):
+        raise RosmlError(f"{reference} is not a payload with one layer for each platform", "run it again") from None
 
 
 @dataclass(frozen=True)
@@ -194,6 +204,7 @@ def _with_python(services: Services, reference: str, python: str, home: Path) ->
     Raises:
         RosmlError: buildx fails.
     """
+    (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
         context = Path(folder)
         shared = [str(file.relative_to(home)) for file in (home / "lib").glob(f"libpython{python}*.so*")]

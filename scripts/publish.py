@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -31,12 +32,24 @@ def say(line: str) -> None:
     click.echo(click.style(f"==> {line}", bold=True), err=True)
 
 
+def _namespace(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
+    """A part of a repository's name, checked before it becomes one."""
+    if not re.fullmatch(r"[a-z0-9]+([._-]+[a-z0-9]+)*(/[a-z0-9]+([._-]+[a-z0-9]+)*)*", value):
+        raise click.BadParameter(f"{value!r} is no part of a repository's name, such as rosml or my-team/rosml")
+    return value
+
+
 @cli.command()
 @click.argument("target", default="")
 @click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
-@click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
 @click.option(
-    "--platform", default="", metavar="PLATFORM", help="build and test for it, such as linux/arm64; no tag moves"
+    "--namespace", default="rosml", show_default=True, callback=_namespace, help="first part of the repositories' names"
+)
+@click.option(
+    "--platform",
+    default="",
+    metavar="PLATFORM",
+    help="build and test for it, such as linux/arm64; no tag moves where it is not the machine's own",
 )
 @click.option("--check", is_flag=True, help="only say whether there is such an image; needs no services")
 @click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
@@ -60,7 +73,7 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     target = target or catalogue.matrix.default.target
     # A typo is told before anything else happens.
     architecture = architecture_of(catalogue, platform) if platform else native_architecture()
-    require_buildable(catalogue.image(target), architecture if platform else "")
+    require_buildable(catalogue.image(target), "" if architecture == native_architecture() else architecture)
     if check:
         return
     services = Services.load(ROOT)
@@ -74,10 +87,14 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
 @cli.command()
 @click.argument("payloads", nargs=-1, metavar="[NAME]...")
 @click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
-@click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
+@click.option(
+    "--namespace", default="rosml", show_default=True, callback=_namespace, help="first part of the repositories' names"
+)
 @click.option("--json", "as_json", is_flag=True, help="print the results as JSON on standard output")
 @click.option("--markdown", is_flag=True, help="print them as a table in Markdown, for docs/digests.md")
-@click.option("--platform", default="", metavar="PLATFORM", help="for this one only, such as linux/arm64")
+@click.option(
+    "--platform", default="", metavar="PLATFORM", help="for this one only, such as linux/arm64; then no tag moves"
+)
 @click.option("--again", is_flag=True, help="assemble them without the builder's cache")
 def payload(
     payloads: tuple[str, ...],
@@ -100,8 +117,10 @@ def payload(
     from rosml import payloads as found
     from rosml.services import Services
 
+    if as_json and markdown:
+        raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
     catalogue = expand.load(matrix, ROOT)
-    wanted = [found.find(catalogue, name) for name in payloads]
+    wanted = [found.find(catalogue, name) for name in dict.fromkeys(payloads)]
     if not wanted:
         for item in catalogue.payloads:
             click.echo(f"{item.name}  {', '.join(item.platforms)}")
@@ -114,9 +133,9 @@ def payload(
         results.append(found.publish(services, catalogue, item, say, namespace, again, platform))
         if not (as_json or markdown):
             done = results[-1]
-            click.echo(f"{done.reference}@{done.digest}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")
-            for platform, (digest, size) in done.layers.items():
-                click.echo(f"  {platform}  {digest}  {size / 1e6:.1f} MB")
+            click.echo(f"{done.reference}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")
+            for name, (digest, size) in done.layers.items():
+                click.echo(f"  {name}  {digest}  {size / 1e6:.1f} MB")
     if as_json:
         click.echo(json.dumps([done.to_json() for done in results], indent=2))
     elif markdown:
@@ -125,7 +144,9 @@ def payload(
 
 @cli.command()
 @click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
-@click.option("--namespace", default="rosml", show_default=True, help="first part of the repositories' names")
+@click.option(
+    "--namespace", default="rosml", show_default=True, callback=_namespace, help="first part of the repositories' names"
+)
 @click.option("--json", "as_json", is_flag=True, help="print the records as JSON on standard output")
 @click.option("--markdown", is_flag=True, help="print the table as Markdown, for docs/built.md")
 def results(matrix: Path, namespace: str, as_json: bool, markdown: bool) -> None:
@@ -178,5 +199,5 @@ def compare(one: str, other: str, as_json: bool) -> None:
 
 
 if __name__ == "__main__":
-    kept = "interrupted: no tag was moved; what was finished is kept, the next call carries on"
-    sys.exit(command.run(cli, kept))
+    kept = "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on"
+    sys.exit(command.run(cli, kept, reader_gone=command.BROKEN_PIPE))

@@ -144,7 +144,8 @@ def verify() -> None:
         SystemExit: a file is missing or differs and is not said to.
     """
     adapted = patterns("adapted.txt")
-    wrong, checked = [], 0
+    wrong = [f"{folder.name} has no RECORD" for folder in SITE.glob("*.dist-info") if not (folder / "RECORD").is_file()]
+    checked = 0
     for record in sorted(SITE.glob("*.dist-info/RECORD")):
         everything = read(record)
         rows = [row for row in everything if not row[0].endswith(".pyc")]  # bytecode.sh makes them anew
@@ -160,7 +161,7 @@ def verify() -> None:
                 # a link leads to another payload, whose file is not here
                 row[1:] = ["", ""] if file.is_symlink() else [str(fact) for fact in digest(file)]
                 changed = True
-            elif expected.startswith("sha256=") and digest(file) != (expected, int(size)):
+            elif digest(file) != (expected, int(size or file.stat().st_size)):
                 wrong.append(f"{path} is not what the wheel has")
             checked += 1
         if changed:

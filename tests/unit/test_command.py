@@ -136,3 +136,15 @@ def test_output_that_is_closed_or_knows_few_letters(shell: str, tmp_path: Path) 
     done = subprocess.run(["bash", "-c", shell, sys.executable, script], capture_output=True, check=False, timeout=30)
     assert (done.returncode, done.stderr) == (0, b"")
     assert done.stdout in (b"", b"a \\u2192 b\n", "a → b\n".encode())
+
+
+def test_a_command_that_works_says_that_its_reader_is_gone() -> None:
+    """`make image | head` is not done when head is."""
+    code = (
+        "import sys, click; from rosml import command\n"
+        "work = click.Command('work', callback=lambda: (_ for _ in ()).throw(BrokenPipeError))\n"
+        "sys.exit(command.run(work, arguments=[], reader_gone=command.BROKEN_PIPE))"
+    )
+    env = {**os.environ, "PYTHONPATH": str(ROOT)}
+    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, check=False)
+    assert (done.returncode, done.stderr) == (141, b"")

@@ -13,8 +13,9 @@ import pytest
 from conftest import changed, parse, write_locks
 from stubs import answering_registry, buildx, calls, executable, services
 
-from rosml import base_images, expand, payloads
+from rosml import base_images, command, expand, payloads
 from rosml.errors import RosmlError
+from scripts import publish as script
 
 INDEX, LAYER = "sha256:" + "b" * 64, "sha256:" + "c" * 64
 BAKE = """
@@ -83,7 +84,7 @@ def baked(stage: Stage) -> str:
 
 def test_all_architectures(stage: Stage) -> None:
     found = stage.publish("common-cpu-py312")
-    assert found.reference.endswith("/rosml/payload:common-cpu-py312")
+    assert found.reference.endswith(f"/rosml/payload:common-cpu-py312@{INDEX}")
     assert (found.digest, found.bytecode) == (INDEX, "3.12")
     assert found.layers == {"linux/amd64": (LAYER, 2_500_000), "linux/arm64": (LAYER, 2_500_000)}
     assert "payload-common-cpu-py312.platform=linux/amd64,linux/arm64" in baked(stage)
@@ -108,8 +109,11 @@ def test_one_platform_only(stage: Stage) -> None:
 def test_an_architecture_without_a_lock_is_left_out(stage: Stage) -> None:
     (stage.folder / "locks/cpu/amd64/3.12/common.txt").unlink()
     (stage.folder / "digest").write_text("sha256:one")
-    assert list(stage.publish("common-cpu-py312").layers) == ["linux/arm64"]
+    found = stage.publish("common-cpu-py312")
+    assert list(found.layers) == ["linux/arm64"]
+    assert found.reference.endswith("/payload@sha256:one"), "a tag is for all platforms"
     assert "platform=linux/arm64 " in baked(stage)
+    assert not [call for call in calls(stage.folder) if call.startswith("regctl image copy")]
     (stage.folder / "locks/cpu/arm64/3.12/common.txt").unlink()
     with pytest.raises(RosmlError, match=r"no lock yet: locks/cpu/amd64/3\.12/common\.txt"):
         stage.publish("common-cpu-py312")
@@ -182,3 +186,51 @@ def test_the_stand_in_cannot_be_made(debian: Stage) -> None:
     (home / "lib").mkdir()
     with pytest.raises((RosmlError, OSError)):
         debian.publish("common-cpu-py312", buildx=["/nowhere"])
+
+
+@pytest.mark.parametrize(
+    "manifest",
+    ["{}", '{"layers": []}', '{"manifests": [{"digest": "sha256:x"}]}', '{"layers": [1, 2]}', '{"manifests": 1}'],
+)
+def test_an_answer_that_is_no_payload_gets_no_tag(stage: Stage, manifest: str) -> None:
+    (stage.folder / "index.json").write_text(manifest)
+    with pytest.raises(RosmlError, match="is not a payload with one layer for each platform"):
+        stage.publish("common-cpu-py312")
+    assert not [call for call in calls(stage.folder) if call.startswith("regctl image copy")]
+
+
+# ---- The command -----------------------------------------------------------------------------------------------------
+
+
+def run(stage: Stage, monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
+    monkeypatch.setattr(script, "ROOT", stage.folder)
+    services(stage.folder, **{**stage.facts, "buildx": list(stage.facts["buildx"])})
+    (stage.folder / "matrix.yaml").write_text(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}"))
+    return command.run(
+        script.cli, "interrupted", ["payload", "--matrix", str(stage.folder / "matrix.yaml"), *arguments]
+    )
+
+
+def test_several_at_once(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(stage, monkeypatch, "common-cpu-py312", "tensorflow-cc-cpu", "common-cpu-py312") == 0
+    bakes = [call for call in calls(stage.folder) if call.startswith("buildx bake")]
+    assert ["platform=linux/amd64,linux/arm64" in call for call in bakes] == [True, True]
+    assert len([call for call in calls(stage.folder) if call.startswith("regctl image copy")]) == 2
+    assert f"  linux/arm64  {LAYER}  2.5 MB" in capsys.readouterr().out
+
+
+def test_results_for_machines(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(stage, monkeypatch, "common-cpu-py312", "--json") == 0
+    (found,) = json.loads(capsys.readouterr().out)
+    assert found["layers"]["linux/arm64"] == [LAYER, 2_500_000]
+    assert run(stage, monkeypatch, "common-cpu-py312", "--json", "--markdown") == 2
+    assert run(stage, monkeypatch) == 0
+    assert "common-cpu-py312  linux/amd64, linux/arm64" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("namespace", ["", "a,dest=x B/../", "Team", "a//b"])
+def test_a_namespace_that_is_none(stage: Stage, monkeypatch: pytest.MonkeyPatch, namespace: str) -> None:
+    assert run(stage, monkeypatch, "common-cpu-py312", "--namespace", namespace) == 2
+    assert not calls(stage.folder)

@@ -489,7 +489,9 @@ def test_interrupted(stage: Stage, number: signal.Signals) -> None:
     finally:
         process.kill()
     assert (process.returncode, out) == (130, "")
-    assert err.endswith("interrupted: no tag was moved; what was finished is kept, the next call carries on\n")
+    assert err.endswith(
+        "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on\n"
+    )
     assert "Traceback" not in err
     assert calls(stage.folder)[-1] == "told"
     assert stage.untouched()

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
+from stubs import executable
 
 SCRIPT = ROOT / "components/payload/records.py"
 SITE = "usr/local/lib/python3.11/dist-packages"
@@ -132,6 +133,7 @@ def test_a_link_to_another_payload(payload: Payload) -> None:
 
 def test_nothing_is_not_taken_for_everything(payload: Payload) -> None:
     payload.record.unlink()
+    payload.record.parent.rmdir()
     done = payload.run("verify")
     assert (done.returncode, done.stderr) == (1, "records: nothing is recorded\n")
 
@@ -277,3 +279,68 @@ def test_a_hash_that_is_not_known_is_an_error(payload: Payload) -> None:
     done = adapt(payload)
     assert done.returncode == 1
     assert "hashes in a way that is not known" in done.stderr
+
+
+# ---- What is not believed --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("row", ["thing/__init__.py,sha512=AAAA,12", "thing/__init__.py,sha384=zz,99"])
+def test_another_digest_is_not_taken_for_a_match(payload: Payload, row: str) -> None:
+    payload.record.write_text(f"{row}\n")
+    assert payload.run("verify").returncode == 1
+
+
+def test_a_package_without_a_record(payload: Payload) -> None:
+    (payload.site / "other-1.dist-info").mkdir()
+    done = payload.run("verify")
+    assert (done.returncode, done.stderr) == (1, "records: other-1.dist-info has no RECORD\n")
+
+
+# ---- Bytecode --------------------------------------------------------------------------------------------------------
+
+
+def bytecode(payload: Payload, python: str) -> subprocess.CompletedProcess[str]:
+    """Runs bytecode.sh with an interpreter that is what a shell text says; `real` is the one of these tests."""
+    programs = payload.out.parent / "programs"
+    programs.mkdir(exist_ok=True)
+    executable(programs / "python3.99", python.replace("real", sys.executable))
+    env = {
+        "PATH": f"{programs}:{os.environ['PATH']}",
+        "OUT": str(payload.out),
+        "SITE": f"/{SITE}",
+        "PYTHON": "3.99",
+        "BYTECODE": "checked-hash",
+    }
+    script = SCRIPT.with_name("bytecode.sh")
+    return subprocess.run([script], env=env, capture_output=True, text=True, check=False)
+
+
+def test_bytecode_of_all_that_compiles(payload: Payload) -> None:
+    payload.add("thing/template.py", "def {{ name }}:\n")
+    done = bytecode(payload, 'exec real "$@"')
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "template.py which does not compile" in done.stdout
+    assert len(list((payload.site / "thing/__pycache__").iterdir())) == 1
+    assert (
+        b"/usr/local/lib/python3.11/dist-packages/thing"
+        in next((payload.site / "thing/__pycache__").iterdir()).read_bytes()
+    )
+
+
+def test_bytecode_that_was_not_written(payload: Payload) -> None:
+    """A full disk, a worker that was killed: anything but code that does not compile."""
+    said = """echo 'File "/usr/lib/python3/multiprocessing.py", line 1: BrokenProcessPool'"""
+    done = bytecode(payload, f'case "$2" in compileall) {said}; exit 1 ;; esac; exec real "$@"')
+    assert done.returncode == 1
+    assert "has none, although it compiles" in done.stderr
+    assert "BrokenProcessPool" in done.stdout
+
+
+def test_no_interpreter_for_the_bytecode(payload: Payload) -> None:
+    done = subprocess.run(
+        [SCRIPT.with_name("bytecode.sh")],
+        env={**os.environ, "OUT": str(payload.out), "SITE": f"/{SITE}", "PYTHON": "3.98", "BYTECODE": "checked-hash"},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 69
+    assert "the assembler has no python3.98" in done.stderr

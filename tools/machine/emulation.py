@@ -64,7 +64,8 @@ def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -
 
 def _entry(folder: Path, name: str) -> str | None:
     """QEMU's line for the kernel's table; the name of its file differs between releases."""
-    return next((file.read_text() for file in sorted(folder.glob(f"{name}*.conf"))), None)
+    files = (folder / f"{name}.conf", folder / f"{name}-static.conf")
+    return next((file.read_text() for file in files if file.exists()), None)
 
 
 def _run(argv: Sequence[str]) -> None:
