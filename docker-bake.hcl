@@ -9138,7 +9138,7 @@ target "noetic-core-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-core-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9148,7 +9148,7 @@ target "noetic-base-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-base-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9158,7 +9158,7 @@ target "noetic-robot-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-robot-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9168,7 +9168,7 @@ target "noetic-perception-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-perception-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9178,7 +9178,7 @@ target "noetic-desktop-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9188,7 +9188,7 @@ target "noetic-desktop-full-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-full-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9198,7 +9198,7 @@ target "noetic-core-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-core-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core torch=2.4.1"
   }
 }
@@ -9208,7 +9208,7 @@ target "noetic-base-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-base-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1"
   }
 }
@@ -9218,7 +9218,7 @@ target "noetic-robot-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-robot-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1"
   }
 }
@@ -9228,7 +9228,7 @@ target "noetic-perception-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-perception-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1"
   }
 }
@@ -9238,7 +9238,7 @@ target "noetic-desktop-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1"
   }
 }
@@ -9248,7 +9248,7 @@ target "noetic-desktop-full-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-full-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1"
   }
 }
@@ -9258,7 +9258,7 @@ target "noetic-core-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-core-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core tensorflow=2.13.1"
   }
 }
@@ -9268,7 +9268,7 @@ target "noetic-base-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-base-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base tensorflow=2.13.1"
   }
 }
@@ -9278,7 +9278,7 @@ target "noetic-robot-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-robot-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot tensorflow=2.13.1"
   }
 }
@@ -9288,7 +9288,7 @@ target "noetic-perception-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-perception-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception tensorflow=2.13.1"
   }
 }
@@ -9298,7 +9298,7 @@ target "noetic-desktop-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-desktop-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop tensorflow=2.13.1"
   }
 }
@@ -9308,7 +9308,7 @@ target "noetic-desktop-full-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-desktop-full-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full tensorflow=2.13.1"
   }
 }
@@ -12668,7 +12668,7 @@ target "bookworm-core-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12678,7 +12678,7 @@ target "bookworm-base-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12688,7 +12688,7 @@ target "bookworm-robot-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12698,7 +12698,7 @@ target "bookworm-perception-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12708,7 +12708,7 @@ target "bookworm-desktop-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12718,7 +12718,7 @@ target "bookworm-desktop-full-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12728,7 +12728,7 @@ target "bookworm-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12738,7 +12738,7 @@ target "bookworm-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12748,7 +12748,7 @@ target "bookworm-robot-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12758,7 +12758,7 @@ target "bookworm-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12768,7 +12768,7 @@ target "bookworm-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12778,7 +12778,7 @@ target "bookworm-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12788,7 +12788,7 @@ target "bookworm-core-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
   }
 }
@@ -12798,7 +12798,7 @@ target "bookworm-base-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
   }
 }
@@ -12808,7 +12808,7 @@ target "bookworm-robot-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
   }
 }
@@ -12818,7 +12818,7 @@ target "bookworm-perception-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
   }
 }
@@ -12828,7 +12828,7 @@ target "bookworm-desktop-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
   }
 }
@@ -12838,7 +12838,7 @@ target "bookworm-desktop-full-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
   }
 }
@@ -12848,7 +12848,7 @@ target "bookworm-core-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12858,7 +12858,7 @@ target "bookworm-base-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12868,7 +12868,7 @@ target "bookworm-robot-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12878,7 +12878,7 @@ target "bookworm-perception-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12888,7 +12888,7 @@ target "bookworm-desktop-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12898,7 +12898,7 @@ target "bookworm-desktop-full-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12908,7 +12908,7 @@ target "bookworm-core-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0"
   }
 }
@@ -12918,7 +12918,7 @@ target "bookworm-base-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0"
   }
 }
@@ -12928,7 +12928,7 @@ target "bookworm-robot-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0"
   }
 }
@@ -12938,7 +12938,7 @@ target "bookworm-perception-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0"
   }
 }
@@ -12948,7 +12948,7 @@ target "bookworm-desktop-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0"
   }
 }
@@ -12958,7 +12958,7 @@ target "bookworm-desktop-full-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0"
   }
 }
@@ -13328,7 +13328,7 @@ target "trixie-core-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13338,7 +13338,7 @@ target "trixie-base-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13348,7 +13348,7 @@ target "trixie-robot-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13358,7 +13358,7 @@ target "trixie-perception-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13368,7 +13368,7 @@ target "trixie-desktop-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13378,7 +13378,7 @@ target "trixie-desktop-full-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13388,7 +13388,7 @@ target "trixie-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13398,7 +13398,7 @@ target "trixie-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13408,7 +13408,7 @@ target "trixie-robot-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13418,7 +13418,7 @@ target "trixie-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13428,7 +13428,7 @@ target "trixie-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13438,7 +13438,7 @@ target "trixie-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13448,7 +13448,7 @@ target "trixie-core-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
   }
 }
@@ -13458,7 +13458,7 @@ target "trixie-base-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
   }
 }
@@ -13468,7 +13468,7 @@ target "trixie-robot-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
   }
 }
@@ -13478,7 +13478,7 @@ target "trixie-perception-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
   }
 }
@@ -13488,7 +13488,7 @@ target "trixie-desktop-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
   }
 }
@@ -13498,7 +13498,7 @@ target "trixie-desktop-full-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
   }
 }
@@ -13508,7 +13508,7 @@ target "trixie-core-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-core-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13518,7 +13518,7 @@ target "trixie-base-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-base-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13528,7 +13528,7 @@ target "trixie-robot-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-robot-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13538,7 +13538,7 @@ target "trixie-perception-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-perception-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13548,7 +13548,7 @@ target "trixie-desktop-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13558,7 +13558,7 @@ target "trixie-desktop-full-tensorflow-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-full-tensorflow-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13568,7 +13568,7 @@ target "trixie-core-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-core-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0"
   }
 }
@@ -13578,7 +13578,7 @@ target "trixie-base-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-base-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0"
   }
 }
@@ -13588,7 +13588,7 @@ target "trixie-robot-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-robot-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0"
   }
 }
@@ -13598,7 +13598,7 @@ target "trixie-perception-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-perception-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0"
   }
 }
@@ -13608,7 +13608,7 @@ target "trixie-desktop-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0"
   }
 }
@@ -13618,7 +13618,7 @@ target "trixie-desktop-full-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "trixie-desktop-full-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0"
   }
 }

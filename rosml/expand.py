@@ -313,7 +313,8 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
     ros = f"ros{distribution.ros}"
     ml = ["ml"] if len(kind.facts.releases) > 1 else []
-    workspace = ["ros1-workspace"] if distribution.ros == 1 else []
+    # Images with one framework are layers of those with both, where the workspace is built: it takes nine seconds.
+    workspace = ["ros1-workspace"] if distribution.ros == 1 and len(kind.facts.releases) != 1 else []
     shared = [payload.part for payload in kind.payloads if payload.part not in UNTESTED]
     return Image(
         target=target,

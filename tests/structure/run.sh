@@ -40,13 +40,10 @@ run_one() {
 }
 export -f run_one
 
-# The image's size, while the tests run: what they leave is not part of it.
-du --summarize --one-file-system --block-size=1K --exclude="$report" --exclude=/tmp --exclude=/root / \
-  >"$report/unpacked" 2>/dev/null &
-
-# Files are independent of one another: two more at a time than there are processors, since tests of ROS wait a lot, and
-# the child's own (the long ones) first.
-printf '%s\n' "${names[@]}" | tac | xargs --max-procs "$(($(nproc) + 2))" -I NAME bash -c 'run_one NAME'
+# Files are independent of one another: as many at a time as there are processors, the child's own (the long ones) first.
+printf '%s\n' "${names[@]}" | tac | xargs --max-procs "$(nproc)" -I NAME bash -c 'run_one NAME'
 
 python3 "$here/summary.py" "$report" "${names[@]}"
-wait
+
+# The image's size: what the tests left is not part of it.
+du --summarize --one-file-system --block-size=1K --exclude="$report" / >"$report/unpacked"
