@@ -25,7 +25,7 @@ from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.model import FAMILIES
 from rosml.progress import BuildProgress
-from rosml.publish import COMPRESSION, Publisher, Result
+from rosml.publish import COMPRESSION, Publisher, Result, push_by_digest
 from rosml.summary import duration, size
 
 NAMESPACE = "bench"
@@ -338,33 +338,27 @@ class _Bench:
     def _push(self, target: str, repository: str, ros: str) -> _Pushed:
         """Builds a target on a ROS image, or on the bake file's own, and pushes it by digest."""
         repository = f"{self.publisher.prefix}/{repository}"
-        sets = [f"{target}.output=type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"]
-        if target == self.image.target:
-            sets.append(f"{target}.tags=")
+        sets = [f"{target}.tags="] if target == self.image.target else []
         if ros:
             sets.append(f"{target}.contexts.ros=docker-image://{ros}")
         start = time.monotonic()
-        progress, metadata = self._bake(target, sets)
+        progress, digest = push_by_digest(self.publisher.services, self._call(target, sets), repository)
         seconds = time.monotonic() - start
-        digest = metadata.get("containerimage.digest", "")
-        if not digest:
-            raise RosmlError(f"buildx did not say which digest it pushed for {target}", "run it again")
         reference = f"{repository}@{digest}"
         self.pushed.append(reference)
         return _Pushed(reference, seconds, progress)
 
-    def _bake(self, target: str, sets: Sequence[str]) -> tuple[BuildProgress, dict[str, str]]:
+    def _call(self, target: str, sets: Sequence[str]) -> builder.Bake:
         name = target.replace(f"-{self.run}", "") if self.run in target else f"bench-{target}"
-        return builder.run(self.publisher.services, builder.Bake(target, name, self._file, sets, self.variables))
+        return builder.Bake(target, name, self._file, sets, self.variables)
 
     def _import(self, way: str, number: int, reference: str) -> dict[str, Any]:
         """Seconds and versions of an import in a container that has just been made."""
         name = self._name(way, str(number))
         folder = self.publisher.services.state / "bench" / way
         shutil.rmtree(folder, ignore_errors=True)
-        self._bake(
-            name, (f"{name}.contexts.image=docker-image://{reference}", f"{name}.output=type=local,dest={folder}")
-        )
+        sets = (f"{name}.contexts.image=docker-image://{reference}", f"{name}.output=type=local,dest={folder}")
+        builder.run(self.publisher.services, self._call(name, sets))
         try:
             content = json.loads((folder / "import.json").read_text())
             return {"seconds": float(content["seconds"]), "versions": dict(content["versions"])}

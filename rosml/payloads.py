@@ -17,12 +17,12 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from rosml import bake, base_images, builder, files, names, registry
+from rosml import base_images, builder, names, registry
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Payload
 from rosml.model import ANY_PYTHON
 from rosml.problems import unknown
-from rosml.publish import COMPRESSION, NAMESPACE
+from rosml.publish import NAMESPACE, push_by_digest, write_excerpt
 from rosml.services import Services
 
 VERSIONS = "~/.pyenv/versions"
@@ -104,14 +104,10 @@ def publish(
     if not platforms:
         raise RosmlError(f"payload {payload.name} has no lock yet: {', '.join(payload.locks)}", "run 'make locks'")
     base = _base(services, catalogue, payload, say)
-    folder = services.state / "bake"
-    folder.mkdir(parents=True, exist_ok=True)
-    file = folder / f"{payload.target}.hcl"
-    files.write(file, bake.excerpt(catalogue, (payload.target,)))
+    file = write_excerpt(services, catalogue, payload.target)
     prefix = f"{services.registry}/{namespace}"
     repository = f"{prefix}/payload"
     sets = [
-        f"{payload.target}.output=type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}",
         f"{payload.target}.tags=",
         f"{payload.target}.platform={','.join(platforms)}",
     ]
@@ -121,10 +117,8 @@ def publish(
         sets.append(f"{payload.target}.no-cache=true")
     variables = {"REGISTRY": prefix, names.os_variable(payload.os): f"docker-image://{base.reference}"}
     say(f"payload {payload.name} for {', '.join(platforms)}, assembled on {base.said}")
-    _, metadata = builder.run(services, builder.Bake(payload.target, payload.target, file, tuple(sets), variables))
-    digest = metadata.get("containerimage.digest", "")
-    if not digest:
-        raise RosmlError(f"buildx did not say which digest it pushed for {payload.target}", "run it again")
+    call = builder.Bake(payload.target, payload.target, file, tuple(sets), variables)
+    _, digest = push_by_digest(services, call, repository)
     layers = dict(_layers(services, f"{repository}@{digest}", platforms))
     reference = f"{repository}@{digest}"
     if len(platforms) == len(payload.platforms):  # a tag is for all platforms

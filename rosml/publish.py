@@ -13,7 +13,7 @@ import shutil
 import subprocess
 import time
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,7 @@ from rosml import bake, base_images, builder, files, forecast, missing, names, r
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.problems import listed, unknown
-from rosml.progress import Step
+from rosml.progress import BuildProgress, Step
 from rosml.services import Services
 
 NAMESPACE = "rosml"
@@ -90,6 +90,32 @@ class TestsFailed(RosmlError):
             + f"\n  all reports: {folder}",
             f"mend the component or the test, then run it again; the untested image stays at {result.manifest}",
         )
+
+
+def write_excerpt(services: Services, catalogue: Catalogue, target: str, *others: str) -> Path:
+    """Writes the part of the bake file that targets need, under the first one's name."""
+    folder = services.state / "bake"
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / f"{target}.hcl"
+    files.write(file, bake.excerpt(catalogue, (target, *others)))
+    return file
+
+
+def push_by_digest(services: Services, call: builder.Bake, repository: str) -> tuple[BuildProgress, str]:
+    """Builds a target and pushes it into a repository by its digest alone: nobody sees it before a tag points at it.
+
+    Returns:
+        The progress with all steps, and the digest.
+
+    Raises:
+        RosmlError: the build failed, or buildx does not say what it pushed.
+    """
+    output = f"{call.target}.output=type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
+    progress, metadata = builder.run(services, replace(call, sets=(output, *call.sets)))
+    digest = metadata.get("containerimage.digest", "")
+    if not digest:
+        raise RosmlError(f"buildx did not say which digest it pushed for {call.target}", "run it again")
+    return progress, digest
 
 
 def require_buildable(image: Image, architecture: str = "") -> None:
@@ -202,11 +228,7 @@ class Publisher:
 
     def _bake_file(self, image: Image) -> Path:
         """The part of the bake file that an image and its tests need."""
-        folder = self.services.state / "bake"
-        folder.mkdir(parents=True, exist_ok=True)
-        file = folder / f"{image.target}.hcl"
-        files.write(file, bake.excerpt(self.catalogue, (image.target, image.test_target)))
-        return file
+        return write_excerpt(self.services, self.catalogue, image.target, image.test_target)
 
     def variables(self, image: Image, result: Result) -> dict[str, str]:
         """Variables of the bake file: the registry, the platform, and where base images are, which are made if need be.
@@ -230,16 +252,12 @@ class Publisher:
 
     def _build(self, image: Image, bake_file: Path, variables: dict[str, str], result: Result) -> None:
         repository = f"{self.prefix}/{image.repository}"
-        output = f"type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
-        sets = (f"{image.target}.output={output}", f"{image.target}.tags=")
-        progress, metadata = builder.run(
-            self.services, builder.Bake(image.target, f"build-{image.target}", bake_file, sets, variables)
+        sets = (f"{image.target}.tags=",)
+        progress, result.manifest = push_by_digest(
+            self.services, builder.Bake(image.target, f"build-{image.target}", bake_file, sets, variables), repository
         )
         result.work.update(progress.phases())
         result.reused = _reused(progress.reused())
-        result.manifest = metadata.get("containerimage.digest", "")
-        if not result.manifest:
-            raise RosmlError(f"buildx did not say which digest it pushed for {image.target}", "run it again")
         sizes = [layer.size for layer in registry.layers(self.services, f"{repository}@{result.manifest}")]
         result.compressed = sum(sizes)
         result.payloads = sum(sizes[-len(image.parts) :]) if image.parts else 0

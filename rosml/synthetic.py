@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+from rosml.model import PARTS
+
 _SYSTEMS = 8
 _COMPONENTS = ("core", "base", "robot", "perception", "desktop", "desktop-full")
 _STACKS = ("cu118", "cu126", "cu128", "cu130", "cpu")
@@ -75,7 +77,7 @@ def _head() -> str:
         versions = ", ".join(f"{family}: {version}" for family, version in _FAMILIES.items())
         lines.append(f"  {stack}: {{accelerator: {accelerator}, {cuda}{versions}}}")
     lines += ["disk:", f"  os: {forecast}", "  components:", *(f"    {name}: {forecast}" for name in _COMPONENTS)]
-    parts = ", ".join(f"{part}: {forecast}" for part in ("cuda", "common", "torch", "tensorflow-cc", "tensorflow"))
+    parts = ", ".join(f"{part}: {forecast}" for part in PARTS)
     lines += ["  parts:", *(f"    {stack}: {{{parts}}}" for stack in _STACKS)]
     lines.append("rates: {packages: 25, payloads: 60, test: 15}")
     return "\n".join(lines)

@@ -42,11 +42,7 @@ def main() -> None:
         sys.exit(f"abseil_for_gcc: {HEADER} hashes in a way that is not known; compare it with the library's")
     header.unlink()  # a link to uv's copy, perhaps
     header.write_text(text.replace(OLD, NEW))
-    for record in records.SITE.glob("*.dist-info/RECORD"):
-        rows = records.read(record)
-        if any(row[0] == HEADER for row in rows):
-            found = [HEADER, *map(str, records.digest(header))]
-            records.write(record, [found if row[0] == HEADER else row for row in rows])
+    records.replace({HEADER: [HEADER, *map(str, records.digest(header))]})
     print(f"abseil_for_gcc: {HEADER} adapted")
 
 

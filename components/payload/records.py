@@ -54,6 +54,14 @@ def write(record: Path, rows: list[list[str]]) -> None:
         csv.writer(stream, lineterminator="\n").writerows(rows)
 
 
+def replace(entries: dict[str, list[str]]) -> None:
+    """Replaces entries of the RECORDs that have them, by path; the rest of these files stays."""
+    for record in SITE.glob("*.dist-info/RECORD"):
+        rows = read(record)
+        if any(row[0] in entries for row in rows):
+            write(record, [entries.get(row[0], row) for row in rows])
+
+
 def digest(file: Path) -> tuple[str, int]:
     """A file's sha256 as RECORD spells it, and its size in bytes."""
     state = hashlib.sha256()

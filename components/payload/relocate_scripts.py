@@ -39,12 +39,9 @@ def main() -> None:
     if not folder.is_dir():
         return
     commands.mkdir(parents=True, exist_ok=True)
-    moved = {f"bin/{script.name}": move(script) for script in sorted(folder.iterdir())}
+    moved = {f"bin/{script.name}": record_line(move(script)) for script in sorted(folder.iterdir())}
     folder.rmdir()
-    for record in records.SITE.glob("*.dist-info/RECORD"):
-        lines = records.read(record)
-        if any(line[0] in moved for line in lines):
-            records.write(record, [record_line(moved[line[0]]) if line[0] in moved else line for line in lines])
+    records.replace(moved)
 
 
 main()

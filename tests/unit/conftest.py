@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -15,6 +15,8 @@ sys.path.insert(0, str(ROOT))
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and some CI leave it; tests send it to programs
     signal.signal(signal.SIGINT, signal.default_int_handler)
 set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
+
+from stubs import answering_registry  # noqa: E402
 
 from rosml import expand, names, source  # noqa: E402
 
@@ -143,3 +145,10 @@ def small() -> expand.Catalogue:
 def real() -> expand.Catalogue:
     """The catalogue of the project's matrix."""
     return expand.load(ROOT / "matrix.yaml")
+
+
+@pytest.fixture(scope="session")
+def registry() -> Iterator[str]:
+    """The address of something that answers as a registry does."""
+    with answering_registry() as address:
+        yield address

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterator
 from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
 import pytest
 from conftest import write_locks
-from stubs import answering_registry, buildx, calls, executable, services
+from stubs import buildx, calls, executable, services
 
 from rosml import command, comparison, expand
 from rosml.comparison import Comparison, Side
@@ -97,12 +96,6 @@ class Stage:
     def removed(self) -> list[str]:
         """The numbers of the manifests that were removed."""
         return [call.rpartition(":")[2] for call in self.calls("regctl manifest delete")]
-
-
-@pytest.fixture(scope="module")
-def registry() -> Iterator[str]:
-    with answering_registry() as address:
-        yield address
 
 
 @pytest.fixture

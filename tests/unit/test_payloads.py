@@ -5,13 +5,12 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 from conftest import changed, parse, write_locks
-from stubs import answering_registry, buildx, calls, executable, services
+from stubs import buildx, calls, executable, services
 
 from rosml import base_images, command, expand, payloads
 from rosml.errors import RosmlError
@@ -37,12 +36,6 @@ case "$1 $2 $word" in
 *) exit 1 ;;
 esac
 """
-
-
-@pytest.fixture(scope="module")
-def registry() -> Iterator[str]:
-    with answering_registry() as address:
-        yield address
 
 
 class Stage:

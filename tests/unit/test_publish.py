@@ -9,14 +9,13 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import pytest
 from conftest import ROOT, SMALL, changed, parse, write_locks
-from stubs import answering_registry, buildx, calls, executable, services
+from stubs import buildx, calls, executable, services
 
 from rosml import base_images, command, expand, summary
 from rosml.errors import RosmlError
@@ -124,12 +123,6 @@ class Stage:
     def untouched(self) -> bool:
         """Whether no tag was made or moved, nor an index."""
         return not self.tags() and not self.calls("regctl image copy") and not self.calls("regctl index create")
-
-
-@pytest.fixture(scope="module")
-def registry() -> Iterator[str]:
-    with answering_registry() as address:
-        yield address
 
 
 @pytest.fixture
