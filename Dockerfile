@@ -4,6 +4,7 @@
 # the named contexts:
 #
 #   os ─► base ─► ros (core) ─► ros (base) ─► …            each `ros` is FROM the component below it: context `parent`
+#            └──► ros-wheels                               ROS 2 from Python wheels, in the place of Debian packages
 #                                  │
 #   os ─► assembler ─► payload-files ─► payload           one per part, stack, Python and architecture
 #                                  │
@@ -11,21 +12,28 @@
 #                                  │
 #                                image ─► test            structure tests on top of the finished image
 #
-# Contexts: os, parent, ros, part-cuda, part-common, part-torch, part-tensorflow-cc, part-tensorflow, image, metadata.
+# Contexts: os, parent, upstream, ros, part-cuda, part-common, part-torch, part-tensorflow-cc, part-tensorflow, image, listed,
+# metadata.
 
 ARG ACCELERATOR=cpu
 ARG PART=common
 
 # ---- ROS ------------------------------------------------------------------------------------------------------------
-# Steps mount just the files they use: a change elsewhere does not run them again.
+# Steps mount just the files they use: a change elsewhere does not run them again. They do it below a tmpfs, for the
+# builder leaves the time of day on a folder where it made, and removed, the places of mounts.
 FROM os AS base
-ARG NUMPY
-RUN --mount=type=bind,source=components/build,target=/run/components/build \
+ARG NUMPY SOURCE_DATE_EPOCH
+RUN --mount=type=tmpfs,target=/run \
+    --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/base/install.sh,target=/run/components/base/install.sh \
     --mount=type=secret,id=ca-bundle \
+    --mount=type=secret,id=os-apt-mirror \
     /run/components/base/install.sh
-COPY --chmod=644 components/base/pip.conf /etc/pip.conf
-COPY --chmod=755 components/base/entrypoint.sh /entrypoint.sh
+# Not COPY, which keeps the time that a file has in the checkout.
+RUN --mount=type=tmpfs,target=/run \
+    --mount=type=bind,source=components/build,target=/run/components/build \
+    --mount=type=bind,source=components/base,target=/run/components/base \
+    /run/components/base/contract.sh
 ENV LANG=C.utf8 \
     PYTHONIOENCODING=utf-8 \
     WORKSPACE=/docker-ros/ws \
@@ -38,15 +46,23 @@ WORKDIR /docker-ros/ws
 ENTRYPOINT ["/tini", "--", "/entrypoint.sh"]
 CMD ["bash"]
 
+# Of when the packages are, where the caller knows it: the builder's cache does not know when they move.
+FROM scratch AS upstream
+
 FROM parent AS ros
 ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT ROS_CODENAME ROS_APT_SOURCE
-RUN --mount=type=bind,source=components/build,target=/run/components/build \
+ARG ROS_SYNC_DATE SOURCE_DATE_EPOCH
+RUN --mount=type=tmpfs,target=/run \
+    --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/ros,target=/run/components/ros \
+    --mount=type=bind,from=upstream,target=/run/upstream \
     --mount=type=secret,id=ca-bundle \
+    --mount=type=secret,id=os-apt-mirror \
     --mount=type=secret,id=ros-apt-mirror \
     /run/components/ros/install.sh
 ENV ROS_DISTRO=${ROS_DISTRO} \
-    ROS_VERSION=${ROS_VERSION}
+    ROS_VERSION=${ROS_VERSION} \
+    ROS_SYNC_DATE=${ROS_SYNC_DATE}
 
 # ---- ML payloads ----------------------------------------------------------------------------------------------------
 # Runs on the builder's own architecture and assembles for any: no emulation.
@@ -55,8 +71,25 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
     --mount=type=bind,source=components/payload/install-assembler.sh,target=/run/components/payload/install-assembler.sh \
     --mount=type=bind,source=tools/requirements.txt,target=/run/requirements.txt \
     --mount=type=secret,id=ca-bundle \
+    --mount=type=secret,id=os-apt-mirror \
     /run/components/payload/install-assembler.sh
 ENV PATH=/opt/uv/bin:${PATH}
+
+# ROS 2 from wheels, of a row without Debian packages. It takes uv from the assembler, so it comes after it.
+FROM parent AS ros-wheels
+ARG ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_ROW PYTHON TARGETARCH SOURCE_DATE_EPOCH
+ARG BYTECODE=checked-hash
+RUN --mount=type=tmpfs,target=/run \
+    --mount=type=bind,source=components/build,target=/run/components/build \
+    --mount=type=bind,source=components/ros,target=/run/components/ros \
+    --mount=type=bind,source=components/payload/bytecode.sh,target=/run/components/payload/bytecode.sh \
+    --mount=type=bind,source=locks/${ROS_ROW}/${TARGETARCH}/${PYTHON}/ros.txt,target=/run/lock.txt \
+    --mount=type=bind,from=assembler,source=/opt/uv,target=/run/uv \
+    --mount=type=secret,id=ca-bundle \
+    --mount=type=secret,id=os-apt-mirror \
+    LOCK=/run/lock.txt UV=/run/uv/bin/uv /run/components/ros/wheels.sh
+ENV ROS_DISTRO=${ROS_DISTRO} \
+    ROS_VERSION=${ROS_VERSION}
 
 # What a part needs besides: TensorFlow's gets a compiler for the architecture that it is assembled for.
 FROM assembler AS assembler-cuda
@@ -72,6 +105,7 @@ ARG TARGETARCH
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
     --mount=type=bind,source=components/tensorflow/install-compiler.sh,target=/run/components/tensorflow/install-compiler.sh \
     --mount=type=secret,id=ca-bundle \
+    --mount=type=secret,id=os-apt-mirror \
     /run/components/tensorflow/install-compiler.sh
 
 FROM assembler-${PART} AS payload-files
@@ -88,6 +122,18 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
 # `COPY --link --from=<registry>/payload:torch-cu128-py311 / /`.
 FROM scratch AS payload
 COPY --link --from=payload-files /out/ /
+
+# ---- Lists of files: what an image or payload carries, for whoever joins it to others in a registry -----------------
+# What is listed: a published image, which the caller names.
+FROM scratch AS listed
+
+FROM assembler AS list-files
+RUN --mount=type=bind,from=listed,target=/listed \
+    --mount=type=bind,source=components/payload/list-files.sh,target=/run/list-files.sh \
+    /run/list-files.sh
+
+FROM scratch AS file-list
+COPY --from=list-files /files.gz /
 
 # ---- Images: a ROS image and payloads, joined -----------------------------------------------------------------------
 # *_ROOT: where a part's files are in its context: /out/ where it was assembled here, / where it is a published payload.

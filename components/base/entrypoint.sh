@@ -1,46 +1,130 @@
 #!/bin/bash
-# Sources ROS and the workspaces, then becomes the command; as the user DOCKER_UID:DOCKER_GID where both are given.
+# Becomes the user DOCKER_UID:DOCKER_GID where both are given; then sources ROS and the workspaces, and becomes the command.
 # Runs before every command: nothing slow, no output, no fork that is not needed.
 
-for setup in "/opt/ros/${ROS_DISTRO}/setup.bash" \
-  /opt/ws_base_image/install/setup.bash \
-  "${WORKSPACE}/devel/setup.bash" "${WORKSPACE}/install/setup.bash"; do
-  # shellcheck disable=SC1090  # the paths are only known at run time
-  if [[ -r $setup ]]; then source "$setup" ""; fi
-done
-unset setup
+fail() {
+  echo "entrypoint: $1; $2" >&2
+  exit "$3"
+}
 
-[[ $# -gt 0 ]] || set -- bash
+# become COMMAND…: as the user uid:gid, with what was given as --group-add besides the user's own groups.
+become() {
+  local group fd others="" ids=(--reuid="$uid" --regid="$gid" --clear-groups)
+  for group in $(id --groups) $(id --groups "$user" 2>/dev/null); do
+    if [[ $group -ne 0 ]]; then others+=,$group; fi
+  done
+  if [[ -n $others ]]; then ids[2]=--groups=${others#,}; fi
+  # What the engine attached belongs to whoever started it: /dev/stdout could not be opened.
+  for fd in 0 1 2; do
+    if [[ -p /proc/self/fd/$fd || -t $fd ]]; then chown "$uid" "/proc/self/fd/$fd"; fi
+  done
+  export HOME=$home
+  exec setpriv "${ids[@]}" -- "$0" "$@"
+}
 
-if [[ -n ${DOCKER_UID}${DOCKER_GID} && (-z ${DOCKER_UID} || -z ${DOCKER_GID}) ]]; then
-  echo "entrypoint: DOCKER_UID and DOCKER_GID only work together; running as $(id -un)" >&2
+# own_workspace: the workspace, with all in it that is root's, becomes the user's. Whatever is mounted keeps its owner.
+own_workspace() {
+  local workspace point skipped=()
+  workspace=$(realpath --canonicalize-existing -- "${WORKSPACE:-/docker-ros/ws}" 2>/dev/null) || return 0
+  case $workspace in
+    / | /home | /opt | /srv | /mnt | /media | /tmp) return ;;
+    /bin* | /boot* | /dev* | /etc* | /lib* | /proc* | /root* | /run* | /sbin* | /sys* | /usr* | /var*) return ;;
+  esac
+  while read -r _ _ _ _ point _; do
+    printf -v point %b "$point" # a space is \040 there
+    if [[ $point != / && $workspace/ == "${point%/}"/* ]]; then return; fi
+    if [[ $point == "$workspace"/* ]]; then
+      point=${point//\\/\\\\} point=${point//\*/\\*} point=${point//\?/\\?} point=${point//\[/\\[} # find takes a pattern
+      skipped+=(-path "$point" -prune -o)
+    fi
+  done </proc/self/mountinfo
+  find "$workspace" -xdev "${skipped[@]}" -user 0 -exec chown --no-dereference "$uid:$gid" {} + ||
+    fail "cannot give the workspace to the user $user" "the line above says why" 71
+  if [[ ! -e $home/ws ]]; then ln --symbolic "$workspace" "$home/ws"; fi
+}
+
+# make_user: the user with that uid is there, with a home of their own and the groups sudo and video.
+make_user() {
+  local existing key capabilities group groups changes=()
+  while read -r key capabilities; do
+    # CHOWN, DAC_OVERRIDE, FOWNER, SETGID, SETUID: linux/capability.h
+    if [[ $key == CapEff: ]] && (((16#$capabilities & 0xcb) != 0xcb)); then
+      fail "without CHOWN, DAC_OVERRIDE, FOWNER, SETGID and SETUID nobody can become another user" \
+        "add these capabilities, or use docker run --user" 71
+    fi
+  done </proc/self/status
+
+  if ! getent group "$gid" >/dev/null; then
+    group=$user
+    if getent group "$group" >/dev/null; then group=$user-$gid; fi
+    groupadd --gid "$gid" "$group" || fail "cannot make a group $gid" "the line above says why" 71
+  fi
+  if existing=$(getent passwd "$uid"); then
+    IFS=: read -r user _ _ group _ home _ <<<"$existing"
+    if [[ ! -d $home || $(stat --format %u "$home") -ne $uid ]]; then # none, or a folder of the system
+      home=/home/$user
+      cp --recursive --no-target-directory /etc/skel "$home" && chown --recursive "$uid:$gid" "$home"
+      changes+=(--home "$home")
+    fi
+    groups=" $(id --groups --name "$user") "
+    if [[ $group -ne $gid ]]; then changes+=(--gid "$gid"); fi
+    if [[ $groups != *" sudo "* || $groups != *" video "* ]]; then changes+=(--append --groups "sudo,video"); fi
+    if [[ ${#changes[@]} -gt 0 ]]; then
+      usermod "${changes[@]}" "$user" || fail "cannot use the user $user, whose uid is $uid" "the line above says why" 71
+    fi
+  else
+    home=/home/$user
+    ! getent passwd "$user" >/dev/null || fail "the user name $user is taken" "choose another one with DOCKER_USER" 64
+    useradd --uid "$uid" --gid "$gid" --groups sudo,video --shell /bin/bash --home-dir "$home" --create-home "$user" ||
+      fail "cannot make the user $user with the uid $uid" "the line above says why" 71
+  fi
+}
+
+# ---- As root, for somebody else: nothing but the image's own files is read before the user is changed ----------------
+if [[ $EUID -eq 0 && -n $DOCKER_UID && -n $DOCKER_GID ]]; then
+  for number in "$DOCKER_UID" "$DOCKER_GID"; do
+    # ids end at 2^32 - 2; beyond that bash's own arithmetic would wrap around
+    if [[ ! $number =~ ^0*[0-9]{1,10}$ ]] || ((10#$number > 4294967294)); then
+      fail "DOCKER_UID and DOCKER_GID take numbers, not '$DOCKER_UID' and '$DOCKER_GID'" "id -u and id -g give them" 64
+    fi
+  done
+  uid=$((10#$DOCKER_UID)) gid=$((10#$DOCKER_GID)) user=${DOCKER_USER:-dockeruser} home=/tmp
+  # Debian's useradd would take ../../etc, and other programs a number for an id.
+  [[ $user =~ ^[A-Za-z_][A-Za-z0-9_.-]{0,31}$ ]] ||
+    fail "DOCKER_USER is no user name: '$user'" "take letters, digits, points, hyphens and underscores" 64
+  if [[ $uid -ne 0 ]]; then
+    # A read-only root has no room for a new user: the bare ids, and /tmp for a home.
+    if [[ -w /etc/passwd ]]; then
+      make_user
+      own_workspace
+    fi
+    become "$@"
+  fi
+elif [[ $EUID -eq 0 && -n $DOCKER_UID$DOCKER_GID ]]; then
+  echo "entrypoint: DOCKER_UID and DOCKER_GID only work together; running as root" >&2
+elif [[ $EUID -ne 0 && ! -w ${HOME:-/} && -w /tmp ]]; then
+  # A user without an entry (--user 12345:0) has / for a home, where ROS cannot write its logs.
+  export HOME=/tmp
 fi
 
-# Without both variables, as another user than root, or for root itself there is nobody to become.
-if [[ -z ${DOCKER_UID} || -z ${DOCKER_GID} || ${EUID} -ne 0 || ${DOCKER_UID} == 0 ]]; then
-  exec "$@"
-fi
-
-if [[ ! ${DOCKER_UID} =~ ^[0-9]+$ || ! ${DOCKER_GID} =~ ^[0-9]+$ ]]; then
-  echo "entrypoint: DOCKER_UID and DOCKER_GID take numbers, not '${DOCKER_UID}' and '${DOCKER_GID}'" >&2
-  exit 64
-fi
-
-user=${DOCKER_USER:-dockeruser}
-# A read-only root has no room for a new user: run as the bare ids instead.
-if [[ ! -w /etc/passwd ]]; then exec gosu "${DOCKER_UID}:${DOCKER_GID}" "$@"; fi
-
-if ! getent group "${DOCKER_GID}" >/dev/null; then groupadd --gid "${DOCKER_GID}" "${user}"; fi
-if existing=$(getent passwd "${DOCKER_UID}"); then
-  user=${existing%%:*}
-  usermod --gid "${DOCKER_GID}" --append --groups sudo,video "${user}"
-else
-  useradd --uid "${DOCKER_UID}" --gid "${DOCKER_GID}" --groups sudo,video \
-    --shell /bin/bash --create-home "${user}"
-fi
-home=$(getent passwd "${user}" | cut -d: -f6)
-if [[ -n ${WORKSPACE} && -d ${WORKSPACE} && ! -e ${home}/ws ]]; then ln -s "${WORKSPACE}" "${home}/ws"; fi
-
-# gosu by name, so that the supplementary groups are set; HOME follows the user.
-export HOME=${home}
-exec gosu "${user}" "$@"
+# ---- As whoever runs the command -------------------------------------------------------------------------------------
+# What is sourced may change our arguments and options, and may end this shell: that must not pass for the command.
+readonly _rosml_command=("$@") _rosml_folder=$PWD
+ended() {
+  echo "entrypoint: ${_rosml_setup:-a setup file} ended the shell (exit status $1), nothing was started;" \
+    "mend it, or start past it with --entrypoint bash" >&2
+  exit 70
+}
+trap 'ended $?' EXIT
+trap 'trap - EXIT; exit 130' INT
+trap 'trap - EXIT; exit 143' TERM
+# shellcheck source=components/base/setup.bash
+source /usr/local/share/rosml/setup.bash
+builtin trap - EXIT DEBUG ERR RETURN HUP INT QUIT TERM
+builtin set +aefuxET
+builtin shopt -u expand_aliases
+builtin unset -f exec cd
+unset IFS
+if [[ $PWD != "$_rosml_folder" ]]; then cd -- "$_rosml_folder" || exit 70; fi
+if [[ ${#_rosml_command[@]} -eq 0 ]]; then exec bash; fi
+exec -- "${_rosml_command[@]}"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Essentials that every image has (shared/CONTRACT: "Present"), whatever its ROS distribution.
+# Essentials that every image has, whatever its ROS distribution.
 #   NUMPY  range of numpy versions that ROS's packages work with, such as <2
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -25,13 +25,10 @@ packages=(
 apt-get update
 apt-get install --yes "${packages[@]}"
 
-# /tini is where users of the predecessor expect it.
-ln -s /usr/bin/tini /tini
-
-# uid 1000 belongs to the user that the entrypoint creates; Ubuntu 24.04 and later ship a user `ubuntu` there.
-if owner=$(getent passwd 1000); then userdel --remove "${owner%%:*}"; fi
-
-mkdir -p /docker-ros/ws
+# git-lfs writes its settings in an order of its own every time.
+settings=$(git config --system --list | sort)
+rm /etc/gitconfig
+while IFS='=' read -r name value; do git config --system "$name" "$value"; done <<<"$settings"
 
 # What pip keeps to (pip.conf): newer ones break what the distribution's packages and ROS's tools were built with.
 # numpy: cv_bridge's ABI, vision_opencv#535; setuptools: colcon --symlink-install, colcon-core#696 (where the

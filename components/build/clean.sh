@@ -1,8 +1,26 @@
 #!/usr/bin/env bash
-# Last command of every step that installs packages: removes what differs from one build to the next although the
-# packages are the same (logs, caches, backups, package lists), so that the same packages give the same layer.
+# Last command of every step that changes an image: takes out what differs from one build to the next although the
+# packages are the same (logs, caches, backups, package lists, the time of day), so that they give the same layer.
+#   STEP_STARTED       when the step began (network.sh)
+#   SOURCE_DATE_EPOCH  the time that what was made since then gets, in seconds since 1970
 set -euo pipefail
 
 rm -rf /var/lib/apt/lists/* /var/log/* /var/cache/apt/* \
   /var/cache/debconf/*-old /var/lib/dpkg/*-old /var/cache/ldconfig/aux-cache \
+  /etc/passwd- /etc/group- /etc/shadow- /etc/gshadow- \
   /root/.cache /tmp/* /var/tmp/*
+
+# systemd's and dbus' packages make up a machine's identity: another one in every build, and the same one in every
+# container of it.
+rm -f /etc/machine-id /var/lib/dbus/machine-id
+
+certificates=/etc/ssl/certs/java/cacerts
+if [[ -s $certificates ]]; then
+  "$(dirname "${BASH_SOURCE[0]}")/java_certificates.py" $certificates "${SOURCE_DATE_EPOCH:?}"
+fi
+
+# dpkg gives files the times of their packages; what was written here has the time of now. What the builder mounts is
+# no part of the layer, but find -xdev names it.
+mapfile -t -d '' mounted < <(awk '$5 != "/" {printf "%s%c", $5, 0}' /proc/self/mountinfo)
+for path in "${mounted[@]}"; do skipped+=(! -path "$path"); done
+find / -xdev -newermt "${STEP_STARTED:?}" "${skipped[@]}" -exec touch --no-dereference --date="@${SOURCE_DATE_EPOCH:?}" {} +

@@ -6,7 +6,7 @@ pauses=(1 3 9 27 0)
 scratch=$(mktemp -d)
 mkdir -m 700 "$scratch/gnupg"
 log=$scratch/log
-trap 'rm -rf "$APT_CONFIG" "$scratch"' EXIT
+trap 'rm -rf "$APT_CONFIG" "$APT_CONFIG.sources" "$scratch"' EXIT
 export LC_ALL=C.UTF-8 # apt's answers are read below
 
 fail() {
@@ -23,18 +23,18 @@ mirror=$(cat /run/secrets/ros-apt-mirror 2>/dev/null || true)
 for_build() {
   if [[ -z $mirror ]]; then cat; else
     sed -E "s#https?://((packages|snapshots)\.ros\.org|github\.com)/#${mirror%/}/\1/#"
-  fi
+  fi | for_os
 }
 
-# Lets apt read copies of the sources that name the mirror: the image keeps the official addresses.
+# Lets apt read copies of the sources that name the mirrors: the image keeps the official addresses.
 use_mirror() {
-  local file
-  [[ -n $mirror ]] || return 0
-  mkdir "$scratch/sources"
+  local file parts=$APT_CONFIG.sources/parts
+  [[ -n $mirror$os_mirror ]] || return 0
+  mkdir -p "$parts"
   for file in /etc/apt/sources.list.d/*; do
-    [[ ! -e $file ]] || for_build <"$file" >"$scratch/sources/${file##*/}" # a base image may have none
+    [[ ! -e $file ]] || for_build <"$file" >"$parts/${file##*/}" # a base image may have none
   done
-  echo "Dir::Etc::SourceParts \"$scratch/sources\";" >>"$APT_CONFIG"
+  echo "Dir::Etc::SourceParts \"$parts\";" >>"$APT_CONFIG"
 }
 
 # Runs a command; what it says is shown, and kept for said.

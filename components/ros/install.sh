@@ -3,6 +3,7 @@
 #   ROS_PACKAGES  Debian packages of the component, separated by spaces
 #   ROS_TOOLS     packages of the developers' tools (colcon, rosdep, vcs), installed with the first component
 #   ROS_CHANNEL   live, snapshot or final, where packages come from ROS's own apt source; see source.sh
+#   ROS_DISTRO, ROS_VERSION  the distribution, and 1 or 2
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
@@ -11,11 +12,19 @@ source "$here/../build/network.sh"
 source "$here/apt.sh"
 
 # The first component brings the apt source; later ones find it in the image that they stand on.
-if [[ -n ${ROS_CHANNEL:-} && -n ${ROS_TOOLS:-} ]]; then "$here/source.sh"; fi
+if [[ -n ${ROS_TOOLS:-} ]]; then
+  mkdir -p /usr/local/share/rosml/versions.d
+  printf 'ros-%s %s\n' distro "${ROS_DISTRO:?}" version "${ROS_VERSION:?}" >/usr/local/share/rosml/versions.d/ros
+  if [[ -n ${ROS_CHANNEL:-} ]]; then "$here/source.sh"; fi
+fi
 use_mirror
 
 read -ra packages <<<"${ROS_TOOLS:-} ${ROS_PACKAGES:?}"
 apt_update
 apt_install "${packages[@]}"
+
+# Debian's rosdep is initialised as it comes.
+rosdep=/etc/ros/rosdep/sources.list.d/20-default.list
+if [[ ! -e $rosdep ]]; then install -D --mode=644 "$here/rosdep.list" $rosdep; fi
 
 "$here/../build/clean.sh"

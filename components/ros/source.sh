@@ -61,6 +61,8 @@ codename=$(sed -n 's/^VERSION_CODENAME="\?\([a-z]*\).*/\1/p' /etc/os-release)
   fail "the base image has an apt source of ROS already ($(sources))" "name an image without one in matrix.yaml"
 
 if [[ $ROS_CHANNEL == live ]]; then
+  [[ -n ${ROS_APT_SOURCE:-} ]] ||
+    fail "no $generation-apt-source is pinned for $ROS_CODENAME" "add apt_sources to the operating system in matrix.yaml"
   package=$scratch/$generation-apt-source.deb
   download "$package"
   chmod 755 "$scratch" # apt reads it as another user
@@ -91,5 +93,8 @@ suite=$(sed -n 's/^Codename: //p' "$release")
   fail "$address has the suite '$suite' in the place of '$ROS_CODENAME'" "check the mirror"
 sync=$(date --utc --date "$(sed -n 's/^Date: //p' "$release")" +%FT%TZ)
 
-mkdir -p /usr/local/share/rosml/versions.d
-printf 'ros-%s %s\n' channel "$ROS_CHANNEL" source "$address" sync "$sync" >/usr/local/share/rosml/versions.d/ros
+# Of the image's configuration, not of its layers, which stay the same while no package changes.
+[[ -z ${ROS_SYNC_DATE:-} || $sync == "$ROS_SYNC_DATE" ]] ||
+  fail "$address is of $sync, and not of $ROS_SYNC_DATE any more" "run it again: ROS published new packages meanwhile"
+
+printf 'ros-%s %s\n' channel "$ROS_CHANNEL" source "$address" >>/usr/local/share/rosml/versions.d/ros

@@ -12,3 +12,5 @@ tensorflow=${OUT:?}${SITE:?}/tensorflow
   -Wl,-soname="$(basename "$library")" -Wl,--version-script="$here/exports.map" -Wl,--build-id=none,--no-undefined \
   "$tensorflow"/libtensorflow_cc.so.* "$tensorflow"/libtensorflow_framework.so.*
 "$TRIPLET-strip" --strip-all --remove-section=.comment "$library"
+"$TRIPLET-nm" --dynamic --defined-only --demangle "$library" |
+  "$here/complete.py" "$tensorflow/include/tensorflow/cc/client/client_session.h"

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# What every image promises at run time besides packages: entrypoint, workspace, users, shells, banner.
+set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
+
+share=/usr/local/share/rosml
+install -D --mode=644 --target-directory="$share" "$here"/{setup,shell}.bash
+install --mode=755 "$here/banner.sh" "$share/"
+install --mode=755 "$here/entrypoint.sh" /entrypoint.sh
+install --mode=644 "$here/pip.conf" /etc/pip.conf
+
+# /tini is where users of the predecessor expect it.
+ln -s /usr/bin/tini /tini
+
+# uid 1000 belongs to the user that the entrypoint creates; Ubuntu 24.04 and later ship a user `ubuntu` there.
+if owner=$(getent passwd 1000); then userdel --remove "${owner%%:*}"; fi
+
+# For the group 0 too, to which arbitrary users belong (--user 12345:0, OpenShift).
+install --directory --mode=775 /docker-ros/ws
+
+# The user that the entrypoint makes is in the group sudo and has no password.
+echo '%sudo ALL=(ALL:ALL) NOPASSWD: ALL' >/etc/sudoers.d/rosml
+chmod 440 /etc/sudoers.d/rosml
+
+# /etc/bash.bashrc is for every user, also one without a home (--user 12345:0).
+for file in /etc/bash.bashrc /root/.bashrc; do
+  printf '\n# %s\n%s\n' 'ROS, the workspaces, and the banner (ROSML_BANNER=off: none)' "source $share/shell.bash" >>$file
+done
+
+# What the banner says; a payload adds its own versions.
+mkdir -p "$share/versions.d"
+{
+  sed -n 's/^PRETTY_NAME="\(.*\)"/image-os \1/p' /etc/os-release
+  echo "image-architecture $(dpkg --print-architecture)"
+  python3 -c 'import platform; print("image-python", platform.python_version())'
+  cmake --version | sed -n 's/^cmake version /image-cmake /p'
+} >"$share/versions.d/image"
+
+"$here/../build/clean.sh"
