@@ -60,6 +60,21 @@ variable "DIGESTS" {
   default = ""
 }
 
+# JSON text: the dates of ROS's repositories, {"jazzy": "2026-11-20T21:14:09Z"}
+variable "ROS_SYNC_DATES" {
+  default = ""
+}
+
+# live, snapshot or final, in the place of what matrix.yaml says (make image CHANNEL=final)
+variable "ROS_CHANNEL" {
+  default = ""
+}
+
+# day of the snapshot where ROS_CHANNEL is snapshot: YYYY-MM-DD
+variable "ROS_SNAPSHOT" {
+  default = ""
+}
+
 # file with certificates that build steps trust; never part of a layer
 variable "CA_BUNDLE" {
   default = ""
@@ -67,6 +82,11 @@ variable "CA_BUNDLE" {
 
 # mirror of ROS's apt sources and of github.com, such as http://host:3142; never part of an image
 variable "ROS_APT_MIRROR" {
+  default = ""
+}
+
+# mirror of Debian's and Ubuntu's own archives, such as http://host:3142; never part of an image
+variable "OS_APT_MIRROR" {
   default = ""
 }
 
@@ -129,6 +149,18 @@ function "platforms" {
   result = PLATFORM == "" ? all : [PLATFORM]
 }
 
+# The date of the ROS repository of a distribution, where the caller knows it.
+function "sync_date" {
+  params = [distribution]
+  result = lookup(jsondecode(ROS_SYNC_DATES == "" ? "{}" : ROS_SYNC_DATES), distribution, "")
+}
+
+# A fact of matrix.yaml, unless the caller says otherwise.
+function "overridable" {
+  params = [fact, value]
+  result = value == "" ? fact : value
+}
+
 # A build argument that is left out when it is empty.
 function "given" {
   params = [value]
@@ -139,7 +171,7 @@ function "given" {
 
 target "_common" {
   context = "."
-  secret  = concat(CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"], ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"])
+  secret  = concat(CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"], ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"], OS_APT_MIRROR == "" ? [] : ["id=os-apt-mirror,env=OS_APT_MIRROR"])
   args = {
     SOURCE_DATE_EPOCH = SOURCE_DATE_EPOCH
     HTTP_PROXY        = given(HTTP_PROXY)
@@ -162,6 +194,7 @@ target "_image" {
   labels = {
     "org.opencontainers.image.licenses" = "Apache-2.0"
     "org.opencontainers.image.revision" = given(REVISION)
+    "org.opencontainers.image.created"  = timeadd("1970-01-01T00:00:00Z", "${SOURCE_DATE_EPOCH}s")
   }
 }
 
@@ -170,6 +203,13 @@ target "_test" {
   target   = "test"
   contexts = { os = OS_BOOKWORM }
   output   = ["type=cacheonly"]
+}
+
+target "file-list" {
+  description = "the files of the image that its context `listed` is"
+  inherits    = ["_common"]
+  target      = "file-list"
+  contexts    = { os = OS_BOOKWORM }
 }
 
 # ---- Operating systems with the essentials -------------------------------------------------------------------------
@@ -228,6 +268,7 @@ target "_distribution-noetic" {
     "io.rosml.os"                          = "ubuntu-20.04"
     "io.rosml.python"                      = "3.8"
     "io.rosml.ros"                         = "1"
+    "io.rosml.ros.sync"                    = given(sync_date("noetic"))
   }
 }
 
@@ -235,10 +276,12 @@ target "_ros-noetic" {
   inherits = ["_distribution-noetic"]
   target   = "ros"
   args = {
-    ROS_DISTRO   = "noetic"
-    ROS_VERSION  = "1"
-    ROS_CHANNEL  = "final"
-    ROS_CODENAME = "focal"
+    ROS_DISTRO    = "noetic"
+    ROS_VERSION   = "1"
+    ROS_CHANNEL   = overridable("final", ROS_CHANNEL)
+    ROS_SNAPSHOT  = overridable("", ROS_SNAPSHOT)
+    ROS_CODENAME  = "focal"
+    ROS_SYNC_DATE = sync_date("noetic")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -334,6 +377,7 @@ target "_distribution-foxy" {
     "io.rosml.os"                          = "ubuntu-20.04"
     "io.rosml.python"                      = "3.8"
     "io.rosml.ros"                         = "2"
+    "io.rosml.ros.sync"                    = given(sync_date("foxy"))
   }
 }
 
@@ -341,10 +385,12 @@ target "_ros-foxy" {
   inherits = ["_distribution-foxy"]
   target   = "ros"
   args = {
-    ROS_DISTRO   = "foxy"
-    ROS_VERSION  = "2"
-    ROS_CHANNEL  = "final"
-    ROS_CODENAME = "focal"
+    ROS_DISTRO    = "foxy"
+    ROS_VERSION   = "2"
+    ROS_CHANNEL   = overridable("final", ROS_CHANNEL)
+    ROS_SNAPSHOT  = overridable("", ROS_SNAPSHOT)
+    ROS_CODENAME  = "focal"
+    ROS_SYNC_DATE = sync_date("foxy")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -401,6 +447,7 @@ target "_distribution-humble" {
     "io.rosml.os"                          = "ubuntu-22.04"
     "io.rosml.python"                      = "3.10"
     "io.rosml.ros"                         = "2"
+    "io.rosml.ros.sync"                    = given(sync_date("humble"))
   }
 }
 
@@ -410,9 +457,11 @@ target "_ros-humble" {
   args = {
     ROS_DISTRO     = "humble"
     ROS_VERSION    = "2"
-    ROS_CHANNEL    = "live"
+    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
     ROS_CODENAME   = "jammy"
     ROS_APT_SOURCE = "1.2.0@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433"
+    ROS_SYNC_DATE  = sync_date("humble")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -495,6 +544,7 @@ target "_distribution-iron" {
     "io.rosml.os"                          = "ubuntu-22.04"
     "io.rosml.python"                      = "3.10"
     "io.rosml.ros"                         = "2"
+    "io.rosml.ros.sync"                    = given(sync_date("iron"))
   }
 }
 
@@ -502,10 +552,13 @@ target "_ros-iron" {
   inherits = ["_distribution-iron"]
   target   = "ros"
   args = {
-    ROS_DISTRO   = "iron"
-    ROS_VERSION  = "2"
-    ROS_CHANNEL  = "final"
-    ROS_CODENAME = "jammy"
+    ROS_DISTRO     = "iron"
+    ROS_VERSION    = "2"
+    ROS_CHANNEL    = overridable("final", ROS_CHANNEL)
+    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
+    ROS_CODENAME   = "jammy"
+    ROS_APT_SOURCE = "1.2.0@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433"
+    ROS_SYNC_DATE  = sync_date("iron")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -588,6 +641,7 @@ target "_distribution-jazzy" {
     "io.rosml.os"                          = "ubuntu-24.04"
     "io.rosml.python"                      = "3.12"
     "io.rosml.ros"                         = "2"
+    "io.rosml.ros.sync"                    = given(sync_date("jazzy"))
   }
 }
 
@@ -597,9 +651,11 @@ target "_ros-jazzy" {
   args = {
     ROS_DISTRO     = "jazzy"
     ROS_VERSION    = "2"
-    ROS_CHANNEL    = "live"
+    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
     ROS_CODENAME   = "noble"
     ROS_APT_SOURCE = "1.2.0@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5"
+    ROS_SYNC_DATE  = sync_date("jazzy")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -682,6 +738,7 @@ target "_distribution-kilted" {
     "io.rosml.os"                          = "ubuntu-24.04"
     "io.rosml.python"                      = "3.12"
     "io.rosml.ros"                         = "2"
+    "io.rosml.ros.sync"                    = given(sync_date("kilted"))
   }
 }
 
@@ -691,9 +748,11 @@ target "_ros-kilted" {
   args = {
     ROS_DISTRO     = "kilted"
     ROS_VERSION    = "2"
-    ROS_CHANNEL    = "live"
+    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
     ROS_CODENAME   = "noble"
     ROS_APT_SOURCE = "1.2.0@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5"
+    ROS_SYNC_DATE  = sync_date("kilted")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -776,6 +835,7 @@ target "_distribution-lyrical" {
     "io.rosml.os"                          = "ubuntu-26.04"
     "io.rosml.python"                      = "3.14"
     "io.rosml.ros"                         = "2"
+    "io.rosml.ros.sync"                    = given(sync_date("lyrical"))
   }
 }
 
@@ -785,9 +845,11 @@ target "_ros-lyrical" {
   args = {
     ROS_DISTRO     = "lyrical"
     ROS_VERSION    = "2"
-    ROS_CHANNEL    = "live"
+    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
     ROS_CODENAME   = "resolute"
     ROS_APT_SOURCE = "1.2.0@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3"
+    ROS_SYNC_DATE  = sync_date("lyrical")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -870,6 +932,7 @@ target "_distribution-rolling" {
     "io.rosml.os"                          = "ubuntu-26.04"
     "io.rosml.python"                      = "3.14"
     "io.rosml.ros"                         = "2"
+    "io.rosml.ros.sync"                    = given(sync_date("rolling"))
   }
 }
 
@@ -879,9 +942,11 @@ target "_ros-rolling" {
   args = {
     ROS_DISTRO     = "rolling"
     ROS_VERSION    = "2"
-    ROS_CHANNEL    = "live"
+    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
     ROS_CODENAME   = "resolute"
     ROS_APT_SOURCE = "1.2.0@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3"
+    ROS_SYNC_DATE  = sync_date("rolling")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -983,7 +1048,7 @@ target "bookworm-core" {
   contexts = { parent = "target:_os-bookworm" }
   args = {
     ROS_PACKAGES = "ros-core ros-core-dev ros-core-python-dev"
-    ROS_TOOLS    = "rosbash catkin python3-rosdep2 vcstool colcon python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
+    ROS_TOOLS    = "rosbash catkin python3-rosdep2 vcstool colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
   }
   labels = {
     "org.opencontainers.image.title"       = "bookworm-core"
@@ -1087,7 +1152,7 @@ target "trixie-core" {
   contexts = { parent = "target:_os-trixie" }
   args = {
     ROS_PACKAGES = "ros-core ros-core-dev ros-core-python-dev"
-    ROS_TOOLS    = "rosbash catkin python3-rosdep2 vcstool colcon python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
+    ROS_TOOLS    = "rosbash catkin python3-rosdep2 vcstool colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
   }
   labels = {
     "org.opencontainers.image.title"       = "trixie-core"
@@ -1162,6 +1227,48 @@ target "trixie-desktop-full" {
   }
 }
 
+target "_distribution-jazzy-wheels" {
+  inherits  = ["_image"]
+  platforms = platforms(["linux/amd64"])
+  labels = {
+    "org.opencontainers.image.base.name"   = image_name(OS_BOOKWORM)
+    "org.opencontainers.image.base.digest" = image_digest(OS_BOOKWORM)
+    "io.rosml.distribution"                = "jazzy-wheels"
+    "io.rosml.os"                          = "bookworm"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.ros"                         = "2"
+    "io.rosml.experimental"                = "true"
+  }
+}
+
+target "_ros-jazzy-wheels" {
+  inherits = ["_distribution-jazzy-wheels"]
+  target   = "ros-wheels"
+  contexts = { os = OS_BOOKWORM }
+  args = {
+    ROS_DISTRO  = "jazzy"
+    ROS_VERSION = "2"
+    ROS_ROW     = "jazzy-wheels"
+    PYTHON      = "3.11"
+  }
+  labels = { "io.rosml.framework" = "none" }
+}
+
+target "jazzy-wheels-core" {
+  inherits = ["_ros-jazzy-wheels"]
+  tags     = ["${REGISTRY}/ros:jazzy-wheels-core"]
+  contexts = { parent = "target:_os-bookworm" }
+  args = {
+    ROS_TOOLS = "python3-rosdep2 vcstool python3-numpy python3-empy colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
+  }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels)"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core"
+    "io.rosml.component"                   = "core"
+  }
+}
+
 # ---- Payloads: assembled once, joined to many images ---------------------------------------------------------------
 
 target "_files-cuda-cu128" {
@@ -1182,6 +1289,17 @@ target "payload-cuda-cu128" {
   inherits = ["_files-cuda-cu128"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:cuda-cu128"]
+  labels = {
+    "org.opencontainers.image.title"       = "cuda-cu128"
+    "org.opencontainers.image.description" = "part cuda of stack cu128, for any Python"
+    "io.rosml.part"                        = "cuda"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "any"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "cuda=cuda torch=cuda,common,torch tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-cuda-cu130" {
@@ -1202,6 +1320,17 @@ target "payload-cuda-cu130" {
   inherits = ["_files-cuda-cu130"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:cuda-cu130"]
+  labels = {
+    "org.opencontainers.image.title"       = "cuda-cu130"
+    "org.opencontainers.image.description" = "part cuda of stack cu130, for any Python"
+    "io.rosml.part"                        = "cuda"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "any"
+    "io.rosml.cuda"                        = "13.0.96"
+    "io.rosml.cudnn"                       = "9.20.0.48"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "cuda=cuda torch=cuda,common,torch"
+  }
 }
 
 target "_files-cuda-cu121" {
@@ -1222,6 +1351,17 @@ target "payload-cuda-cu121" {
   inherits = ["_files-cuda-cu121"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:cuda-cu121"]
+  labels = {
+    "org.opencontainers.image.title"       = "cuda-cu121"
+    "org.opencontainers.image.description" = "part cuda of stack cu121, for any Python"
+    "io.rosml.part"                        = "cuda"
+    "io.rosml.stack"                       = "cu121"
+    "io.rosml.python"                      = "any"
+    "io.rosml.cuda"                        = "12.1.105"
+    "io.rosml.cudnn"                       = "9.1.0.70"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "cuda=cuda torch=cuda,common,torch"
+  }
 }
 
 target "_files-common-cu121-py38" {
@@ -1242,6 +1382,15 @@ target "payload-common-cu121-py38" {
   inherits = ["_files-common-cu121-py38"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu121-py38"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu121-py38"
+    "org.opencontainers.image.description" = "part common of stack cu121, for Python 3.8"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu121"
+    "io.rosml.python"                      = "3.8"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-torch-cu121-py38" {
@@ -1262,6 +1411,16 @@ target "payload-torch-cu121-py38" {
   inherits = ["_files-torch-cu121-py38"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu121-py38"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu121-py38"
+    "org.opencontainers.image.description" = "part torch of stack cu121, for Python 3.8"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu121"
+    "io.rosml.python"                      = "3.8"
+    "io.rosml.torch"                       = "2.4.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-common-cpu38-py38" {
@@ -1282,6 +1441,15 @@ target "payload-common-cpu38-py38" {
   inherits = ["_files-common-cpu38-py38"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cpu38-py38"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cpu38-py38"
+    "org.opencontainers.image.description" = "part common of stack cpu38, for Python 3.8"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cpu38"
+    "io.rosml.python"                      = "3.8"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cpu38-py38" {
@@ -1302,6 +1470,16 @@ target "payload-torch-cpu38-py38" {
   inherits = ["_files-torch-cpu38-py38"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cpu38-py38"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cpu38-py38"
+    "org.opencontainers.image.description" = "part torch of stack cpu38, for Python 3.8"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cpu38"
+    "io.rosml.python"                      = "3.8"
+    "io.rosml.torch"                       = "2.4.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch"
+  }
 }
 
 target "_files-tensorflow-cc-cpu38" {
@@ -1322,6 +1500,16 @@ target "payload-tensorflow-cc-cpu38" {
   inherits = ["_files-tensorflow-cc-cpu38"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cc-cpu38"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cc-cpu38"
+    "org.opencontainers.image.description" = "part tensorflow-cc of stack cpu38, for any Python"
+    "io.rosml.part"                        = "tensorflow-cc"
+    "io.rosml.stack"                       = "cpu38"
+    "io.rosml.python"                      = "any"
+    "io.rosml.tensorflow"                  = "2.13.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cpu38-py38" {
@@ -1342,6 +1530,16 @@ target "payload-tensorflow-cpu38-py38" {
   inherits = ["_files-tensorflow-cpu38-py38"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cpu38-py38"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cpu38-py38"
+    "org.opencontainers.image.description" = "part tensorflow of stack cpu38, for Python 3.8"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cpu38"
+    "io.rosml.python"                      = "3.8"
+    "io.rosml.tensorflow"                  = "2.13.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu128-py310" {
@@ -1362,6 +1560,15 @@ target "payload-common-cu128-py310" {
   inherits = ["_files-common-cu128-py310"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu128-py310"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu128-py310"
+    "org.opencontainers.image.description" = "part common of stack cu128, for Python 3.10"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cu128-py310" {
@@ -1382,6 +1589,16 @@ target "payload-torch-cu128-py310" {
   inherits = ["_files-torch-cu128-py310"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu128-py310"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu128-py310"
+    "org.opencontainers.image.description" = "part torch of stack cu128, for Python 3.10"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cc-cu128" {
@@ -1402,6 +1619,16 @@ target "payload-tensorflow-cc-cu128" {
   inherits = ["_files-tensorflow-cc-cu128"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cc-cu128"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cc-cu128"
+    "org.opencontainers.image.description" = "part tensorflow-cc of stack cu128, for any Python"
+    "io.rosml.part"                        = "tensorflow-cc"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "any"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cu128-py310" {
@@ -1422,6 +1649,16 @@ target "payload-tensorflow-cu128-py310" {
   inherits = ["_files-tensorflow-cu128-py310"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cu128-py310"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cu128-py310"
+    "org.opencontainers.image.description" = "part tensorflow of stack cu128, for Python 3.10"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu130-py310" {
@@ -1442,6 +1679,15 @@ target "payload-common-cu130-py310" {
   inherits = ["_files-common-cu130-py310"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu130-py310"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu130-py310"
+    "org.opencontainers.image.description" = "part common of stack cu130, for Python 3.10"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-torch-cu130-py310" {
@@ -1462,6 +1708,16 @@ target "payload-torch-cu130-py310" {
   inherits = ["_files-torch-cu130-py310"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu130-py310"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu130-py310"
+    "org.opencontainers.image.description" = "part torch of stack cu130, for Python 3.10"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.torch"                       = "2.12.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-common-cpu-py310" {
@@ -1482,6 +1738,15 @@ target "payload-common-cpu-py310" {
   inherits = ["_files-common-cpu-py310"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cpu-py310"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cpu-py310"
+    "org.opencontainers.image.description" = "part common of stack cpu, for Python 3.10"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cpu-py310" {
@@ -1502,6 +1767,16 @@ target "payload-torch-cpu-py310" {
   inherits = ["_files-torch-cpu-py310"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cpu-py310"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cpu-py310"
+    "org.opencontainers.image.description" = "part torch of stack cpu, for Python 3.10"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cc-cpu" {
@@ -1522,6 +1797,16 @@ target "payload-tensorflow-cc-cpu" {
   inherits = ["_files-tensorflow-cc-cpu"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cc-cpu"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cc-cpu"
+    "org.opencontainers.image.description" = "part tensorflow-cc of stack cpu, for any Python"
+    "io.rosml.part"                        = "tensorflow-cc"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "any"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cpu-py310" {
@@ -1542,6 +1827,16 @@ target "payload-tensorflow-cpu-py310" {
   inherits = ["_files-tensorflow-cpu-py310"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cpu-py310"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cpu-py310"
+    "org.opencontainers.image.description" = "part tensorflow of stack cpu, for Python 3.10"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.10"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu128-py312" {
@@ -1562,6 +1857,15 @@ target "payload-common-cu128-py312" {
   inherits = ["_files-common-cu128-py312"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu128-py312"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu128-py312"
+    "org.opencontainers.image.description" = "part common of stack cu128, for Python 3.12"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cu128-py312" {
@@ -1582,6 +1886,16 @@ target "payload-torch-cu128-py312" {
   inherits = ["_files-torch-cu128-py312"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu128-py312"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu128-py312"
+    "org.opencontainers.image.description" = "part torch of stack cu128, for Python 3.12"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cu128-py312" {
@@ -1602,6 +1916,16 @@ target "payload-tensorflow-cu128-py312" {
   inherits = ["_files-tensorflow-cu128-py312"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cu128-py312"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cu128-py312"
+    "org.opencontainers.image.description" = "part tensorflow of stack cu128, for Python 3.12"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu130-py312" {
@@ -1622,6 +1946,15 @@ target "payload-common-cu130-py312" {
   inherits = ["_files-common-cu130-py312"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu130-py312"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu130-py312"
+    "org.opencontainers.image.description" = "part common of stack cu130, for Python 3.12"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-torch-cu130-py312" {
@@ -1642,6 +1975,16 @@ target "payload-torch-cu130-py312" {
   inherits = ["_files-torch-cu130-py312"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu130-py312"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu130-py312"
+    "org.opencontainers.image.description" = "part torch of stack cu130, for Python 3.12"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.torch"                       = "2.12.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-common-cpu-py312" {
@@ -1662,6 +2005,15 @@ target "payload-common-cpu-py312" {
   inherits = ["_files-common-cpu-py312"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cpu-py312"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cpu-py312"
+    "org.opencontainers.image.description" = "part common of stack cpu, for Python 3.12"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cpu-py312" {
@@ -1682,6 +2034,16 @@ target "payload-torch-cpu-py312" {
   inherits = ["_files-torch-cpu-py312"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cpu-py312"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cpu-py312"
+    "org.opencontainers.image.description" = "part torch of stack cpu, for Python 3.12"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cpu-py312" {
@@ -1702,6 +2064,16 @@ target "payload-tensorflow-cpu-py312" {
   inherits = ["_files-tensorflow-cpu-py312"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cpu-py312"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cpu-py312"
+    "org.opencontainers.image.description" = "part tensorflow of stack cpu, for Python 3.12"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu128-py314" {
@@ -1722,6 +2094,15 @@ target "payload-common-cu128-py314" {
   inherits = ["_files-common-cu128-py314"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu128-py314"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu128-py314"
+    "org.opencontainers.image.description" = "part common of stack cu128, for Python 3.14"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cu128-py314" {
@@ -1742,6 +2123,16 @@ target "payload-torch-cu128-py314" {
   inherits = ["_files-torch-cu128-py314"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu128-py314"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu128-py314"
+    "org.opencontainers.image.description" = "part torch of stack cu128, for Python 3.14"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu130-py314" {
@@ -1762,6 +2153,15 @@ target "payload-common-cu130-py314" {
   inherits = ["_files-common-cu130-py314"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu130-py314"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu130-py314"
+    "org.opencontainers.image.description" = "part common of stack cu130, for Python 3.14"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-torch-cu130-py314" {
@@ -1782,6 +2182,16 @@ target "payload-torch-cu130-py314" {
   inherits = ["_files-torch-cu130-py314"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu130-py314"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu130-py314"
+    "org.opencontainers.image.description" = "part torch of stack cu130, for Python 3.14"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.torch"                       = "2.12.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-common-cpu-py314" {
@@ -1802,6 +2212,15 @@ target "payload-common-cpu-py314" {
   inherits = ["_files-common-cpu-py314"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cpu-py314"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cpu-py314"
+    "org.opencontainers.image.description" = "part common of stack cpu, for Python 3.14"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cpu-py314" {
@@ -1822,6 +2241,16 @@ target "payload-torch-cpu-py314" {
   inherits = ["_files-torch-cpu-py314"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cpu-py314"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cpu-py314"
+    "org.opencontainers.image.description" = "part torch of stack cpu, for Python 3.14"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.14"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu128-py311" {
@@ -1842,6 +2271,15 @@ target "payload-common-cu128-py311" {
   inherits = ["_files-common-cu128-py311"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu128-py311"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu128-py311"
+    "org.opencontainers.image.description" = "part common of stack cu128, for Python 3.11"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cu128-py311" {
@@ -1862,6 +2300,16 @@ target "payload-torch-cu128-py311" {
   inherits = ["_files-torch-cu128-py311"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu128-py311"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu128-py311"
+    "org.opencontainers.image.description" = "part torch of stack cu128, for Python 3.11"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cu128-py311" {
@@ -1882,6 +2330,16 @@ target "payload-tensorflow-cu128-py311" {
   inherits = ["_files-tensorflow-cu128-py311"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cu128-py311"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cu128-py311"
+    "org.opencontainers.image.description" = "part tensorflow of stack cu128, for Python 3.11"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu130-py311" {
@@ -1902,6 +2360,15 @@ target "payload-common-cu130-py311" {
   inherits = ["_files-common-cu130-py311"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu130-py311"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu130-py311"
+    "org.opencontainers.image.description" = "part common of stack cu130, for Python 3.11"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-torch-cu130-py311" {
@@ -1922,6 +2389,16 @@ target "payload-torch-cu130-py311" {
   inherits = ["_files-torch-cu130-py311"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu130-py311"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu130-py311"
+    "org.opencontainers.image.description" = "part torch of stack cu130, for Python 3.11"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.torch"                       = "2.12.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-common-cpu-py311" {
@@ -1942,6 +2419,15 @@ target "payload-common-cpu-py311" {
   inherits = ["_files-common-cpu-py311"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cpu-py311"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cpu-py311"
+    "org.opencontainers.image.description" = "part common of stack cpu, for Python 3.11"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cpu-py311" {
@@ -1962,6 +2448,16 @@ target "payload-torch-cpu-py311" {
   inherits = ["_files-torch-cpu-py311"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cpu-py311"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cpu-py311"
+    "org.opencontainers.image.description" = "part torch of stack cpu, for Python 3.11"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cpu-py311" {
@@ -1982,6 +2478,16 @@ target "payload-tensorflow-cpu-py311" {
   inherits = ["_files-tensorflow-cpu-py311"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cpu-py311"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cpu-py311"
+    "org.opencontainers.image.description" = "part tensorflow of stack cpu, for Python 3.11"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu128-py313" {
@@ -2002,6 +2508,15 @@ target "payload-common-cu128-py313" {
   inherits = ["_files-common-cu128-py313"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu128-py313"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu128-py313"
+    "org.opencontainers.image.description" = "part common of stack cu128, for Python 3.13"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cu128-py313" {
@@ -2022,6 +2537,16 @@ target "payload-torch-cu128-py313" {
   inherits = ["_files-torch-cu128-py313"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu128-py313"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu128-py313"
+    "org.opencontainers.image.description" = "part torch of stack cu128, for Python 3.13"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cu128-py313" {
@@ -2042,6 +2567,16 @@ target "payload-tensorflow-cu128-py313" {
   inherits = ["_files-tensorflow-cu128-py313"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cu128-py313"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cu128-py313"
+    "org.opencontainers.image.description" = "part tensorflow of stack cu128, for Python 3.13"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=cuda,common,tensorflow-cc,tensorflow ml=cuda,common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-common-cu130-py313" {
@@ -2062,6 +2597,15 @@ target "payload-common-cu130-py313" {
   inherits = ["_files-common-cu130-py313"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cu130-py313"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cu130-py313"
+    "org.opencontainers.image.description" = "part common of stack cu130, for Python 3.13"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-torch-cu130-py313" {
@@ -2082,6 +2626,16 @@ target "payload-torch-cu130-py313" {
   inherits = ["_files-torch-cu130-py313"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cu130-py313"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cu130-py313"
+    "org.opencontainers.image.description" = "part torch of stack cu130, for Python 3.13"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cu130"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.torch"                       = "2.12.1"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=cuda,common,torch"
+  }
 }
 
 target "_files-common-cpu-py313" {
@@ -2102,6 +2656,15 @@ target "payload-common-cpu-py313" {
   inherits = ["_files-common-cpu-py313"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:common-cpu-py313"]
+  labels = {
+    "org.opencontainers.image.title"       = "common-cpu-py313"
+    "org.opencontainers.image.description" = "part common of stack cpu, for Python 3.13"
+    "io.rosml.part"                        = "common"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-torch-cpu-py313" {
@@ -2122,6 +2685,16 @@ target "payload-torch-cpu-py313" {
   inherits = ["_files-torch-cpu-py313"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:torch-cpu-py313"]
+  labels = {
+    "org.opencontainers.image.title"       = "torch-cpu-py313"
+    "org.opencontainers.image.description" = "part torch of stack cpu, for Python 3.13"
+    "io.rosml.part"                        = "torch"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "torch=common,torch ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 target "_files-tensorflow-cpu-py313" {
@@ -2142,6 +2715,16 @@ target "payload-tensorflow-cpu-py313" {
   inherits = ["_files-tensorflow-cpu-py313"]
   target   = "payload"
   tags     = ["${REGISTRY}/payload:tensorflow-cpu-py313"]
+  labels = {
+    "org.opencontainers.image.title"       = "tensorflow-cpu-py313"
+    "org.opencontainers.image.description" = "part tensorflow of stack cpu, for Python 3.13"
+    "io.rosml.part"                        = "tensorflow"
+    "io.rosml.stack"                       = "cpu"
+    "io.rosml.python"                      = "3.13"
+    "io.rosml.tensorflow"                  = "2.20.0"
+    "io.rosml.parts"                       = "cuda,common,torch,tensorflow-cc,tensorflow"
+    "io.rosml.frameworks"                  = "tensorflow=common,tensorflow-cc,tensorflow ml=common,torch,tensorflow-cc,tensorflow"
+  }
 }
 
 # ---- Images with a framework: a ROS image joined with payloads -----------------------------------------------------
@@ -8891,6 +9474,141 @@ target "trixie-desktop-full-ml-cpu" {
   }
 }
 
+target "jazzy-wheels-core-cuda-cu128" {
+  inherits  = ["_distribution-jazzy-wheels", "_join-cuda-cu128-bookworm"]
+  platforms = platforms(["linux/amd64"])
+  tags      = ["${REGISTRY}/ros-cuda:jazzy-wheels-core-cu128", "${REGISTRY}/ros-cuda:jazzy-wheels-core-cu128-cuda12.8.90"]
+  contexts  = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-cuda-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cu128-cuda12.8.90"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-cuda-cu130" {
+  inherits  = ["_distribution-jazzy-wheels", "_join-cuda-cu130-bookworm"]
+  platforms = platforms(["linux/amd64"])
+  tags      = ["${REGISTRY}/ros-cuda:jazzy-wheels-core-cu130", "${REGISTRY}/ros-cuda:jazzy-wheels-core-cu130-cuda13.0.96"]
+  contexts  = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-cuda-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cu130-cuda13.0.96"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-cuda-cu121" {
+  inherits  = ["_distribution-jazzy-wheels", "_join-cuda-cu121-bookworm"]
+  platforms = platforms(["linux/amd64"])
+  tags      = ["${REGISTRY}/ros-cuda:jazzy-wheels-core-cu121", "${REGISTRY}/ros-cuda:jazzy-wheels-core-cu121-cuda12.1.105"]
+  contexts  = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-cuda-cu121"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), CUDA 12.1.105"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cu121-cuda12.1.105"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-torch-cu128" {
+  inherits  = ["_distribution-jazzy-wheels", "_join-torch-cu128-bookworm"]
+  platforms = platforms(["linux/amd64"])
+  tags      = ["${REGISTRY}/ros-torch:jazzy-wheels-core-cu128", "${REGISTRY}/ros-torch:jazzy-wheels-core-cu128-torch2.10.0"]
+  contexts  = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-torch-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), PyTorch 2.10.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cu128-torch2.10.0"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-torch-cu130" {
+  inherits  = ["_distribution-jazzy-wheels", "_join-torch-cu130-bookworm"]
+  platforms = platforms(["linux/amd64"])
+  tags      = ["${REGISTRY}/ros-torch:jazzy-wheels-core-cu130", "${REGISTRY}/ros-torch:jazzy-wheels-core-cu130-torch2.12.1"]
+  contexts  = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-torch-cu130"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), PyTorch 2.12.1, CUDA 13.0.96"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cu130-torch2.12.1"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-torch-cpu" {
+  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
+  inherits    = ["_distribution-jazzy-wheels", "_join-torch-cpu-bookworm"]
+  platforms   = platforms(["linux/amd64"])
+  tags        = ["${REGISTRY}/ros-torch:jazzy-wheels-core-cpu", "${REGISTRY}/ros-torch:jazzy-wheels-core-cpu-torch2.10.0"]
+  contexts    = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-torch-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), PyTorch 2.10.0"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cpu-torch2.10.0"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-tensorflow-cu128" {
+  inherits  = ["_distribution-jazzy-wheels", "_join-tensorflow-cu128-bookworm"]
+  platforms = platforms(["linux/amd64"])
+  tags      = ["${REGISTRY}/ros-tf:jazzy-wheels-core-cu128", "${REGISTRY}/ros-tf:jazzy-wheels-core-cu128-tf2.20.0"]
+  contexts  = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-tensorflow-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), TensorFlow 2.20.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cu128-tf2.20.0"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-tensorflow-cpu" {
+  inherits  = ["_distribution-jazzy-wheels", "_join-tensorflow-cpu-bookworm"]
+  platforms = platforms(["linux/amd64"])
+  tags      = ["${REGISTRY}/ros-tf:jazzy-wheels-core-cpu", "${REGISTRY}/ros-tf:jazzy-wheels-core-cpu-tf2.20.0"]
+  contexts  = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-tensorflow-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), TensorFlow 2.20.0"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cpu-tf2.20.0"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-ml-cu128" {
+  inherits  = ["_distribution-jazzy-wheels", "_join-ml-cu128-bookworm"]
+  platforms = platforms(["linux/amd64"])
+  tags = [
+    "${REGISTRY}/ros-ml:jazzy-wheels-core-cu128",
+    "${REGISTRY}/ros-ml:jazzy-wheels-core-cu128-torch2.10.0-tf2.20.0",
+  ]
+  contexts = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-ml-cu128"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), PyTorch 2.10.0, TensorFlow 2.20.0, CUDA 12.8.90"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cu128-torch2.10.0-tf2.20.0"
+    "io.rosml.component"                   = "core"
+  }
+}
+
+target "jazzy-wheels-core-ml-cpu" {
+  description = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them"
+  inherits    = ["_distribution-jazzy-wheels", "_join-ml-cpu-bookworm"]
+  platforms   = platforms(["linux/amd64"])
+  tags        = ["${REGISTRY}/ros-ml:jazzy-wheels-core-cpu", "${REGISTRY}/ros-ml:jazzy-wheels-core-cpu-torch2.10.0-tf2.20.0"]
+  contexts    = { ros = image("ros", "jazzy-wheels-core") }
+  labels = {
+    "org.opencontainers.image.title"       = "jazzy-wheels-core-ml-cpu"
+    "org.opencontainers.image.description" = "ROS 2 core (jazzy-wheels), PyTorch 2.10.0, TensorFlow 2.20.0"
+    "org.opencontainers.image.version"     = "jazzy-wheels-core-cpu-torch2.10.0-tf2.20.0"
+    "io.rosml.component"                   = "core"
+  }
+}
+
 # ---- Structure tests, inside the build -----------------------------------------------------------------------------
 
 target "noetic-core-test" {
@@ -8898,7 +9616,7 @@ target "noetic-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-core") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core"
   }
 }
@@ -8908,7 +9626,7 @@ target "noetic-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-base") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base"
   }
 }
@@ -8918,7 +9636,7 @@ target "noetic-robot-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-robot") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot"
   }
 }
@@ -8928,7 +9646,7 @@ target "noetic-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-perception") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception"
   }
 }
@@ -8938,7 +9656,7 @@ target "noetic-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-desktop") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop"
   }
 }
@@ -8948,7 +9666,7 @@ target "noetic-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "noetic-desktop-full") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full"
   }
 }
@@ -8958,7 +9676,7 @@ target "noetic-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -8968,7 +9686,7 @@ target "noetic-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -8978,7 +9696,7 @@ target "noetic-robot-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -8988,7 +9706,7 @@ target "noetic-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -8998,7 +9716,7 @@ target "noetic-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9008,7 +9726,7 @@ target "noetic-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9018,7 +9736,7 @@ target "noetic-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9028,7 +9746,7 @@ target "noetic-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9038,7 +9756,7 @@ target "noetic-robot-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9048,7 +9766,7 @@ target "noetic-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9058,7 +9776,7 @@ target "noetic-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9068,7 +9786,7 @@ target "noetic-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9078,7 +9796,7 @@ target "noetic-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9088,7 +9806,7 @@ target "noetic-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9098,7 +9816,7 @@ target "noetic-robot-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-robot-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9108,7 +9826,7 @@ target "noetic-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9118,7 +9836,7 @@ target "noetic-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9128,7 +9846,7 @@ target "noetic-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "noetic-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9138,7 +9856,7 @@ target "noetic-core-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-core-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch"
+    TESTS  = "contract ros1 ros1-core cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9148,7 +9866,7 @@ target "noetic-base-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-base-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9158,7 +9876,7 @@ target "noetic-robot-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-robot-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9168,7 +9886,7 @@ target "noetic-perception-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-perception-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9178,7 +9896,7 @@ target "noetic-desktop-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9188,7 +9906,7 @@ target "noetic-desktop-full-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-full-torch-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9198,7 +9916,7 @@ target "noetic-core-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-core-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core torch"
+    TESTS  = "contract ros1 ros1-core torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core torch=2.4.1"
   }
 }
@@ -9208,7 +9926,7 @@ target "noetic-base-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-base-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base torch"
+    TESTS  = "contract ros1 ros1-core ros1-base torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base torch=2.4.1"
   }
 }
@@ -9218,7 +9936,7 @@ target "noetic-robot-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-robot-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot torch=2.4.1"
   }
 }
@@ -9228,7 +9946,7 @@ target "noetic-perception-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-perception-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception torch=2.4.1"
   }
 }
@@ -9238,7 +9956,7 @@ target "noetic-desktop-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop torch=2.4.1"
   }
 }
@@ -9248,7 +9966,7 @@ target "noetic-desktop-full-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "noetic-desktop-full-torch-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full torch=2.4.1"
   }
 }
@@ -9258,7 +9976,7 @@ target "noetic-core-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-core-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core tensorflow"
+    TESTS  = "contract ros1 ros1-core tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core tensorflow=2.13.1"
   }
 }
@@ -9268,7 +9986,7 @@ target "noetic-base-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-base-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base tensorflow=2.13.1"
   }
 }
@@ -9278,7 +9996,7 @@ target "noetic-robot-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-robot-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot tensorflow=2.13.1"
   }
 }
@@ -9288,7 +10006,7 @@ target "noetic-perception-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-perception-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception tensorflow=2.13.1"
   }
 }
@@ -9298,7 +10016,7 @@ target "noetic-desktop-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-desktop-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop tensorflow=2.13.1"
   }
 }
@@ -9308,7 +10026,7 @@ target "noetic-desktop-full-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "noetic-desktop-full-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=1 ros_distro=noetic packages_core=ros-noetic-ros-core packages_base=ros-noetic-ros-base packages_robot=ros-noetic-robot packages_perception=ros-noetic-perception packages_desktop=ros-noetic-desktop packages_desktop_full=ros-noetic-desktop-full tensorflow=2.13.1"
   }
 }
@@ -9318,7 +10036,7 @@ target "foxy-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "foxy-core") }
   args = {
-    TESTS  = "contract ros2 ros2-core"
+    TESTS  = "contract ros2 ros2-core ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core"
   }
 }
@@ -9328,7 +10046,7 @@ target "foxy-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "foxy-base") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base"
   }
 }
@@ -9338,7 +10056,7 @@ target "foxy-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "foxy-desktop") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop"
   }
 }
@@ -9348,7 +10066,7 @@ target "foxy-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9358,7 +10076,7 @@ target "foxy-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9368,7 +10086,7 @@ target "foxy-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9378,7 +10096,7 @@ target "foxy-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "foxy-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9388,7 +10106,7 @@ target "foxy-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "foxy-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9398,7 +10116,7 @@ target "foxy-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "foxy-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9408,7 +10126,7 @@ target "foxy-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9418,7 +10136,7 @@ target "foxy-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9428,7 +10146,7 @@ target "foxy-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "foxy-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9438,7 +10156,7 @@ target "foxy-core-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "foxy-core-torch-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9448,7 +10166,7 @@ target "foxy-base-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "foxy-base-torch-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9458,7 +10176,7 @@ target "foxy-desktop-torch-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "foxy-desktop-torch-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop torch=2.4.1 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9468,7 +10186,7 @@ target "foxy-core-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "foxy-core-torch-cpu38") }
   args = {
-    TESTS  = "contract ros2 ros2-core torch"
+    TESTS  = "contract ros2 ros2-core torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core torch=2.4.1"
   }
 }
@@ -9478,7 +10196,7 @@ target "foxy-base-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "foxy-base-torch-cpu38") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base torch"
+    TESTS  = "contract ros2 ros2-core ros2-base torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base torch=2.4.1"
   }
 }
@@ -9488,7 +10206,7 @@ target "foxy-desktop-torch-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "foxy-desktop-torch-cpu38") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop torch=2.4.1"
   }
 }
@@ -9498,7 +10216,7 @@ target "foxy-core-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "foxy-core-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros2 ros2-core tensorflow"
+    TESTS  = "contract ros2 ros2-core tensorflow ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core tensorflow=2.13.1"
   }
 }
@@ -9508,7 +10226,7 @@ target "foxy-base-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "foxy-base-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base tensorflow"
+    TESTS  = "contract ros2 ros2-core ros2-base tensorflow ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base tensorflow=2.13.1"
   }
 }
@@ -9518,7 +10236,7 @@ target "foxy-desktop-tensorflow-cpu38-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "foxy-desktop-tensorflow-cpu38") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop tensorflow"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-desktop tensorflow ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-20.04 python=3.8 ros=2 ros_distro=foxy packages_core=ros-foxy-ros-core packages_base=ros-foxy-ros-base packages_desktop=ros-foxy-desktop tensorflow=2.13.1"
   }
 }
@@ -9528,7 +10246,7 @@ target "humble-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-core") }
   args = {
-    TESTS  = "contract ros2 ros2-core"
+    TESTS  = "contract ros2 ros2-core ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core"
   }
 }
@@ -9538,7 +10256,7 @@ target "humble-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-base") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base"
   }
 }
@@ -9548,7 +10266,7 @@ target "humble-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-perception") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception"
   }
 }
@@ -9558,7 +10276,7 @@ target "humble-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-desktop") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop"
   }
 }
@@ -9568,7 +10286,7 @@ target "humble-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "humble-desktop-full") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full"
   }
 }
@@ -9578,7 +10296,7 @@ target "humble-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9588,7 +10306,7 @@ target "humble-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9598,7 +10316,7 @@ target "humble-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9608,7 +10326,7 @@ target "humble-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9618,7 +10336,7 @@ target "humble-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9628,7 +10346,7 @@ target "humble-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9638,7 +10356,7 @@ target "humble-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9648,7 +10366,7 @@ target "humble-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9658,7 +10376,7 @@ target "humble-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9668,7 +10386,7 @@ target "humble-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9678,7 +10396,7 @@ target "humble-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9688,7 +10406,7 @@ target "humble-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9698,7 +10416,7 @@ target "humble-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9708,7 +10426,7 @@ target "humble-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9718,7 +10436,7 @@ target "humble-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "humble-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -9778,7 +10496,7 @@ target "humble-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9788,7 +10506,7 @@ target "humble-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9798,7 +10516,7 @@ target "humble-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9808,7 +10526,7 @@ target "humble-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9818,7 +10536,7 @@ target "humble-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "humble-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -9978,7 +10696,7 @@ target "humble-core-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-core-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9988,7 +10706,7 @@ target "humble-base-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-base-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -9998,7 +10716,7 @@ target "humble-perception-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-perception-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10008,7 +10726,7 @@ target "humble-desktop-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-desktop-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10018,7 +10736,7 @@ target "humble-desktop-full-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "humble-desktop-full-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10028,7 +10746,7 @@ target "humble-core-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-core-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10038,7 +10756,7 @@ target "humble-base-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-base-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10048,7 +10766,7 @@ target "humble-perception-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-perception-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10058,7 +10776,7 @@ target "humble-desktop-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-desktop-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10068,7 +10786,7 @@ target "humble-desktop-full-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "humble-desktop-full-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=humble packages_core=ros-humble-ros-core packages_base=ros-humble-ros-base packages_perception=ros-humble-perception packages_desktop=ros-humble-desktop packages_desktop_full=ros-humble-desktop-full torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10078,7 +10796,7 @@ target "iron-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-core") }
   args = {
-    TESTS  = "contract ros2 ros2-core"
+    TESTS  = "contract ros2 ros2-core ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core"
   }
 }
@@ -10088,7 +10806,7 @@ target "iron-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-base") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base"
   }
 }
@@ -10098,7 +10816,7 @@ target "iron-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-perception") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception"
   }
 }
@@ -10108,7 +10826,7 @@ target "iron-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-desktop") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop"
   }
 }
@@ -10118,7 +10836,7 @@ target "iron-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "iron-desktop-full") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full"
   }
 }
@@ -10128,7 +10846,7 @@ target "iron-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10138,7 +10856,7 @@ target "iron-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10148,7 +10866,7 @@ target "iron-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10158,7 +10876,7 @@ target "iron-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10168,7 +10886,7 @@ target "iron-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10178,7 +10896,7 @@ target "iron-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10188,7 +10906,7 @@ target "iron-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10198,7 +10916,7 @@ target "iron-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10208,7 +10926,7 @@ target "iron-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10218,7 +10936,7 @@ target "iron-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10228,7 +10946,7 @@ target "iron-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10238,7 +10956,7 @@ target "iron-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10248,7 +10966,7 @@ target "iron-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10258,7 +10976,7 @@ target "iron-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10268,7 +10986,7 @@ target "iron-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "iron-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10328,7 +11046,7 @@ target "iron-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10338,7 +11056,7 @@ target "iron-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10348,7 +11066,7 @@ target "iron-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10358,7 +11076,7 @@ target "iron-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10368,7 +11086,7 @@ target "iron-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "iron-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10528,7 +11246,7 @@ target "iron-core-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-core-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10538,7 +11256,7 @@ target "iron-base-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-base-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10548,7 +11266,7 @@ target "iron-perception-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-perception-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10558,7 +11276,7 @@ target "iron-desktop-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-desktop-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10568,7 +11286,7 @@ target "iron-desktop-full-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "iron-desktop-full-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10578,7 +11296,7 @@ target "iron-core-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-core-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10588,7 +11306,7 @@ target "iron-base-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-base-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10598,7 +11316,7 @@ target "iron-perception-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-perception-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10608,7 +11326,7 @@ target "iron-desktop-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-desktop-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10618,7 +11336,7 @@ target "iron-desktop-full-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "iron-desktop-full-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-22.04 python=3.10 ros=2 ros_distro=iron packages_core=ros-iron-ros-core packages_base=ros-iron-ros-base packages_perception=ros-iron-perception packages_desktop=ros-iron-desktop packages_desktop_full=ros-iron-desktop-full torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -10628,7 +11346,7 @@ target "jazzy-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-core") }
   args = {
-    TESTS  = "contract ros2 ros2-core"
+    TESTS  = "contract ros2 ros2-core ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core"
   }
 }
@@ -10638,7 +11356,7 @@ target "jazzy-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-base") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base"
   }
 }
@@ -10648,7 +11366,7 @@ target "jazzy-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-perception") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception"
   }
 }
@@ -10658,7 +11376,7 @@ target "jazzy-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-desktop") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop"
   }
 }
@@ -10668,7 +11386,7 @@ target "jazzy-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "jazzy-desktop-full") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full"
   }
 }
@@ -10678,7 +11396,7 @@ target "jazzy-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10688,7 +11406,7 @@ target "jazzy-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10698,7 +11416,7 @@ target "jazzy-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10708,7 +11426,7 @@ target "jazzy-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10718,7 +11436,7 @@ target "jazzy-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -10728,7 +11446,7 @@ target "jazzy-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10738,7 +11456,7 @@ target "jazzy-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10748,7 +11466,7 @@ target "jazzy-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10758,7 +11476,7 @@ target "jazzy-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10768,7 +11486,7 @@ target "jazzy-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10778,7 +11496,7 @@ target "jazzy-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10788,7 +11506,7 @@ target "jazzy-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10798,7 +11516,7 @@ target "jazzy-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10808,7 +11526,7 @@ target "jazzy-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10818,7 +11536,7 @@ target "jazzy-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "jazzy-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -10878,7 +11596,7 @@ target "jazzy-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10888,7 +11606,7 @@ target "jazzy-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10898,7 +11616,7 @@ target "jazzy-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10908,7 +11626,7 @@ target "jazzy-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -10918,7 +11636,7 @@ target "jazzy-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "jazzy-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11078,7 +11796,7 @@ target "jazzy-core-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-core-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11088,7 +11806,7 @@ target "jazzy-base-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-base-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11098,7 +11816,7 @@ target "jazzy-perception-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-perception-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11108,7 +11826,7 @@ target "jazzy-desktop-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-desktop-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11118,7 +11836,7 @@ target "jazzy-desktop-full-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "jazzy-desktop-full-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11128,7 +11846,7 @@ target "jazzy-core-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-core-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11138,7 +11856,7 @@ target "jazzy-base-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-base-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11148,7 +11866,7 @@ target "jazzy-perception-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-perception-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11158,7 +11876,7 @@ target "jazzy-desktop-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-desktop-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11168,7 +11886,7 @@ target "jazzy-desktop-full-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "jazzy-desktop-full-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base packages_perception=ros-jazzy-perception packages_desktop=ros-jazzy-desktop packages_desktop_full=ros-jazzy-desktop-full torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11178,7 +11896,7 @@ target "kilted-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-core") }
   args = {
-    TESTS  = "contract ros2 ros2-core"
+    TESTS  = "contract ros2 ros2-core ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core"
   }
 }
@@ -11188,7 +11906,7 @@ target "kilted-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-base") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base"
   }
 }
@@ -11198,7 +11916,7 @@ target "kilted-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-perception") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception"
   }
 }
@@ -11208,7 +11926,7 @@ target "kilted-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-desktop") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop"
   }
 }
@@ -11218,7 +11936,7 @@ target "kilted-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "kilted-desktop-full") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full"
   }
 }
@@ -11228,7 +11946,7 @@ target "kilted-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11238,7 +11956,7 @@ target "kilted-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11248,7 +11966,7 @@ target "kilted-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11258,7 +11976,7 @@ target "kilted-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11268,7 +11986,7 @@ target "kilted-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11278,7 +11996,7 @@ target "kilted-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11288,7 +12006,7 @@ target "kilted-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11298,7 +12016,7 @@ target "kilted-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11308,7 +12026,7 @@ target "kilted-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11318,7 +12036,7 @@ target "kilted-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11328,7 +12046,7 @@ target "kilted-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11338,7 +12056,7 @@ target "kilted-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11348,7 +12066,7 @@ target "kilted-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11358,7 +12076,7 @@ target "kilted-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11368,7 +12086,7 @@ target "kilted-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "kilted-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11428,7 +12146,7 @@ target "kilted-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11438,7 +12156,7 @@ target "kilted-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11448,7 +12166,7 @@ target "kilted-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11458,7 +12176,7 @@ target "kilted-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11468,7 +12186,7 @@ target "kilted-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "kilted-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11628,7 +12346,7 @@ target "kilted-core-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-core-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11638,7 +12356,7 @@ target "kilted-base-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-base-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11648,7 +12366,7 @@ target "kilted-perception-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-perception-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11658,7 +12376,7 @@ target "kilted-desktop-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-desktop-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11668,7 +12386,7 @@ target "kilted-desktop-full-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "kilted-desktop-full-ml-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11678,7 +12396,7 @@ target "kilted-core-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-core-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11688,7 +12406,7 @@ target "kilted-base-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-base-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11698,7 +12416,7 @@ target "kilted-perception-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-perception-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11708,7 +12426,7 @@ target "kilted-desktop-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-desktop-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11718,7 +12436,7 @@ target "kilted-desktop-full-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "kilted-desktop-full-ml-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch tensorflow ml ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=kilted packages_core=ros-kilted-ros-core packages_base=ros-kilted-ros-base packages_perception=ros-kilted-perception packages_desktop=ros-kilted-desktop packages_desktop_full=ros-kilted-desktop-full torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -11728,7 +12446,7 @@ target "lyrical-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-core") }
   args = {
-    TESTS  = "contract ros2 ros2-core"
+    TESTS  = "contract ros2 ros2-core ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core"
   }
 }
@@ -11738,7 +12456,7 @@ target "lyrical-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-base") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base"
   }
 }
@@ -11748,7 +12466,7 @@ target "lyrical-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-perception") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception"
   }
 }
@@ -11758,7 +12476,7 @@ target "lyrical-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-desktop") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop"
   }
 }
@@ -11768,7 +12486,7 @@ target "lyrical-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "lyrical-desktop-full") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full"
   }
 }
@@ -11778,7 +12496,7 @@ target "lyrical-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11788,7 +12506,7 @@ target "lyrical-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11798,7 +12516,7 @@ target "lyrical-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11808,7 +12526,7 @@ target "lyrical-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11818,7 +12536,7 @@ target "lyrical-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11828,7 +12546,7 @@ target "lyrical-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11838,7 +12556,7 @@ target "lyrical-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11848,7 +12566,7 @@ target "lyrical-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11858,7 +12576,7 @@ target "lyrical-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11868,7 +12586,7 @@ target "lyrical-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11878,7 +12596,7 @@ target "lyrical-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11888,7 +12606,7 @@ target "lyrical-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11898,7 +12616,7 @@ target "lyrical-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11908,7 +12626,7 @@ target "lyrical-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11918,7 +12636,7 @@ target "lyrical-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "lyrical-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -11928,7 +12646,7 @@ target "lyrical-core-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-core-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11938,7 +12656,7 @@ target "lyrical-base-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-base-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11948,7 +12666,7 @@ target "lyrical-perception-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-perception-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11958,7 +12676,7 @@ target "lyrical-desktop-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11968,7 +12686,7 @@ target "lyrical-desktop-full-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-full-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -11978,7 +12696,7 @@ target "lyrical-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11988,7 +12706,7 @@ target "lyrical-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -11998,7 +12716,7 @@ target "lyrical-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12008,7 +12726,7 @@ target "lyrical-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12018,7 +12736,7 @@ target "lyrical-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12028,7 +12746,7 @@ target "lyrical-core-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-core-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core torch"
+    TESTS  = "contract ros2 ros2-core torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core torch=2.10.0"
   }
 }
@@ -12038,7 +12756,7 @@ target "lyrical-base-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-base-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base torch"
+    TESTS  = "contract ros2 ros2-core ros2-base torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base torch=2.10.0"
   }
 }
@@ -12048,7 +12766,7 @@ target "lyrical-perception-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-perception-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception torch=2.10.0"
   }
 }
@@ -12058,7 +12776,7 @@ target "lyrical-desktop-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop torch=2.10.0"
   }
 }
@@ -12068,7 +12786,7 @@ target "lyrical-desktop-full-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "lyrical-desktop-full-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=lyrical packages_core=ros-lyrical-ros-core packages_base=ros-lyrical-ros-base packages_perception=ros-lyrical-perception packages_desktop=ros-lyrical-desktop packages_desktop_full=ros-lyrical-desktop-full torch=2.10.0"
   }
 }
@@ -12078,7 +12796,7 @@ target "rolling-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-core") }
   args = {
-    TESTS  = "contract ros2 ros2-core"
+    TESTS  = "contract ros2 ros2-core ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core"
   }
 }
@@ -12088,7 +12806,7 @@ target "rolling-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-base") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base"
   }
 }
@@ -12098,7 +12816,7 @@ target "rolling-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-perception") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception"
   }
 }
@@ -12108,7 +12826,7 @@ target "rolling-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-desktop") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop"
   }
 }
@@ -12118,7 +12836,7 @@ target "rolling-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "rolling-desktop-full") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full"
   }
 }
@@ -12128,7 +12846,7 @@ target "rolling-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12138,7 +12856,7 @@ target "rolling-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12148,7 +12866,7 @@ target "rolling-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12158,7 +12876,7 @@ target "rolling-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12168,7 +12886,7 @@ target "rolling-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12178,7 +12896,7 @@ target "rolling-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12188,7 +12906,7 @@ target "rolling-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12198,7 +12916,7 @@ target "rolling-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12208,7 +12926,7 @@ target "rolling-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12218,7 +12936,7 @@ target "rolling-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12228,7 +12946,7 @@ target "rolling-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda"
+    TESTS  = "contract ros2 ros2-core cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12238,7 +12956,7 @@ target "rolling-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12248,7 +12966,7 @@ target "rolling-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12258,7 +12976,7 @@ target "rolling-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12268,7 +12986,7 @@ target "rolling-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "rolling-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12278,7 +12996,7 @@ target "rolling-core-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-core-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12288,7 +13006,7 @@ target "rolling-base-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-base-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12298,7 +13016,7 @@ target "rolling-perception-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-perception-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12308,7 +13026,7 @@ target "rolling-desktop-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12318,7 +13036,7 @@ target "rolling-desktop-full-torch-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-full-torch-cu128") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12328,7 +13046,7 @@ target "rolling-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core cuda torch"
+    TESTS  = "contract ros2 ros2-core cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12338,7 +13056,7 @@ target "rolling-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12348,7 +13066,7 @@ target "rolling-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12358,7 +13076,7 @@ target "rolling-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12368,7 +13086,7 @@ target "rolling-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full cuda torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12378,7 +13096,7 @@ target "rolling-core-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-core-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core torch"
+    TESTS  = "contract ros2 ros2-core torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core torch=2.10.0"
   }
 }
@@ -12388,7 +13106,7 @@ target "rolling-base-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-base-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base torch"
+    TESTS  = "contract ros2 ros2-core ros2-base torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base torch=2.10.0"
   }
 }
@@ -12398,7 +13116,7 @@ target "rolling-perception-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-perception-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception torch=2.10.0"
   }
 }
@@ -12408,7 +13126,7 @@ target "rolling-desktop-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop torch=2.10.0"
   }
 }
@@ -12418,7 +13136,7 @@ target "rolling-desktop-full-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "rolling-desktop-full-torch-cpu") }
   args = {
-    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch"
+    TESTS  = "contract ros2 ros2-core ros2-base ros2-perception ros2-desktop ros2-desktop-full torch ros2-workspace ros2-components pip"
     EXPECT = "os=ubuntu-26.04 python=3.14 ros=2 ros_distro=rolling packages_core=ros-rolling-ros-core packages_base=ros-rolling-ros-base packages_perception=ros-rolling-perception packages_desktop=ros-rolling-desktop packages_desktop_full=ros-rolling-desktop-full torch=2.10.0"
   }
 }
@@ -12428,7 +13146,7 @@ target "bookworm-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-core") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev"
   }
 }
@@ -12438,7 +13156,7 @@ target "bookworm-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-base") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev"
   }
 }
@@ -12448,7 +13166,7 @@ target "bookworm-robot-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-robot") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev"
   }
 }
@@ -12458,7 +13176,7 @@ target "bookworm-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-perception") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev"
   }
 }
@@ -12468,7 +13186,7 @@ target "bookworm-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-desktop") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev"
   }
 }
@@ -12478,7 +13196,7 @@ target "bookworm-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "bookworm-desktop-full") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev"
   }
 }
@@ -12488,7 +13206,7 @@ target "bookworm-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12498,7 +13216,7 @@ target "bookworm-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12508,7 +13226,7 @@ target "bookworm-robot-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12518,7 +13236,7 @@ target "bookworm-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12528,7 +13246,7 @@ target "bookworm-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12538,7 +13256,7 @@ target "bookworm-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12548,7 +13266,7 @@ target "bookworm-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12558,7 +13276,7 @@ target "bookworm-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12568,7 +13286,7 @@ target "bookworm-robot-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12578,7 +13296,7 @@ target "bookworm-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12588,7 +13306,7 @@ target "bookworm-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12598,7 +13316,7 @@ target "bookworm-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12608,7 +13326,7 @@ target "bookworm-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12618,7 +13336,7 @@ target "bookworm-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12628,7 +13346,7 @@ target "bookworm-robot-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-robot-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12638,7 +13356,7 @@ target "bookworm-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12648,7 +13366,7 @@ target "bookworm-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12658,7 +13376,7 @@ target "bookworm-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "bookworm-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -12728,7 +13446,7 @@ target "bookworm-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch"
+    TESTS  = "contract ros1 ros1-core cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12738,7 +13456,7 @@ target "bookworm-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12748,7 +13466,7 @@ target "bookworm-robot-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12758,7 +13476,7 @@ target "bookworm-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12768,7 +13486,7 @@ target "bookworm-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12778,7 +13496,7 @@ target "bookworm-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -12788,7 +13506,7 @@ target "bookworm-core-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-core-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core torch"
+    TESTS  = "contract ros1 ros1-core torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0"
   }
 }
@@ -12798,7 +13516,7 @@ target "bookworm-base-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-base-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base torch"
+    TESTS  = "contract ros1 ros1-core ros1-base torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0"
   }
 }
@@ -12808,7 +13526,7 @@ target "bookworm-robot-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-robot-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0"
   }
 }
@@ -12818,7 +13536,7 @@ target "bookworm-perception-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-perception-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0"
   }
 }
@@ -12828,7 +13546,7 @@ target "bookworm-desktop-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0"
   }
 }
@@ -12838,7 +13556,7 @@ target "bookworm-desktop-full-torch-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "bookworm-desktop-full-torch-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0"
   }
 }
@@ -12908,7 +13626,7 @@ target "bookworm-core-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-core-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core tensorflow"
+    TESTS  = "contract ros1 ros1-core tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev tensorflow=2.20.0"
   }
 }
@@ -12918,7 +13636,7 @@ target "bookworm-base-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-base-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev tensorflow=2.20.0"
   }
 }
@@ -12928,7 +13646,7 @@ target "bookworm-robot-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-robot-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev tensorflow=2.20.0"
   }
 }
@@ -12938,7 +13656,7 @@ target "bookworm-perception-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-perception-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev tensorflow=2.20.0"
   }
 }
@@ -12948,7 +13666,7 @@ target "bookworm-desktop-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev tensorflow=2.20.0"
   }
 }
@@ -12958,7 +13676,7 @@ target "bookworm-desktop-full-tensorflow-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-tf", "bookworm-desktop-full-tensorflow-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full tensorflow ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev tensorflow=2.20.0"
   }
 }
@@ -12968,7 +13686,7 @@ target "bookworm-core-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-core-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12978,7 +13696,7 @@ target "bookworm-base-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-base-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12988,7 +13706,7 @@ target "bookworm-robot-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-robot-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -12998,7 +13716,7 @@ target "bookworm-perception-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-perception-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13008,7 +13726,7 @@ target "bookworm-desktop-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13018,7 +13736,7 @@ target "bookworm-desktop-full-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-full-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13028,7 +13746,7 @@ target "bookworm-core-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-core-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13038,7 +13756,7 @@ target "bookworm-base-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-base-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13048,7 +13766,7 @@ target "bookworm-robot-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-robot-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13058,7 +13776,7 @@ target "bookworm-perception-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-perception-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13068,7 +13786,7 @@ target "bookworm-desktop-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13078,7 +13796,7 @@ target "bookworm-desktop-full-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "bookworm-desktop-full-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13088,7 +13806,7 @@ target "trixie-core-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-core") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev"
   }
 }
@@ -13098,7 +13816,7 @@ target "trixie-base-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-base") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev"
   }
 }
@@ -13108,7 +13826,7 @@ target "trixie-robot-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-robot") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev"
   }
 }
@@ -13118,7 +13836,7 @@ target "trixie-perception-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-perception") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev"
   }
 }
@@ -13128,7 +13846,7 @@ target "trixie-desktop-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-desktop") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev"
   }
 }
@@ -13138,7 +13856,7 @@ target "trixie-desktop-full-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros", "trixie-desktop-full") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev"
   }
 }
@@ -13148,7 +13866,7 @@ target "trixie-core-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13158,7 +13876,7 @@ target "trixie-base-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13168,7 +13886,7 @@ target "trixie-robot-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13178,7 +13896,7 @@ target "trixie-perception-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13188,7 +13906,7 @@ target "trixie-desktop-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13198,7 +13916,7 @@ target "trixie-desktop-full-cuda-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13208,7 +13926,7 @@ target "trixie-core-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13218,7 +13936,7 @@ target "trixie-base-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13228,7 +13946,7 @@ target "trixie-robot-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13238,7 +13956,7 @@ target "trixie-perception-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13248,7 +13966,7 @@ target "trixie-desktop-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13258,7 +13976,7 @@ target "trixie-desktop-full-cuda-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13268,7 +13986,7 @@ target "trixie-core-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-core-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13278,7 +13996,7 @@ target "trixie-base-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-base-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13288,7 +14006,7 @@ target "trixie-robot-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-robot-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13298,7 +14016,7 @@ target "trixie-perception-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-perception-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13308,7 +14026,7 @@ target "trixie-desktop-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13318,7 +14036,7 @@ target "trixie-desktop-full-cuda-cu121-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-cuda", "trixie-desktop-full-cuda-cu121") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
   }
 }
@@ -13388,7 +14106,7 @@ target "trixie-core-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-core-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core cuda torch"
+    TESTS  = "contract ros1 ros1-core cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13398,7 +14116,7 @@ target "trixie-base-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-base-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13408,7 +14126,7 @@ target "trixie-robot-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-robot-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13418,7 +14136,7 @@ target "trixie-perception-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-perception-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13428,7 +14146,7 @@ target "trixie-desktop-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13438,7 +14156,7 @@ target "trixie-desktop-full-torch-cu130-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-torch", "trixie-desktop-full-torch-cu130") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
   }
 }
@@ -13628,7 +14346,7 @@ target "trixie-core-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-core-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13638,7 +14356,7 @@ target "trixie-base-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-base-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13648,7 +14366,7 @@ target "trixie-robot-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-robot-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13658,7 +14376,7 @@ target "trixie-perception-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-perception-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13668,7 +14386,7 @@ target "trixie-desktop-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13678,7 +14396,7 @@ target "trixie-desktop-full-ml-cu128-test" {
   platforms = platforms(["linux/amd64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-full-ml-cu128") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace cuda torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full cuda torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
   }
 }
@@ -13688,7 +14406,7 @@ target "trixie-core-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-core-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13698,7 +14416,7 @@ target "trixie-base-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-base-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13708,7 +14426,7 @@ target "trixie-robot-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-robot-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13718,7 +14436,7 @@ target "trixie-perception-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-perception-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13728,7 +14446,7 @@ target "trixie-desktop-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev torch=2.10.0 tensorflow=2.20.0"
   }
 }
@@ -13738,8 +14456,118 @@ target "trixie-desktop-full-ml-cpu-test" {
   platforms = platforms(["linux/amd64", "linux/arm64"])
   contexts  = { image = image("ros-ml", "trixie-desktop-full-ml-cpu") }
   args = {
-    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full ros1-workspace torch tensorflow ml"
+    TESTS  = "contract ros1 ros1-core ros1-base ros1-robot ros1-perception ros1-desktop ros1-desktop-full torch tensorflow ml ros1-workspace ros1-components pip"
     EXPECT = "os=trixie python=3.13 ros=1 ros_distro=Debian packages_core=ros-core,ros-core-dev,ros-core-python-dev packages_base=ros-base,ros-base-dev,ros-base-python-dev packages_robot=ros-robot,ros-robot-dev,ros-robot-python-dev packages_perception=ros-perception,ros-perception-dev,ros-perception-python-dev packages_desktop=ros-desktop,ros-desktop-dev,ros-desktop-python-dev packages_desktop_full=ros-desktop-full,ros-desktop-full-dev,ros-desktop-full-python-dev torch=2.10.0 tensorflow=2.20.0"
+  }
+}
+
+target "jazzy-wheels-core-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros", "jazzy-wheels-core") }
+  args = {
+    TESTS  = "contract ros2-wheels pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6"
+  }
+}
+
+target "jazzy-wheels-core-cuda-cu128-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-cuda", "jazzy-wheels-core-cuda-cu128") }
+  args = {
+    TESTS  = "contract ros2-wheels cuda pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+  }
+}
+
+target "jazzy-wheels-core-cuda-cu130-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-cuda", "jazzy-wheels-core-cuda-cu130") }
+  args = {
+    TESTS  = "contract ros2-wheels cuda pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
+  }
+}
+
+target "jazzy-wheels-core-cuda-cu121-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-cuda", "jazzy-wheels-core-cuda-cu121") }
+  args = {
+    TESTS  = "contract ros2-wheels cuda pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 cuda=12.1.105 cudnn=9.1.0.70 nccl=2.20.5"
+  }
+}
+
+target "jazzy-wheels-core-torch-cu128-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-torch", "jazzy-wheels-core-torch-cu128") }
+  args = {
+    TESTS  = "contract ros2-wheels cuda torch pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+  }
+}
+
+target "jazzy-wheels-core-torch-cu130-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-torch", "jazzy-wheels-core-torch-cu130") }
+  args = {
+    TESTS  = "contract ros2-wheels cuda torch pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 torch=2.12.1 cuda=13.0.96 cudnn=9.20.0.48 nccl=2.29.7"
+  }
+}
+
+target "jazzy-wheels-core-torch-cpu-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-torch", "jazzy-wheels-core-torch-cpu") }
+  args = {
+    TESTS  = "contract ros2-wheels torch pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 torch=2.10.0"
+  }
+}
+
+target "jazzy-wheels-core-tensorflow-cu128-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-tf", "jazzy-wheels-core-tensorflow-cu128") }
+  args = {
+    TESTS  = "contract ros2-wheels cuda tensorflow pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+  }
+}
+
+target "jazzy-wheels-core-tensorflow-cpu-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-tf", "jazzy-wheels-core-tensorflow-cpu") }
+  args = {
+    TESTS  = "contract ros2-wheels tensorflow pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 tensorflow=2.20.0"
+  }
+}
+
+target "jazzy-wheels-core-ml-cu128-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-ml", "jazzy-wheels-core-ml-cu128") }
+  args = {
+    TESTS  = "contract ros2-wheels cuda torch tensorflow ml pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 torch=2.10.0 tensorflow=2.20.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5"
+  }
+}
+
+target "jazzy-wheels-core-ml-cpu-test" {
+  inherits  = ["_test"]
+  platforms = platforms(["linux/amd64"])
+  contexts  = { image = image("ros-ml", "jazzy-wheels-core-ml-cpu") }
+  args = {
+    TESTS  = "contract ros2-wheels torch tensorflow ml pip"
+    EXPECT = "os=bookworm python=3.11 ros=2 ros_distro=jazzy wheels=ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6 torch=2.10.0 tensorflow=2.20.0"
   }
 }
 
@@ -14253,6 +15081,20 @@ group "trixie" {
   ]
 }
 
+group "jazzy-wheels" {
+  targets = [
+    "jazzy-wheels-core",
+    "jazzy-wheels-core-cuda-cu128",
+    "jazzy-wheels-core-cuda-cu130",
+    "jazzy-wheels-core-cuda-cu121",
+    "jazzy-wheels-core-torch-cu128",
+    "jazzy-wheels-core-torch-cu130",
+    "jazzy-wheels-core-tensorflow-cu128",
+    "jazzy-wheels-core-tensorflow-cpu",
+    "jazzy-wheels-core-ml-cu128",
+  ]
+}
+
 group "core" {
   targets = [
     "noetic-core",
@@ -14343,6 +15185,15 @@ group "core" {
     "trixie-core-tensorflow-cpu",
     "trixie-core-ml-cu128",
     "trixie-core-ml-cpu",
+    "jazzy-wheels-core",
+    "jazzy-wheels-core-cuda-cu128",
+    "jazzy-wheels-core-cuda-cu130",
+    "jazzy-wheels-core-cuda-cu121",
+    "jazzy-wheels-core-torch-cu128",
+    "jazzy-wheels-core-torch-cu130",
+    "jazzy-wheels-core-tensorflow-cu128",
+    "jazzy-wheels-core-tensorflow-cpu",
+    "jazzy-wheels-core-ml-cu128",
   ]
 }
 
@@ -14790,6 +15641,7 @@ group "none" {
     "trixie-perception",
     "trixie-desktop",
     "trixie-desktop-full",
+    "jazzy-wheels-core",
   ]
 }
 
@@ -14948,6 +15800,9 @@ group "cuda" {
     "trixie-perception-cuda-cu121",
     "trixie-desktop-cuda-cu121",
     "trixie-desktop-full-cuda-cu121",
+    "jazzy-wheels-core-cuda-cu128",
+    "jazzy-wheels-core-cuda-cu130",
+    "jazzy-wheels-core-cuda-cu121",
   ]
 }
 
@@ -15072,6 +15927,8 @@ group "torch" {
     "trixie-perception-torch-cpu",
     "trixie-desktop-torch-cpu",
     "trixie-desktop-full-torch-cpu",
+    "jazzy-wheels-core-torch-cu128",
+    "jazzy-wheels-core-torch-cu130",
   ]
 }
 
@@ -15150,6 +16007,8 @@ group "tensorflow" {
     "trixie-perception-tensorflow-cpu",
     "trixie-desktop-tensorflow-cpu",
     "trixie-desktop-full-tensorflow-cpu",
+    "jazzy-wheels-core-tensorflow-cu128",
+    "jazzy-wheels-core-tensorflow-cpu",
   ]
 }
 
@@ -15213,6 +16072,7 @@ group "ml" {
     "trixie-perception-ml-cpu",
     "trixie-desktop-ml-cpu",
     "trixie-desktop-full-ml-cpu",
+    "jazzy-wheels-core-ml-cu128",
   ]
 }
 
@@ -15375,6 +16235,10 @@ group "cu128" {
     "trixie-perception-ml-cu128",
     "trixie-desktop-ml-cu128",
     "trixie-desktop-full-ml-cu128",
+    "jazzy-wheels-core-cuda-cu128",
+    "jazzy-wheels-core-torch-cu128",
+    "jazzy-wheels-core-tensorflow-cu128",
+    "jazzy-wheels-core-ml-cu128",
   ]
 }
 
@@ -15473,6 +16337,8 @@ group "cu130" {
     "trixie-perception-torch-cu130",
     "trixie-desktop-torch-cu130",
     "trixie-desktop-full-torch-cu130",
+    "jazzy-wheels-core-cuda-cu130",
+    "jazzy-wheels-core-torch-cu130",
   ]
 }
 
@@ -15538,6 +16404,7 @@ group "cu121" {
     "trixie-perception-cuda-cu121",
     "trixie-desktop-cuda-cu121",
     "trixie-desktop-full-cuda-cu121",
+    "jazzy-wheels-core-cuda-cu121",
   ]
 }
 
@@ -15627,6 +16494,7 @@ group "cpu" {
     "trixie-perception-ml-cpu",
     "trixie-desktop-ml-cpu",
     "trixie-desktop-full-ml-cpu",
+    "jazzy-wheels-core-tensorflow-cpu",
   ]
 }
 
@@ -16100,6 +16968,15 @@ group "all" {
     "trixie-perception-ml-cpu",
     "trixie-desktop-ml-cpu",
     "trixie-desktop-full-ml-cpu",
+    "jazzy-wheels-core",
+    "jazzy-wheels-core-cuda-cu128",
+    "jazzy-wheels-core-cuda-cu130",
+    "jazzy-wheels-core-cuda-cu121",
+    "jazzy-wheels-core-torch-cu128",
+    "jazzy-wheels-core-torch-cu130",
+    "jazzy-wheels-core-tensorflow-cu128",
+    "jazzy-wheels-core-tensorflow-cpu",
+    "jazzy-wheels-core-ml-cu128",
   ]
 }
 
@@ -16609,5 +17486,14 @@ group "tests" {
     "trixie-perception-ml-cpu-test",
     "trixie-desktop-ml-cpu-test",
     "trixie-desktop-full-ml-cpu-test",
+    "jazzy-wheels-core-test",
+    "jazzy-wheels-core-cuda-cu128-test",
+    "jazzy-wheels-core-cuda-cu130-test",
+    "jazzy-wheels-core-cuda-cu121-test",
+    "jazzy-wheels-core-torch-cu128-test",
+    "jazzy-wheels-core-torch-cu130-test",
+    "jazzy-wheels-core-tensorflow-cu128-test",
+    "jazzy-wheels-core-tensorflow-cpu-test",
+    "jazzy-wheels-core-ml-cu128-test",
   ]
 }

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rosml import missing, names, rules
+from rosml import labels, missing, names, rules
 from rosml.expand import Catalogue, Image, Payload
 from rosml.hcl import Expression, block, call, template, text
 from rosml.model import PARTS, Apt, Distribution, Matrix, OperatingSystem
@@ -27,6 +28,13 @@ class Dependency(Expression):
     """A context that is another target; its image in the registry, where DIGESTS names it."""
 
     target: str
+
+
+@dataclass(frozen=True)
+class Overridable(Expression):
+    """A fact of the matrix that a variable may override."""
+
+    fact: str
 
 
 def render(catalogue: Catalogue) -> str:
@@ -141,6 +149,18 @@ function "platforms" {
   result = PLATFORM == "" ? all : [PLATFORM]
 }
 
+# The date of the ROS repository of a distribution, where the caller knows it.
+function "sync_date" {
+  params = [distribution]
+  result = lookup(jsondecode(ROS_SYNC_DATES == "" ? "{}" : ROS_SYNC_DATES), distribution, "")
+}
+
+# A fact of matrix.yaml, unless the caller says otherwise.
+function "overridable" {
+  params = [fact, value]
+  result = value == "" ? fact : value
+}
+
 # A build argument that is left out when it is empty.
 function "given" {
   params = [value]
@@ -165,9 +185,14 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield "SOURCE_DATE_EPOCH", EPOCH, "time of every file, in seconds since 1970"
     yield "REVISION", "", "commit that is built, for a label"
     yield "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
+    yield "ROS_SYNC_DATES", "", 'JSON text: the dates of ROS\'s repositories, {"jazzy": "2026-11-20T21:14:09Z"}'
+    yield "ROS_CHANNEL", "", "live, snapshot or final, in the place of what matrix.yaml says (make image CHANNEL=final)"
+    yield "ROS_SNAPSHOT", "", "day of the snapshot where ROS_CHANNEL is snapshot: YYYY-MM-DD"
     yield "CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer"
     mirror = "mirror of ROS's apt sources and of github.com, such as http://host:3142; never part of an image"
     yield "ROS_APT_MIRROR", "", mirror
+    archive = "mirror of Debian's and Ubuntu's own archives, such as http://host:3142; never part of an image"
+    yield "OS_APT_MIRROR", "", archive
     for proxy in PROXIES:
         yield proxy, "", "for build steps; never part of an image"
 
@@ -183,24 +208,28 @@ def _groups(catalogue: Catalogue) -> Iterator[str]:
 
 def _abstract(catalogue: Catalogue) -> Iterator[Target]:
     proxies = {proxy: call("given", Expression(proxy)) for proxy in PROXIES}
-    # A mirror is a secret like the certificates: an argument would be in the image's history.
+    # Mirrors are secrets like the certificates: an argument would be in the image's history.
     secret = Expression(
         'concat(CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"], '
-        'ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"])'
+        'ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"], '
+        'OS_APT_MIRROR == "" ? [] : ["id=os-apt-mirror,env=OS_APT_MIRROR"])'
     )
     epoch = {"SOURCE_DATE_EPOCH": Expression("SOURCE_DATE_EPOCH")}
     yield "_common", {"context": ".", "secret": secret, "args": epoch | proxies}
     yield "_base", {"inherits": ["_common"], "target": "base"}
     yield "_payload", {"inherits": ["_common"]}
-    labels: Labels = {
+    common: Labels = {
         "org.opencontainers.image.licenses": "Apache-2.0",
         **({"org.opencontainers.image.source": catalogue.matrix.source} if catalogue.matrix.source else {}),
         "org.opencontainers.image.revision": call("given", Expression("REVISION")),
+        "org.opencontainers.image.created": Expression('timeadd("1970-01-01T00:00:00Z", "${SOURCE_DATE_EPOCH}s")'),
     }
-    yield "_image", {"inherits": ["_common"], "labels": labels}
+    yield "_image", {"inherits": ["_common"], "labels": common}
     assembler = Expression(names.os_variable(next(iter(catalogue.matrix.operating_systems))))
     test = {"inherits": ["_common"], "target": "test", "contexts": {"os": assembler}, "output": ["type=cacheonly"]}
     yield "_test", test
+    listing = {"inherits": ["_common"], "target": "file-list", "contexts": {"os": assembler}}
+    yield "file-list", {"description": "the files of the image that its context `listed` is", **listing}
 
 
 def _operating_systems(catalogue: Catalogue) -> Iterator[Target]:
@@ -241,50 +270,88 @@ def _distribution(matrix: Matrix, name: str, distribution: Distribution) -> dict
     """What all images of a distribution have in common."""
     system = matrix.operating_systems[distribution.os]
     variable = Expression(names.os_variable(distribution.os))
-    labels: Labels = {
+    common: Labels = {
         "org.opencontainers.image.base.name": call("image_name", variable),
         "org.opencontainers.image.base.digest": call("image_digest", variable),
         "io.rosml.distribution": name,
         "io.rosml.os": distribution.os,
         "io.rosml.python": system.python,
         "io.rosml.ros": str(distribution.ros),
+        **({"io.rosml.ros.sync": call("given", _sync_date(name))} if distribution.apt else {}),
+        **({"io.rosml.experimental": "true"} if distribution.experimental else {}),
     }
-    platforms = _platforms(matrix.architectures[architecture].platform for architecture in system.architectures)
-    return {"inherits": ["_image"], "platforms": platforms, "labels": labels}
+    platforms = _platforms(matrix.architectures[item].platform for item in rules.built_for(matrix, name))
+    return {"inherits": ["_image"], "platforms": platforms, "labels": common}
 
 
 def _ros(matrix: Matrix, name: str, distribution: Distribution) -> dict[str, object]:
     """What a distribution's images without a framework have in common."""
-    args = {"ROS_DISTRO": distribution.ros_distro or name, "ROS_VERSION": str(distribution.ros)}
+    args: dict[str, str | Expression] = {
+        "ROS_DISTRO": distribution.ros_distro or name,
+        "ROS_VERSION": str(distribution.ros),
+    }
     if distribution.apt:
         args |= _apt(matrix.operating_systems[distribution.os], distribution, distribution.apt)
-    labels = {"io.rosml.framework": rules.plain(matrix)}
-    return {"inherits": [_distribution_target(name)], "target": "ros", "args": args, "labels": labels}
+        args["ROS_SYNC_DATE"] = _sync_date(name)
+    wheels: dict[str, object] = {}
+    if distribution.wheels:  # the stage takes uv from what assembles payloads, which stands on the system's base image
+        args |= {"ROS_ROW": name, "PYTHON": matrix.operating_systems[distribution.os].python}
+        wheels = {"contexts": {"os": Expression(names.os_variable(distribution.os))}}
+    return {
+        "inherits": [_distribution_target(name)],
+        "target": "ros-wheels" if distribution.wheels else "ros",
+        **wheels,
+        "args": args,
+        "labels": {"io.rosml.framework": rules.plain(matrix)},
+    }
 
 
-def _apt(system: OperatingSystem, distribution: Distribution, apt: Apt) -> dict[str, str]:
+def _sync_date(distribution: str) -> Expression:
+    return call("sync_date", distribution)
+
+
+def _overridable(fact: str, variable: str) -> Overridable:
+    return Overridable(call("overridable", fact, Expression(variable)).code, fact)
+
+
+def _apt(system: OperatingSystem, distribution: Distribution, apt: Apt) -> dict[str, str | Expression]:
     """Arguments of a distribution whose packages come from ROS's own apt repository."""
-    args = {"ROS_CHANNEL": apt.channel, "ROS_CODENAME": system.codename or ""}
-    if apt.date:
-        args["ROS_SNAPSHOT"] = apt.date.isoformat()
-    if apt.channel == "live":
-        source = system.apt_sources[distribution.generation]
+    day = apt.date.isoformat() if apt.date else ""
+    args: dict[str, str | Expression] = {
+        "ROS_CHANNEL": _overridable(apt.channel, "ROS_CHANNEL"),
+        "ROS_SNAPSHOT": _overridable(day, "ROS_SNAPSHOT"),
+        "ROS_CODENAME": system.codename or "",
+    }
+    if source := system.apt_sources.get(distribution.generation):
         args["ROS_APT_SOURCE"] = f"{source.version}@{source.digest}"
     return args
 
 
 def _ros_image(catalogue: Catalogue, image: Image) -> dict[str, object]:
-    args = {"ROS_PACKAGES": image.packages}
+    matrix = catalogue.matrix
+    args = {"ROS_PACKAGES": image.packages} if image.packages else {}
     parent = catalogue.by_target.get(image.parent)
     if parent is None:  # the lowest component brings the developers' tools
-        args["ROS_TOOLS"] = catalogue.matrix.operating_systems[image.os].tools
+        tools = matrix.distributions[image.distribution].tools or matrix.operating_systems[image.os].tools
+        args["ROS_TOOLS"] = " ".join([tools, *_rmw_packages(matrix, image)])
     return {
+        "description": _unlocked(image),
         "inherits": [_ros_target(image.distribution)],
         "tags": _tags(image),
         "contexts": {"parent": _dependency(parent) if parent else f"target:{image.parent}"},
         "args": args,
         "labels": _labels(image),
     }
+
+
+def _unlocked(image: Image) -> str:
+    """What to say of a target that cannot be built yet; empty, and so left out, where it can be."""
+    return "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}"
+
+
+def _rmw_packages(matrix: Matrix, image: Image) -> Iterator[str]:
+    for name in matrix.distributions[image.distribution].rmw:
+        yield f"ros-{image.ros_distro}-{name.replace('_', '-')}"
 
 
 def _dependency(image: Image) -> Dependency:
@@ -304,20 +371,9 @@ def _tags(image: Image) -> list[Expression]:
 
 
 def _labels(image: Image) -> Labels:
-    return {
-        "org.opencontainers.image.title": image.target,
-        "org.opencontainers.image.description": _description(image),
-        "org.opencontainers.image.version": max(image.tags[:2], key=len).split(":")[1],
-        "io.rosml.component": image.component,
-    }
-
-
-def _description(image: Image) -> str:
-    carried = [f"{title} {image.versions[key]}" for key, title in _TITLES.items() if key in image.versions]
-    return f"ROS {image.ros} {image.component} ({image.distribution})" + "".join(f", {item}" for item in carried)
-
-
-_TITLES = {"torch": "PyTorch", "tensorflow": "TensorFlow", "cuda": "CUDA"}
+    return labels.named(
+        image.distribution, image.component, str(image.ros), image.framework, image.stack, image.versions
+    )
 
 
 def _payloads(catalogue: Catalogue) -> Iterator[Target]:
@@ -327,8 +383,16 @@ def _payloads(catalogue: Catalogue) -> Iterator[Target]:
             "inherits": [names.files_target(payload.name)],
             "target": "payload",
             "tags": [template(f"${{REGISTRY}}/payload:{payload.name}")],
+            "labels": _payload_labels(catalogue.matrix, payload),
         }
         yield payload.target, published
+
+
+def _payload_labels(matrix: Matrix, payload: Payload) -> Labels:
+    stack = matrix.stacks[payload.stack]
+    versions = {name: version for name in labels.VERSIONS if (version := getattr(stack, name))}
+    taking = {name: parts for name, parts in rules.frameworks(matrix, payload.stack).items() if payload.part in parts}
+    return labels.of_payload(payload.part, payload.stack, payload.python, versions, taking)
 
 
 def _files(matrix: Matrix, payload: Payload) -> dict[str, object]:
@@ -359,8 +423,13 @@ def _joined_images(catalogue: Catalogue) -> Iterator[Target]:
             yield common, _join(matrix, image)
         ros = catalogue.by_target[image.parent]
         attributes = {
-            "description": "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}",
+            "description": _unlocked(image),
             "inherits": [_distribution_target(image.distribution), common],
+            **(
+                {"platforms": _platforms(image.platforms)}
+                if matrix.distributions[image.distribution].architectures
+                else {}
+            ),
             "tags": _tags(image),
             "contexts": {"ros": _dependency(ros)},
             "labels": _labels(image),
@@ -372,12 +441,13 @@ def _join(matrix: Matrix, image: Image) -> dict[str, object]:
     """What images of one framework, stack and operating system have in common, whatever their component."""
     framework, stack = matrix.frameworks[image.framework], matrix.stacks[image.stack or ""]
     parts = dict(zip(rules.parts(framework, stack), image.parts, strict=True))
+    everywhere = rules.joined_for(matrix, image.os, image.framework, image.stack)
     args: dict[str, str | Expression] = {"ACCELERATOR": stack.accelerator}
     args |= {f"{part.upper().replace('-', '_')}_ROOT": call("root", parts[part]) for part in PARTS if part in parts}
     args |= {f"{name.upper()}_VERSION": version for name, version in image.versions.items() if name != "nccl"}
     return {
         "target": image.framework,
-        "platforms": _platforms(image.platforms),
+        "platforms": _platforms(matrix.architectures[name].platform for name in everywhere),
         "contexts": {f"part-{part}": _part(name) for part, name in parts.items()},
         "args": args,
         "labels": {
@@ -405,6 +475,7 @@ def _tests(catalogue: Catalogue) -> Iterator[Target]:
 def expected(catalogue: Catalogue, image: Image) -> dict[str, str]:
     """What tags and labels promise, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
     packages: dict[str, str] = {}
+    distribution = catalogue.matrix.distributions[image.distribution]
     ros: Image | None = image
     while ros:
         if ros.packages:
@@ -415,6 +486,12 @@ def expected(catalogue: Catalogue, image: Image) -> dict[str, str]:
         "python": image.python,
         "ros": str(image.ros),
         "ros_distro": image.ros_distro,
+        **({"rmw": ",".join(distribution.rmw)} if distribution.rmw else {}),
+        **(
+            {"wheels": ",".join(re.sub(r"\[.*\]", "", item) for item in distribution.wheels)}
+            if distribution.wheels
+            else {}
+        ),
         **dict(reversed(packages.items())),
         **image.versions,
     }

@@ -6,7 +6,6 @@ that registry as the mirror of docker.io, so ``FROM debian:bookworm`` means the 
 
 from __future__ import annotations
 
-import fcntl
 import gzip
 import hashlib
 import json
@@ -16,14 +15,16 @@ import re
 import shlex
 import shutil
 import subprocess
+import tarfile
 import time
 from collections.abc import Callable
 from pathlib import Path
-from typing import IO, Any, Protocol
+from typing import Any, Protocol
 
 from rosml import registry
 from rosml.errors import RosmlError
 from rosml.services import Services
+from rosml.turn import turn
 
 EPOCH = 1767225600
 """Timestamp of files and image (2026-01-01), as everywhere in this project."""
@@ -62,6 +63,9 @@ REMOVE = (
     "var/log/apt/*",
 )
 """Removed from a made image: what tells of this machine or of the day."""
+
+FOLDERS = ("dev",)
+"""Folders that mmdebstrap leaves out. A builder would make them, and leave the time of day on them."""
 
 
 class OperatingSystem(Protocol):
@@ -123,14 +127,11 @@ def _debian(services: Services, suite: str, architecture: str, say: Callable[[st
     tag = suite if architecture == native_architecture() else f"{suite}-{architecture}"
     folder = services.state / "base"
     folder.mkdir(parents=True, exist_ok=True)
-    with (folder / f"{tag}.lock").open("a") as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            say(f"base image debian:{tag}: waiting for another call that makes it")
-            fcntl.flock(lock, fcntl.LOCK_EX)
+    with turn(
+        folder / f"{tag}.lock", lambda: say(f"base image debian:{tag}: waiting for another call that makes it")
+    ) as lock:
         digest = find(services, tag, architecture)
-        return digest or make(services, suite, architecture, folder / tag, say, lock.fileno(), tag)
+        return digest or make(services, suite, architecture, folder / tag, say, lock, tag)
 
 
 def debian_suite(image: str) -> str:
@@ -147,7 +148,9 @@ def native_architecture() -> str:
 
 def recipe(architecture: str) -> str:
     """Stands for all that decides how an image is made."""
-    text = json.dumps([FILES, REMOVE, EPOCH, architecture, command("SUITE", architecture, Path("F"), Path("O"))])
+    text = json.dumps(
+        [FILES, FOLDERS, REMOVE, EPOCH, architecture, command("SUITE", architecture, Path("F"), Path("O"))]
+    )
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
@@ -225,9 +228,10 @@ def make(
         (folder / "tmp").mkdir()
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
         run_logged(isolated(command(suite, architecture, folder / "files", tar)), env, log, lock)
+        add_folders(tar)
         digest = write_layout(folder / "layout", tar, tag, architecture)
         push(services, folder / "layout", tag)
-    except OSError as error:
+    except (OSError, tarfile.TarError) as error:
         raise RosmlError(f"base image debian:{tag}: {error}", "check the disk (df), then run it again") from None
     finally:
         shutil.rmtree(folder, ignore_errors=True)
@@ -256,6 +260,15 @@ def run_logged(argv: list[str], env: dict[str, str], log: Path, lock: int | None
         raise RosmlError(
             f"mmdebstrap failed (exit code {done.returncode}):\n{end}", f"see {log}; check that Debian's mirrors answer"
         )
+
+
+def add_folders(tar: Path) -> None:
+    """Adds FOLDERS, empty, to an archive."""
+    with tarfile.open(tar, "a") as archive:
+        for name in FOLDERS:
+            entry = tarfile.TarInfo(f"./{name}")
+            entry.type, entry.mode, entry.mtime = tarfile.DIRTYPE, 0o755, EPOCH
+            archive.addfile(entry)
 
 
 def write_files(folder: Path) -> None:
@@ -321,18 +334,10 @@ def compress(tar: Path, blobs: Path) -> tuple[str, dict[str, Any]]:
             content.update(chunk)
             packed.write(chunk)
     with partial.open("rb") as packed_file:
-        digest = file_digest(packed_file)
+        digest = hashlib.file_digest(packed_file, "sha256").hexdigest()
     size = partial.stat().st_size
     partial.rename(blobs / digest)
     return f"sha256:{content.hexdigest()}", {"mediaType": LAYER, "digest": f"sha256:{digest}", "size": size}
-
-
-def file_digest(stream: IO[bytes]) -> str:
-    """SHA-256 of a file, as hex."""
-    digest = hashlib.sha256()
-    while chunk := stream.read(1 << 20):
-        digest.update(chunk)
-    return digest.hexdigest()
 
 
 def put(blobs: Path, media_type: str, content: dict[str, Any]) -> dict[str, Any]:

@@ -12,12 +12,23 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosml import certificates
 from rosml.errors import RosmlError
 from rosml.progress import BuildProgress
 from rosml.services import Services
 
 # What BuildKit prints when something outside the build is wrong, and what helps.
 _REMEDIES = (
+    (
+        "x509: certificate signed by unknown authority",
+        "put the registry's authority into certs.d/<host>/ca.crt beside Docker's config.json, then run 'make up', which tells"
+        " the builder of it",
+    ),
+    ("x509: certificate has expired", "the registry's operator has to renew its certificate"),
+    ("401 Unauthorized", "docker login, with an account that may push there; then run it again"),
+    ("insufficient_scope", "docker login, with an account that may push there; then run it again"),
+    ("no basic auth credentials", "docker login, with an account that may push there; then run it again"),
+    ("403 Forbidden", "docker login, with an account that may push there; then run it again"),
     ("Hash mismatch", "a download is not what the lock says: run 'make locks' if that is intended"),
     ("all requirements must have their versions pinned", "a lock is damaged: run 'make locks'"),
     ("failed to calculate checksum of ref", "a file of the build is missing; if it is a lock: run 'make locks'"),
@@ -74,7 +85,7 @@ def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
 
 def environment(services: Services, bake: Bake) -> dict[str, str]:
     """The environment of a call: the bake file's variables, and what the user's shell says about proxies."""
-    env = services.environment()
+    env = certificates.trusting(services)
     # Attestations would make the pushed digest that of an index that changes with every build; they are kept apart.
     env["BUILDX_NO_DEFAULT_ATTESTATIONS"] = "1"
     env["CA_BUNDLE"] = services.ca_bundle
@@ -82,7 +93,7 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
     for name in [
         name
         for name in env
-        if name in ("PLATFORM", "SOURCE_DATE_EPOCH", "REVISION", "DIGESTS") or name.startswith("OS_")
+        if name in ("PLATFORM", "SOURCE_DATE_EPOCH", "REVISION", "DIGESTS", "ROS_SYNC_DATES") or name.startswith("OS_")
     ]:
         del env[name]
     for name in ("HTTP_PROXY", "HTTPS_PROXY"):

@@ -9,6 +9,7 @@ import tarfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
+from io import BufferedReader
 from typing import IO, Any, cast
 
 import zstandard
@@ -150,7 +151,7 @@ def _entries(stream: IO[bytes]) -> Iterator[Entry]:
     with tarfile.open(fileobj=stream, mode="r|") as archive:
         for member in archive:
             file = archive.extractfile(member) if member.isreg() else None
-            content = _digest(file) if file else ""
+            content = hashlib.file_digest(cast(BufferedReader, file), "sha256").hexdigest() if file else ""
             yield Entry(
                 member.name,
                 member.type.decode(),
@@ -162,10 +163,3 @@ def _entries(stream: IO[bytes]) -> Iterator[Entry]:
                 member.linkname,
                 content,
             )
-
-
-def _digest(stream: IO[bytes]) -> str:
-    state = hashlib.sha256()
-    while block := stream.read(1 << 20):
-        state.update(block)
-    return state.hexdigest()

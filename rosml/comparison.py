@@ -14,7 +14,7 @@ import secrets
 import shutil
 import subprocess
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
@@ -58,13 +58,36 @@ COPY <<"EOF" /import.py
 import importlib, json, sys, time
 start = time.perf_counter()
 versions = {{name: importlib.import_module(name).__version__ for name in sys.argv[1:]}}
-print(json.dumps({{"seconds": time.perf_counter() - start, "versions": versions}}))
+print(json.dumps({{"import_seconds": time.perf_counter() - start, "versions": versions}}))
 EOF
-RUN --network=none : {marker}; python3 /import.py {modules} >/import.json
+COPY <<"EOF" /shell.py
+import json, subprocess, sys, time
+def seconds(*command):
+    start = time.perf_counter()
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return time.perf_counter() - start
+way, *names = sys.argv[1:]
+if way == "ours":
+    commands = [("bash", "-ic", "true"), ("/usr/local/share/rosml/banner.sh",)]
+else:
+    asked = [(sys.executable, "-c", f"import {{name}}; print({{name}}.__version__)") for name in names]
+    commands = [("bash", "--norc", "-ic", "true"), *asked]
+with open("/import.json") as file:
+    found = json.load(file)
+source = 'setup=/opt/ros/$ROS_DISTRO/setup.bash; if [ -f "$setup" ]; then . "$setup"; fi; exec true'
+start, sourcing = (
+    min(seconds(*command) for _ in range(5)) for command in (("/entrypoint.sh", "true"), ("bash", "-c", source))
+)
+shell = sum(seconds(*command) for command in commands)
+print(json.dumps({{**found, "shell_seconds": shell, "start_seconds": max(0.0, start - sourcing)}}))
+EOF
+RUN --network=none : {marker}; python3 /import.py {modules} >/import.json && \\
+    python3 /shell.py {way} {modules} >/result.json
 FROM scratch
-COPY --from={marker} /import.json /
+COPY --from={marker} /result.json /
 """
-"""A fresh container that imports, and nothing else."""
+"""A fresh container that imports. Then the start of an interactive shell that says what the image holds, which the usual
+banner finds out by importing each framework. Then what the entrypoint takes beyond sourcing ROS."""
 
 
 @dataclass(frozen=True)
@@ -77,9 +100,12 @@ class Side:
             and manifest, as they are stored.
         pull_bytes: layers of today's image that whoever has yesterday's does not have.
         import_seconds: importing the frameworks in a fresh container, without the start of the interpreter.
+        shell_seconds: starting an interactive shell with a banner that names the frameworks' versions.
         first_image_seconds: wall time of building and pushing yesterday's image.
         install_seconds: the builder's work on the framework in today's image: `pip install`; 0 where layers are joined.
         image_bytes: all layers of today's image, as they are stored.
+        start_seconds: what the entrypoint takes beyond sourcing ROS; both ways stand on the same ROS image, and so on the
+            same entrypoint.
     """
 
     build_and_push_seconds: float = 0.0
@@ -89,7 +115,12 @@ class Side:
     first_image_seconds: float = 0.0
     install_seconds: float = 0.0
     image_bytes: int = 0
+    shell_seconds: float = 0.0
+    start_seconds: float = 0.0
 
+
+INSIDE = ("import_seconds", "shell_seconds", "start_seconds")
+"""What is measured in a container."""
 
 PRUNE_SECONDS = 600.0
 """What removing some gigabytes from the builder's cache may take."""
@@ -99,6 +130,7 @@ ROWS = {
     "registry_new_bytes": "second image: new in the registry",
     "pull_bytes": "to pull after a change of ROS",
     "import_seconds": "import, in a fresh container",
+    "shell_seconds": "interactive shell, with versions",
     "first_image_seconds": "first image: build and push",
     "image_bytes": "an image, compressed",
 }
@@ -276,11 +308,11 @@ class _Bench:
         if any(others != versions[0] for others in versions):
             raise RosmlError(f"the two ways did not install the same: {versions[0]} and {versions[1]}")
 
-        seconds = {way: min(float(imported[way]["seconds"]) for imported in imports) for way in both}
+        best = {way: {key: min(imported[way][key] for imported in imports) for key in INSIDE} for way in both}
         return Comparison(
             target=image.target,
-            ours=self._side(ours, ros, seconds["ours"]),
-            usual=self._side(usual, ros, seconds["usual"]),
+            ours=replace(self._side(ours, ros), **best["ours"]),
+            usual=replace(self._side(usual, ros), **best["usual"]),
             versions=versions[0],
             packages=len(pins(image, catalogue, self.publisher.services.root)),
             assembling_seconds=ours["yesterday"].progress.phases().get("assemble payloads", 0.0),
@@ -324,7 +356,10 @@ class _Bench:
                 {
                     "inherits": ["_common"],
                     "dockerfile-inline": text.format(
-                        marker=name, requirements=requirements, modules=" ".join(frameworks(image, catalogue))
+                        marker=name,
+                        requirements=requirements,
+                        modules=" ".join(frameworks(image, catalogue)),
+                        way="usual" if "usual" in name else "ours",
                     ),
                     "platforms": [self.variables["PLATFORM"]],
                     "contexts": {"ros": f"target:{image.parent}"} if text is CHANGE else {},
@@ -360,12 +395,12 @@ class _Bench:
         sets = (f"{name}.contexts.image=docker-image://{reference}", f"{name}.output=type=local,dest={folder}")
         builder.run(self.publisher.services, self._call(name, sets))
         try:
-            content = json.loads((folder / "import.json").read_text())
-            return {"seconds": float(content["seconds"]), "versions": dict(content["versions"])}
+            content = json.loads((folder / "result.json").read_text())
+            return {**{key: float(content[key]) for key in INSIDE}, "versions": dict(content["versions"])}
         except (OSError, ValueError, TypeError, KeyError) as error:
             raise RosmlError(f"importing in {reference} gave no result: {error}", "run it again") from None
 
-    def _side(self, images: dict[str, _Pushed], ros: dict[str, str], import_seconds: float) -> Side:
+    def _side(self, images: dict[str, _Pushed], ros: dict[str, str]) -> Side:
         """What a way came to, from its two images."""
         services, today, yesterday = self.publisher.services, images["today"], images["yesterday"]
         there = {**registry.stored(services, yesterday.reference), **registry.stored(services, ros["today"])}
@@ -376,7 +411,6 @@ class _Bench:
             build_and_push_seconds=today.seconds,
             registry_new_bytes=sum(size for digest, size in stored.items() if digest not in there),
             pull_bytes=sum(layer.size for layer in layers if layer.digest not in pulled),
-            import_seconds=import_seconds,
             first_image_seconds=yesterday.seconds,
             install_seconds=sum(step.seconds for step in today.progress.steps.values() if "pip install" in step.name),
             image_bytes=sum(layer.size for layer in layers),
@@ -407,14 +441,30 @@ def print_table(found: Comparison) -> None:
     table.add_column(found.target, no_wrap=True)
     for column in ("ours", "RUN pip install", "ratio"):
         table.add_column(column, justify="right", no_wrap=True)
-    ours, usual, ratios = asdict(found.ours), asdict(found.usual), found.ratios
-    for row, title in ROWS.items():
-        show_value = duration if row.endswith("_seconds") else size
-        table.add_row(title, show_value(ours[row]), show_value(usual[row]), times(ratios[row]))
+    for row in cells(found.to_json()):
+        table.add_row(*row)
     show(table)
     out = console()
     for line in notes(found):
         out.print(line, style="dim")
+
+
+def cells(found: Mapping[str, Any]) -> list[tuple[str, str, str, str]]:
+    """The rows of both ways side by side, for people: what was measured, ours, the usual way's, ratio.
+
+    Args:
+        found: as `Comparison.to_json` gives it.
+    """
+    rows = []
+    for row, title in ROWS.items():
+        ours, usual = (shown(row)(found[way][row]) for way in ("ours", "usual"))
+        rows.append((title, ours, usual, times(found["ratios"][row])))
+    return rows
+
+
+def shown(row: str) -> Callable[[Any], str]:
+    """How a row's numbers are shown, which its name's unit tells."""
+    return duration if row.endswith("_seconds") else size
 
 
 def times(ratio: float | None) -> str:
@@ -436,6 +486,8 @@ def notes(found: Comparison) -> list[str]:
         f"{versions}: the same {found.packages} pinned packages both ways, {found.compression.split(',oci')[0]}",
         f"pip's download and installation took {duration(found.usual.install_seconds)} of the usual second image",
         f"the payloads of ours were assembled once, {assembled}",
+        "the usual banner imports each framework to ask for its version",
+        f"our entrypoint takes {found.ours.start_seconds * 1000:.0f} ms beyond sourcing ROS",
         "ROS's change is a file of some bytes; a real one adds its own size to the pull both ways",
         "nothing was tagged, and the manifests are removed; their layers stay until 'make clean', which removes all there is",
     ]

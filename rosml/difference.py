@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import re
 import subprocess
 import tarfile
@@ -13,7 +14,7 @@ from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 
-from rosml import expand, names, source
+from rosml import ci, expand, names, source
 from rosml.errors import RosmlError
 from rosml.inputs import TARGET, Inputs
 from rosml.problems import SOME, InputError, counted, some
@@ -182,6 +183,14 @@ def _tag_rows(tags: Mapping[str, tuple[str | None, str | None]]) -> Iterator[tup
             yield f"{counted(len(found), 'tag')} {word}", "", such
 
 
+def markdown(difference: Difference) -> str:
+    """The same for CI's summary of a job."""
+    counts = [_count(difference, name) for name in ("added", "removed", "changed")]
+    found = list(rows(difference))
+    table = "\n" + ci.table(("what", "why", "which"), found) if found else ""
+    return f"\n## What differs\n\n{', '.join([*counts, f'{difference.same} same'])}\n{table}"
+
+
 def print_table(difference: Difference) -> None:
     """Prints it in few lines, whatever the number of images."""
     from rich.table import Table  # slow to import, and only needed here
@@ -247,8 +256,13 @@ def _unpack(revision: str, root: Path, folder: Path) -> None:
     content = _git(root, "archive", "--format=tar", commit.decode().strip())
     try:
         with tarfile.open(fileobj=io.BytesIO(content)) as archive:
-            archive.extractall(folder, filter="data")
-    except tarfile.TarError as error:  # such as a link to a place outside of the checkout
+            for member in archive:  # by ourselves: Python has a filter for it since 3.11.4 only
+                target = os.path.normpath(os.path.join(os.path.dirname(member.name), member.linkname))
+                if member.issym() and target.startswith(("/", "..")):
+                    raise tarfile.TarError(f"{member.name} is a link to {member.linkname}, outside of the checkout")
+            archive.extraction_filter = getattr(tarfile, "data_filter", lambda member, path: member)
+            archive.extractall(folder)
+    except tarfile.TarError as error:
         raise RosmlError(f"revision {revision} cannot be unpacked: {error}", "compare with another one") from None
 
 

@@ -61,6 +61,24 @@ class Payload:
 
 
 @dataclass(frozen=True)
+class Wheels:
+    """The wheels that ROS itself comes from, of a distribution without Debian packages.
+
+    Attributes:
+        distribution: whose they are. os: its operating system. python: version of that one's Python.
+        requirements: what the matrix names.
+        architectures: those that images exist for. locks: the lock for each, relative to the project's root.
+    """
+
+    distribution: str
+    os: str
+    python: str
+    requirements: tuple[str, ...]
+    architectures: tuple[str, ...]
+    locks: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Image:
     """An image with its resolved facts.
 
@@ -76,9 +94,12 @@ class Image:
         parent: target that it stands on: of a ROS image the component below or the operating system, otherwise the
             ROS image that payloads are joined to.
         packages: Debian packages that a ROS image adds to its parent, separated by spaces.
+        wheels: Python packages that a ROS image gets in their place.
         parts: payloads that are joined to the parent, in this order.
         tests: names of the files in tests/structure, those of its ancestors first.
-        locks: locks of its payloads.
+        covered: targets of images with all its layers and more frameworks, on all its architectures. What takes longer
+            than all other tests runs in them, and not in this one, unless a lock is missing to build any of them.
+        locks: locks of the wheels that its ROS comes from, and of its payloads.
         unlocked: those that are missing; without all of them it cannot be built, and is in no group.
         lost: those of them that should be there, since they wait for no other index.
         disk: forecast of its size with everything below it.
@@ -106,6 +127,8 @@ class Image:
     tests: tuple[str, ...]
     locks: tuple[str, ...]
     disk: Size
+    wheels: tuple[str, ...] = ()
+    covered: tuple[str, ...] = ()
     unlocked: tuple[str, ...] = ()
     lost: tuple[str, ...] = ()
     budget: int | None = None
@@ -128,6 +151,13 @@ class Catalogue:
     matrix: Matrix
     images: tuple[Image, ...]
     payloads: tuple[Payload, ...]
+    wheels: tuple[Wheels, ...] = ()
+
+    @property
+    def locks(self) -> set[str]:
+        """Every lock that is needed, relative to the project's root."""
+        wheels = {lock for item in self.wheels for lock in item.locks}
+        return wheels.union(lock for payload in self.payloads for lock in payload.locks)
 
     @cached_property
     def by_target(self) -> dict[str, Image]:
@@ -175,11 +205,15 @@ class Catalogue:
         tag = reference.rpartition("/")[2]
         return next((image for image in self.images if tag in image.tags), None) if ":" in tag else None
 
-    def select(self, name: str) -> tuple[Image, ...]:
-        """The images of a target or a group; raises as `image` does."""
-        if name not in self.by_target and name in self.groups and name not in ("payloads", "tests"):
-            return tuple(self.by_target[target] for target in self.groups[name])
-        return (self.image(name),)
+
+def repository_of(thing: Image | Payload) -> str:
+    """The repository of an image or payload, without the registry's prefix."""
+    return "payload" if isinstance(thing, Payload) else thing.repository
+
+
+def tags_of(thing: Image | Payload) -> list[str]:
+    """The tags of an image or payload, without the repository: the main one, those that spell versions out, floating ones."""
+    return [thing.name] if isinstance(thing, Payload) else [tag.split(":", 1)[1] for tag in thing.tags]
 
 
 def load(file: Path, root: Path = ROOT) -> Catalogue:
@@ -202,7 +236,13 @@ def current_locks(catalogue: Catalogue, root: Path) -> frozenset[str]:
     from rosml import lockfile  # needs the types from here
 
     present = names.locks(root)
-    return frozenset(
+    wheels = frozenset(
+        lock
+        for item in catalogue.wheels
+        for architecture, lock in zip(item.architectures, item.locks, strict=True)
+        if lock in present and lockfile.current_wheels(_text(root / lock), item, architecture)
+    )
+    return wheels | frozenset(
         lock
         for payload in catalogue.payloads
         for architecture, lock in zip(payload.architectures, payload.locks, strict=True)
@@ -225,7 +265,7 @@ def _text(file: Path) -> str:
 
 def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
     """A catalogue that knows which of its images lack a lock."""
-    absent = {lock for payload in catalogue.payloads for lock in payload.locks}.difference(present)
+    absent = catalogue.locks.difference(present)
     lost = absent - missing.waiting(catalogue.matrix, catalogue.payloads)
 
     def without(image: Image) -> Image:
@@ -233,7 +273,22 @@ def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
         return replace(image, unlocked=unlocked, lost=tuple(lock for lock in unlocked if lock in lost))
 
     images = tuple(without(image) if absent.intersection(image.locks) else image for image in catalogue.images)
-    return Catalogue(catalogue.matrix, images, catalogue.payloads)
+    locked = {image.target for image in images if image.locked}
+
+    def alone(image: Image) -> Image:
+        """With all tests, since none of the images that cover it can be built."""
+        long = _long_tests(catalogue.matrix.distributions[image.distribution])
+        return replace(image, tests=tuple(dict.fromkeys((*image.tests, *long))))
+
+    images = tuple(alone(image) if image.covered and locked.isdisjoint(image.covered) else image for image in images)
+    return replace(catalogue, images=images)
+
+
+def _long_tests(distribution: Distribution) -> tuple[str, ...]:
+    """What an image is tested with unless another one covers it: a workspace is built, each component's programs run, pip
+    installs. ROS from wheels has no messages to build and no components, and is so small that pip is tried in all."""
+    ros = f"ros{distribution.ros}"
+    return ("pip",) if distribution.wheels else (f"{ros}-workspace", f"{ros}-components", "pip")
 
 
 def catalogue(document: Document) -> Catalogue:
@@ -247,7 +302,7 @@ def catalogue(document: Document) -> Catalogue:
 def expand(matrix: Matrix) -> Catalogue:
     """Every image and payload of a matrix whose references hold."""
     images = tuple(_images(matrix))
-    return Catalogue(matrix, images, tuple(_payloads(matrix, images)))
+    return Catalogue(matrix, images, tuple(_payloads(matrix, images)), tuple(_wheels(matrix)))
 
 
 def combinations(matrix: Matrix) -> Iterator[tuple[str, str, str, str | None]]:
@@ -265,7 +320,10 @@ def combinations(matrix: Matrix) -> Iterator[tuple[str, str, str, str | None]]:
 
 @dataclass(frozen=True)
 class _Kind:
-    """What images of one distribution with one framework and stack have in common."""
+    """What images of one distribution with one framework and stack have in common.
+
+    `covering`: the frameworks whose images have all their layers and more.
+    """
 
     framework: str
     facts: Framework
@@ -273,6 +331,7 @@ class _Kind:
     architectures: tuple[str, ...]
     payloads: tuple[Payload, ...]
     versions: dict[str, str]
+    covering: tuple[str, ...] = ()
 
 
 def _images(matrix: Matrix) -> Iterator[Image]:
@@ -280,22 +339,30 @@ def _images(matrix: Matrix) -> Iterator[Image]:
     for name, distribution in matrix.distributions.items():
         for framework, facts in matrix.frameworks.items():
             for stack in matrix.stacks if facts.parts else (None,):
-                if rules.stack_reason(matrix, distribution.os, framework, stack) is None:
-                    kind = _kind(matrix, distribution, framework, stack)
+                if rules.stack_reason(matrix, name, framework, stack) is None:
+                    kind = _kind(matrix, name, distribution, framework, stack)
                     for component in matrix.components:
                         if component in distribution.present:
                             yield _image(matrix, name, distribution, component, kind, name == latest)
 
 
-def _kind(matrix: Matrix, distribution: Distribution, framework: str, stack: str | None) -> _Kind:
+def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str, stack: str | None) -> _Kind:
     facts = matrix.frameworks[framework]
-    architectures = rules.architectures(matrix, distribution.os, framework, stack)
+    architectures = rules.architectures(matrix, name, framework, stack)
     python = matrix.operating_systems[distribution.os].python
     if stack is None:
         return _Kind(framework, facts, None, architectures, (), {})
     parts = rules.parts(facts, matrix.stacks[stack])
     payloads = tuple(_payload(matrix, part, stack, python, architectures) for part in parts)
-    return _Kind(framework, facts, stack, architectures, payloads, _versions(facts, matrix.stacks[stack]))
+    covering = tuple(
+        other
+        for other, more in matrix.frameworks.items()
+        if facts.releases
+        and set(facts.releases) < set(more.releases)
+        and rules.stack_reason(matrix, name, other, stack) is None
+        and set(architectures) <= set(rules.architectures(matrix, name, other, stack))
+    )
+    return _Kind(framework, facts, stack, architectures, payloads, _versions(facts, matrix.stacks[stack]), covering)
 
 
 def _versions(framework: Framework, stack: Stack) -> dict[str, str]:
@@ -313,9 +380,10 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
     ros = f"ros{distribution.ros}"
     ml = ["ml"] if len(kind.facts.releases) > 1 else []
-    # Images with one framework are layers of those with both, where the workspace is built: it takes nine seconds.
-    workspace = ["ros1-workspace"] if distribution.ros == 1 and len(kind.facts.releases) != 1 else []
+    apt = [ros, *(f"{ros}-{link}" for link in chain)]
+    long = _long_tests(distribution) if distribution.wheels or not kind.covering else ()
     shared = [payload.part for payload in kind.payloads if payload.part not in UNTESTED]
+    wheels = _wheels_of(matrix, name, kind.architectures)
     return Image(
         target=target,
         distribution=name,
@@ -334,9 +402,14 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         groups=(*groups, "default") if target in matrix.default.group else tuple(groups),
         parent=ros_image if kind.stack else below,
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
+        wheels=() if kind.stack else distribution.wheels,
         parts=tuple(payload.name for payload in kind.payloads),
-        tests=("contract", ros, *(f"{ros}-{link}" for link in chain), *workspace, *shared, *ml),
-        locks=tuple(lock for payload in kind.payloads for lock in payload.locks),
+        tests=("contract", *([f"{ros}-wheels"] if distribution.wheels else apt), *shared, *ml, *long),
+        covered=tuple(names.image_target(name, component, other, kind.stack) for other in kind.covering),
+        locks=(
+            *(lock for item in wheels for lock in item.locks),
+            *(lock for item in kind.payloads for lock in item.locks),
+        ),
         disk=Size.total(
             matrix.disk.os,
             *(matrix.disk.components[link] for link in chain),
@@ -360,15 +433,12 @@ def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[
 def _packages(matrix: Matrix, name: str, distribution: Distribution, component: str) -> str:
     metapackage = matrix.components[component].metapackage or component
     ros_distro = distribution.ros_distro or name
-    return distribution.packages.format(component=component, metapackage=metapackage, ros_distro=ros_distro)
+    return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
 
 
 def _tags(distribution: Distribution, name: str, component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
-    main = "-".join([name, component, *([kind.stack] if kind.stack else [])])
-    tags = [main]
-    counted = rules.families(kind.facts) or (("cuda",) if "cuda" in kind.versions else ())
-    if counted:
-        tags.append("-".join([main, *(f"{names.SHORT[item]}{kind.versions[item]}" for item in counted)]))
+    main = names.main_tag(name, component, kind.stack)
+    tags = list(dict.fromkeys((main, names.spelled_tag(main, kind.versions))))
     if component == FLOATING and kind.stack in (None, distribution.default_stack):
         tags += [name, *(["latest"] if latest else [])]
     return tuple(f"{kind.facts.repository}:{tag}" for tag in tags)
@@ -379,10 +449,27 @@ FLOATING = "base"
 
 
 def _latest(matrix: Matrix) -> str | None:
-    """The newest long-term distribution that has the component of the short tags: the one that lives longest."""
+    """The newest long-term distribution that has the component of the short tags: the one that lives longest. None that
+    is experimental."""
     rows = matrix.distributions.items()
-    living = [(row.eol, name) for name, row in rows if row.lts and row.eol and FLOATING in row.present]
+    lasting = [(row.eol, name, row) for name, row in rows if row.lts and row.eol and not row.experimental]
+    living = [(eol, name) for eol, name, row in lasting if FLOATING in row.present]
     return max(living)[1] if living else None
+
+
+def _wheels(matrix: Matrix) -> Iterator[Wheels]:
+    """Of each distribution without Debian packages."""
+    for name in matrix.distributions:
+        yield from _wheels_of(matrix, name, rules.built_for(matrix, name))
+
+
+def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tuple[Wheels, ...]:
+    """The wheels that ROS comes from on some architectures; none where it comes from Debian packages."""
+    distribution = matrix.distributions[name]
+    python = matrix.operating_systems[distribution.os].python
+    locks = tuple(names.lock_path(name, architecture, python, names.ROS) for architecture in architectures)
+    found = Wheels(name, distribution.os, python, distribution.wheels, architectures, locks)
+    return (found,) if distribution.wheels else ()
 
 
 def _payload(matrix: Matrix, part: Part, stack: str, python: str, architectures: tuple[str, ...]) -> Payload:

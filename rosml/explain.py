@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import os
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from datetime import date
 
-from rosml import missing, names, rules
+from rosml import missing, names, rules, sync
 from rosml.errors import RosmlError
 from rosml.expand import FLOATING, Catalogue, Image
-from rosml.model import Apt, Distribution, Matrix, OperatingSystem
+from rosml.model import Apt, Matrix
 from rosml.problems import counted, listed, unknown
 
 
@@ -22,17 +24,22 @@ class Wanted:
     stack: str | None
 
 
-def explain(catalogue: Catalogue, name: str) -> str:
+def explain(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.environ) -> str:
     """The facts behind an image, payload or group; or one sentence about why the facts rule it out.
 
+    Args:
+        catalogue: what there is.
+        name: of the image, payload or group.
+        environ: `ROS_CHANNEL` and `ROS_SNAPSHOT` name another apt repository of ROS for this time.
+
     Raises:
-        RosmlError: the name is not understood at all (exit code 2); names near ones.
+        RosmlError: the name is not understood at all (exit code 2); names near ones. Or there is no such repository.
     """
     if not name:
         raise RosmlError("no image is named", remedy="name one: make explain TARGET=jazzy-robot", exit_code=2)
     tagged = catalogue.by_tag(name)
     if image := tagged or catalogue.by_target.get(name.removesuffix("-test"), catalogue.by_target.get(name)):
-        return _image(catalogue.matrix, image)
+        return _image(catalogue.matrix, image, environ)
     if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
         users = sum(payload.name in image.parts for image in catalogue.images)
         return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {counted(users, 'image')}"
@@ -67,13 +74,13 @@ def _reason(catalogue: Catalogue, name: str, wanted: Wanted) -> str | None:
     matrix = catalogue.matrix
     if reason := rules.component_reason(matrix, wanted.distribution, wanted.component):
         return f"{name} does not exist: {reason}."
-    os, facts = matrix.distributions[wanted.distribution].os, matrix.frameworks[wanted.framework]
+    row, facts = wanted.distribution, matrix.frameworks[wanted.framework]
     if wanted.stack or not facts.parts:
-        if reason := rules.stack_reason(matrix, os, wanted.framework, wanted.stack):
+        if reason := rules.stack_reason(matrix, row, wanted.framework, wanted.stack):
             return f"{name} does not exist: {reason}."
         target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
         return f"{name} is called {target}."
-    reasons = {stack: rules.stack_reason(matrix, os, wanted.framework, stack) for stack in matrix.stacks}
+    reasons = {stack: rules.stack_reason(matrix, row, wanted.framework, stack) for stack in matrix.stacks}
     image = wanted.distribution, wanted.component, wanted.framework
     if there := [names.image_target(*image, stack) for stack, reason in reasons.items() if reason is None]:
         return f"{name} names no stack; there is {listed(there)}."
@@ -121,23 +128,42 @@ def _starts(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
             yield distribution, distribution, ""
 
 
-def _image(matrix: Matrix, image: Image) -> str:
+def _image(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> str:
     head = "exists:" if image.locked else "exists, but cannot be built yet:"
-    return "\n".join([f"{image.target} {head}", *(f"  - {fact}" for fact in _facts(matrix, image))])
+    return "\n".join([f"{image.target} {head}", *(f"  - {fact}" for fact in _facts(matrix, image, environ))])
 
 
-def _apt(distribution: Distribution, system: OperatingSystem, apt: Apt) -> str:
+def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
+    """ROS's apt repository, as matrix.yaml names it, or another one for this time."""
+    apt = matrix.distributions[image.distribution].apt
+    if environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"):
+        found = sync.source(matrix, image.distribution, environ)
+        if found and apt:
+            otherwise = Apt.model_validate(
+                {"channel": found.channel, "date": date.fromisoformat(found.day) if found.day else None}
+            )
+            text = f"this time, packages come from {_repository(matrix, image, otherwise)}"
+            yield f"{text}; without CHANNEL and SNAPSHOT, from {_repository(matrix, image, apt)}"
+    elif apt and not image.stack:
+        yield f"packages come from {_repository(matrix, image, apt)}"
+
+
+def _repository(matrix: Matrix, image: Image, apt: Apt) -> str:
     if apt.channel == "live":
-        source = system.apt_sources[distribution.generation]
-        return f"packages come from ROS's live apt repository, set up by {distribution.generation}-apt-source {source.version}"
+        generation = matrix.distributions[image.distribution].generation
+        source = matrix.operating_systems[image.os].apt_sources.get(generation)
+        pinned = f"set up by {generation}-apt-source {source.version}" if source else "whose setup is not pinned here"
+        return f"ROS's live apt repository, {pinned}"
     which = f"of {apt.date}" if apt.date else "final, which gets no updates"
-    return f"packages come from ROS's apt snapshot: {which}"
+    return f"ROS's apt snapshot: {which}"
 
 
-def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
-    system = matrix.operating_systems[image.os]
+def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
+    system, distribution = matrix.operating_systems[image.os], matrix.distributions[image.distribution]
     yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
     yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
+    if distribution.experimental:
+        yield f"{image.distribution} is experimental: docs/limits.md says what it has, and it never gets the tag latest"
     if image.stack:
         stack = matrix.stacks[image.stack]
         for family in rules.families(matrix.frameworks[image.framework]):
@@ -146,13 +172,14 @@ def _facts(matrix: Matrix, image: Image) -> Iterator[str]:
             yield f"{family} {stack.release(family)} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
         yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
         yield f"it is {image.parent} joined with {listed(image.parts)}"
+    elif image.wheels:
+        yield f"it is {image.parent} with ROS from wheels: {listed(image.wheels)}, and what they need, by {listed(image.locks)}"
     else:
         yield f"it is {image.parent} with {image.packages} installed"
-        if apt := matrix.distributions[image.distribution].apt:
-            yield _apt(matrix.distributions[image.distribution], system, apt)
+    yield from _where_from(matrix, image, environ)
     yield f"platforms: {listed(image.platforms)}"
     for architecture in matrix.architectures:
-        reason = rules.architecture_reason(matrix, image.os, image.framework, image.stack, architecture)
+        reason = rules.architecture_reason(matrix, image.distribution, image.framework, image.stack, architecture)
         if architecture not in image.architectures and reason:
             yield f"not for {architecture}: {reason}"
     yield f"tags: {listed(image.tags)}"

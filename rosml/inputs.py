@@ -138,6 +138,8 @@ class Inputs:
 
     def _text(self, value: str | Expression) -> str:
         """A value that the catalogue decides: text, or a variable's default. Function calls are about variables."""
+        if isinstance(value, bake.Overridable):
+            return value.fact
         return self._variables.get(value.code, "") if isinstance(value, Expression) else value
 
     def _stage(

@@ -39,6 +39,7 @@ def facts(image: Image) -> dict[str, Any]:
         "groups": list(image.groups),
         "parent": image.parent,
         "packages": image.packages.split(),
+        "wheels": list(image.wheels),
         "parts": list(image.parts),
         "locks": list(image.locks),
         "locked": image.locked,

@@ -8,6 +8,9 @@ per part. What a part holds follows from the dependency graph alone:
 * ``torch``       what only PyTorch needs
 * ``tensorflow``  what only TensorFlow needs
 * ``tensorflow-cc``  the wheel of TensorFlow once more, for its C++ library and headers (the same for every Python)
+
+A distribution whose ROS comes from wheels is resolved like a stack; its one part, ``ros``, is all of it but what the
+operating system has.
 """
 
 from __future__ import annotations
@@ -24,7 +27,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import NamedTuple
 
-from rosml import names
+from rosml import bars, names
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.lockfile import NVIDIA_PACKAGES, cuda_packages, package_name, versions
@@ -52,14 +55,15 @@ class Elsewhere:
 
 @dataclass(frozen=True)
 class Request:
-    """What to resolve: one stack for one Python version on one architecture.
+    """What to resolve: one stack, or the wheels of a distribution, for one Python version on one architecture.
 
     Attributes:
-        stack: name of the stack, e.g. ``cu128``.
+        stack: name of the stack, e.g. ``cu128``, or of the distribution.
         architecture: ``amd64`` or ``arm64``.
         python: version of the interpreter, e.g. ``3.11``.
         wheels: uv's name of the wheel platform, e.g. ``x86_64-manylinux_2_28``.
-        roots: requirement of each framework, e.g. ``{"torch": "torch==2.10.0"}``.
+        roots: requirement of each framework, e.g. ``{"torch": "torch==2.10.0"}``; of ROS, each package's own.
+        ros: whether it is a distribution's.
         numpy: version specifier that keeps the ABI of the operating system's own numpy, e.g. ``<2``.
         constraints: further requirements of the stack.
         provided: packages the operating system has and the payload must not carry, with their versions.
@@ -77,6 +81,7 @@ class Request:
     provided: Mapping[str, str] = field(default_factory=dict)
     cuda: Mapping[str, str] = field(default_factory=dict)
     elsewhere: Mapping[str, Elsewhere] = field(default_factory=dict)
+    ros: bool = False
 
     @property
     def asks_pytorch(self) -> bool:
@@ -84,7 +89,8 @@ class Request:
         return any(not wheel.digest for wheel in self.elsewhere.values())
 
     def __str__(self) -> str:
-        return f"stack {self.stack}, Python {self.python}, {self.architecture} ({listed(list(self.roots))})"
+        kind = "distribution" if self.ros else "stack"
+        return f"{kind} {self.stack}, Python {self.python}, {self.architecture} ({listed(list(self.roots))})"
 
 
 @dataclass(frozen=True)
@@ -137,6 +143,24 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
                     },
                     elsewhere={family: wheel for family, wheel in wheels.items() if wheel},
                 )
+    yield from _ros_requests(catalogue)
+
+
+def _ros_requests(catalogue: Catalogue) -> Iterator[Request]:
+    matrix = catalogue.matrix
+    for item in catalogue.wheels:
+        system = matrix.operating_systems[item.os]
+        for architecture in item.architectures:
+            yield Request(
+                stack=item.distribution,
+                architecture=architecture,
+                python=item.python,
+                wheels=matrix.architectures[architecture].wheels,
+                roots={package_name(requirement): requirement for requirement in item.requirements},
+                numpy=system.numpy,
+                provided=system.provides,
+                ros=True,
+            )
 
 
 def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, family: Family) -> Elsewhere | None:
@@ -215,8 +239,14 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
         base = Path(folder)
         (base / "in.txt").write_text("\n".join([*wanted, f"numpy{request.numpy}"]) + "\n")
         # What the system has is a constraint, not an override: a release that asks for more would not work there.
+        # But ROS's wheels need some of it that has no wheel (empy): no Python is below 3, so it is left out, and
+        # `pip check` in the image judges.
         provided = [f"{name}=={version}" for name, version in sorted(request.provided.items())]
-        (base / "constraints.txt").write_text("\n".join([*request.constraints, *provided]) + "\n")
+        (base / "constraints.txt").write_text(
+            "\n".join([*request.constraints, *([] if request.ros else provided)]) + "\n"
+        )
+        left_out = [f"{pin}; python_version < '3'" for pin in provided if request.ros]
+        (base / "overrides.txt").write_text("\n".join(left_out) + "\n")
         output = base / "out.txt"
         if previous and not upgrade:
             output.write_text(previous)
@@ -226,6 +256,8 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
         command += ["--constraint", "constraints.txt", "in.txt", "--output-file", "out.txt"]
         if request.asks_pytorch:
             command += ["--torch-backend", "cpu"]
+        if request.ros:
+            command += ["--override", "overrides.txt"]
         for name in sorted(request.provided):
             command += ["--no-emit-package", name]
         status, said = uv(command, base)
@@ -366,7 +398,9 @@ def split(pins: list[Pin], roots: Mapping[str, str]) -> dict[str, list[Pin]]:
 def render(request: Request, part: str, pins: list[Pin]) -> str:
     """The text of a part's lock. It names no index and no date: the same resolution gives the same bytes."""
     lines = [
-        names.lock_head(request.stack, request.architecture, _python(request, part), part),
+        names.wheels_head(request.stack, request.architecture, request.python)
+        if request.ros
+        else names.lock_head(request.stack, request.architecture, _python(request, part), part),
         "# Made by scripts/lock.py (make locks) from matrix.yaml; do not edit.",
     ]
     for pin in pins:
@@ -412,7 +446,7 @@ def lock(
     with ThreadPoolExecutor(WORKERS) as pool:  # mostly waits for the indexes
         futures = [pool.submit(_outcome, request, root, run, upgrade) for request in wanted]
         try:
-            for number, future in enumerate(as_completed(futures), 1):
+            for number, future in enumerate(bars.over(as_completed(futures), "locks", len(futures)), 1):
                 say(f"[{number} of {len(wanted)}] {future.result().request}: resolved")
         except BaseException:  # also Ctrl-C: nothing of it is worth waiting for
             pool.shutdown(wait=False, cancel_futures=True)
@@ -424,7 +458,7 @@ def lock(
     texts: dict[str, str] = {}
     for outcome in outcomes:
         texts |= outcome.kept
-        for part, content in split(outcome.pins, outcome.request.roots).items():
+        for part, content in _parts(outcome).items():
             path = _path(outcome.request, part)
             headers[path] = (outcome.request, part)
             _merge(path, parts.setdefault(path, {}), content)
@@ -467,6 +501,13 @@ def _outcome(request: Request, root: Path, uv: Uv, upgrade: bool) -> _Outcome:
         pins = resolve(request, uv, upgrade, previous) if here else []
     _one_cuda(request, pins)
     return _Outcome(request, pins, left_out=left_out)
+
+
+def _parts(outcome: _Outcome) -> dict[str, list[Pin]]:
+    """What a request came to by part. The operating system has the numpy of its own packages."""
+    if outcome.request.ros:
+        return {names.ROS: [pin for pin in outcome.pins if pin.name != "numpy"]}
+    return split(outcome.pins, outcome.request.roots)
 
 
 def _path(request: Request, part: str) -> str:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from rosml import names
-from rosml.expand import Payload
+from rosml.expand import Payload, Wheels
 from rosml.model import FAMILY_OF, Stack
 
 _PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
@@ -52,3 +52,13 @@ def current(text: str, payload: Payload, stack: Stack, architecture: str) -> boo
         facts = {package: getattr(stack, fact) for fact, package in cuda_packages(stack.cuda or "")}
         return all(pinned[package] == fact for package, fact in facts.items() if package in pinned and fact)
     return True
+
+
+def current_wheels(text: str, wheels: Wheels, architecture: str) -> bool:
+    """Whether a text is the lock of the wheels that ROS comes from: its head says so, it is whole, and it pins what the
+    matrix names."""
+    head = names.wheels_head(wheels.distribution, architecture, wheels.python)
+    if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
+        return False
+    pinned = versions(text)
+    return all(pinned.get(package_name(wanted)) == wanted.partition("==")[2] for wanted in wheels.requirements)

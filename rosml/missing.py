@@ -67,5 +67,5 @@ def lost(catalogue: Catalogue) -> RosmlError | None:
         return None
     locks = list(dict.fromkeys(lock for image in catalogue.images for lock in image.lost))
     are = "is" if len(locks) == 1 else "are"
-    text = f"{counted(len(images), 'image')} cannot be built ({some(images)}): {some(locks)} {are} missing, or not of the stack's release"
+    text = f"{counted(len(images), 'image')} cannot be built ({some(images)}): {some(locks)} {are} missing, or not of the release that matrix.yaml names"
     return RosmlError(text, RESTORE)

@@ -47,12 +47,14 @@ REFERENCE = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?(/[a-z0-9]+([._-
 IMAGE = r"^[a-z0-9.-]+(:[0-9]+)?(/[a-z0-9._-]+)+:[A-Za-z0-9_][A-Za-z0-9._-]*$"
 URL = r"^https?://[^\s\"'$%{}\\]+$"
 PLATFORM = r"^linux/[a-z0-9]+(/v[0-9]+)?$"
+RMW = r"^rmw_[a-z0-9]+(_[a-z0-9]+)*$"
 WORD = r"^[A-Za-z0-9_][A-Za-z0-9_.+-]*$"
 SPECIFIER = r"^(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*]*(,(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*]*)*$"
 REQUIREMENT = (
     r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?((<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*"
     r"(,(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*)*)?$"
 )
+PINNED = r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?==[0-9][0-9A-Za-z.+]*$"
 SENTENCE = r"^[A-Za-z0-9][A-Za-z0-9 ,.;:()_+=<>-]*$"
 PACKAGES = r"^[a-z0-9.+{}_-]+( [a-z0-9.+{}_-]+)*$"
 MEANING = {
@@ -65,10 +67,12 @@ MEANING = {
     IMAGE: "a full image name with its registry and tag, such as docker.io/library/debian:bookworm",
     URL: "an address, such as https://example.org/images",
     PLATFORM: "a platform, such as linux/arm64",
+    RMW: "an RMW implementation, such as rmw_cyclonedds_cpp",
     WORD: "one word",
     SPECIFIER: 'a version range, such as "<2" or ">=2.2,<2.3"',
     SENTENCE: "a sentence without quotes",
     REQUIREMENT: 'a Python requirement, such as "protobuf>=5.28,<7"',
+    PINNED: "a Python package with its version, such as ros-jazzy-rclpy[fastrtps]==7.1.6",
     PACKAGES: "Debian package names separated by single spaces; {component}, {metapackage} and {ros_distro} are filled in",
 }
 
@@ -79,8 +83,10 @@ Version = Annotated[str, Field(pattern=VERSION, max_length=20)]
 Python = Annotated[str, Field(pattern=PYTHON)]
 Digest = Annotated[str, Field(pattern=DIGEST)]
 Word = Annotated[str, Field(pattern=WORD, max_length=64)]
+Rmw = Annotated[str, Field(pattern=RMW, max_length=64)]
 Sentence = Annotated[str, Field(pattern=SENTENCE, max_length=200)]
 Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
+Pinned = Annotated[str, Field(pattern=PINNED, max_length=120)]
 Packages = Annotated[str, Field(pattern=PACKAGES, max_length=400)]
 Target = Annotated[str, Field(pattern=NAME, max_length=128)]
 Names = Annotated[tuple[Name, ...], Field(min_length=1)]
@@ -88,7 +94,7 @@ Megabytes = Annotated[int, Field(ge=0, le=1_000_000)]
 Rate = Annotated[int, Field(ge=1, le=10_000)]
 
 
-def _only_whole(value: Any) -> Any:
+def only_whole(value: Any) -> Any:
     """`true` and `1.0` equal 1, so a literal number would accept them."""
     if isinstance(value, (bool, float)):
         raise PydanticKnownError("int_type")
@@ -126,7 +132,6 @@ class Architecture(Facts):
 
     platform: Annotated[str, Field(pattern=PLATFORM)] = Field(description="BuildKit's platform")
     wheels: Word = Field(description="uv's name of the wheel platform, with the oldest glibc that is supported")
-    triplet: Word = Field(description="Debian's multiarch triplet: the folder of libraries below /usr/lib")
     runner: Word | None = Field(
         default=None, description="label of the machines that build for it in CI; a build plan needs it"
     )
@@ -258,19 +263,32 @@ class Distribution(Facts):
     """A ROS distribution on an operating system."""
 
     os: OsName = Field(description="a name from operating_systems")
-    ros: Annotated[Literal[1, 2], BeforeValidator(_only_whole)] = Field(description="ROS 1 or ROS 2")
+    ros: Annotated[Literal[1, 2], BeforeValidator(only_whole)] = Field(description="ROS 1 or ROS 2")
     ros_distro: Word | None = Field(
         default=None, description="value of ROS_DISTRO; the distribution's own name if left out"
     )
-    packages: Packages = Field(
-        description="packages of a component; {component}, {metapackage} and {ros_distro} are filled in"
+    packages: Packages | None = Field(
+        default=None, description="packages of a component; {component}, {metapackage} and {ros_distro} are filled in"
     )
+    wheels: tuple[Pinned, ...] = Field(
+        default=(), description="Python packages that ROS 2 itself comes from, in the place of Debian packages"
+    )
+    tools: Packages | None = Field(
+        default=None, description="Debian packages that come first; the developers' tools of its system if left out"
+    )
+    architectures: tuple[Name, ...] = Field(
+        default=(), description="architectures that it exists for; those of its system if left out"
+    )
+    experimental: bool = Field(default=False, description="not what its generation's users expect; never `latest`")
     components: Names = Field(description="components that it has")
     default_stack: Name = Field(description="stack of the short tags, e.g. ros-torch:jazzy")
     eol: datetime.date | None = Field(default=None, description="end of life; leave out for a rolling distribution")
     lts: bool = Field(default=False, description="a long-term release of ROS: the newest one gets the tag `latest`")
     apt: Apt | None = Field(
         default=None, description="ROS's own apt repository, for packages that are not the system's"
+    )
+    rmw: tuple[Rmw, ...] = Field(
+        default=(), description="RMW implementations of ROS 2 beside the default one; RMW_IMPLEMENTATION chooses one"
     )
 
     @property
@@ -326,7 +344,7 @@ class Rates(Facts):
 class Matrix(Facts):
     """The one source of truth: what exists, as positive facts. Combinations that the facts allow are built."""
 
-    version: Annotated[Literal[1], BeforeValidator(_only_whole)] = Field(description="version of this file's format")
+    version: Annotated[Literal[1], BeforeValidator(only_whole)] = Field(description="version of this file's format")
     registry: Annotated[str, Field(pattern=REFERENCE)] = Field(
         description="where images live, unless the variable REGISTRY says otherwise"
     )

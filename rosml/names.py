@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 
 from rosml.errors import RosmlError
-from rosml.model import ANY_PYTHON
+from rosml.model import ANY_PYTHON, FAMILIES
 from rosml.source import shown
+
+ROS = "ros"
+"""Stands for a part in the locks of distributions that come from wheels: those are named like stacks, which they share
+no name with."""
 
 RESERVED_GROUPS = ("all", "default", "latest", "payloads", "tests")
 """Groups and tags that do not come from an axis of the matrix."""
@@ -19,6 +24,18 @@ SHORT = {"torch": "torch", "tensorflow": "tf", "cuda": "cuda"}
 def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
     """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`."""
     return "-".join([distribution, component] + ([framework, stack] if stack else []))
+
+
+def main_tag(distribution: str, component: str, stack: str | None = None) -> str:
+    """The tag that says what an image is: `jazzy-base-cu128`."""
+    return "-".join([distribution, component, *([stack] if stack else [])])
+
+
+def spelled_tag(main: str, versions: Mapping[str, str]) -> str:
+    """A main tag with the versions of what the image is for: `jazzy-base-cu128-torch2.10.0`; the same without any."""
+    counted: list[str] = [family for family in FAMILIES if family in versions]
+    counted = counted or [name for name in ("cuda",) if name in versions]
+    return "-".join([main, *(f"{SHORT[name]}{versions[name]}" for name in counted)])
 
 
 def test_target(image: str) -> str:
@@ -69,6 +86,16 @@ def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
 def lock_head(stack: str, architecture: str, python: str, part: str) -> str:
     """The first line of a lock: whose it is."""
     return f"# Part '{part}' of stack {stack}, Python {python}, {architecture}."
+
+
+def wheels_head(distribution: str, architecture: str, python: str) -> str:
+    """The first line of the lock of a distribution that comes from wheels."""
+    return f"# ROS of {distribution}, Python {python}, {architecture}."
+
+
+def repository_path(prefix: str, repository: str) -> str:
+    """Path of a repository in a registry, below a prefix such as `me/rosml`; that may be empty."""
+    return f"{prefix}/{repository}" if prefix else repository
 
 
 def locks(root: Path) -> frozenset[str]:

@@ -103,10 +103,37 @@ def publish(
     ]
     if not platforms:
         raise RosmlError(f"payload {payload.name} has no lock yet: {', '.join(payload.locks)}", "run 'make locks'")
-    base = _base(services, catalogue, payload, say)
-    file = write_excerpt(services, catalogue, payload.target)
     prefix = f"{services.registry}/{namespace}"
     repository = f"{prefix}/payload"
+    base, digest = push(services, catalogue, payload, say, prefix, platforms, again)
+    layers = dict(_layers(services, f"{repository}@{digest}", platforms))
+    reference = f"{repository}@{digest}"
+    if len(platforms) == len(payload.platforms):  # a tag is for all platforms
+        registry.tag(services, repository, digest, payload.name)
+        reference = f"{repository}:{payload.name}@{digest}"
+    python = base.python if payload.python != ANY_PYTHON else ""
+    return Assembled(payload.name, reference, digest, layers, base.said, python, time.monotonic() - started)
+
+
+def push(
+    services: Services,
+    catalogue: Catalogue,
+    payload: Payload,
+    say: Callable[[str], None],
+    prefix: str,
+    platforms: list[str],
+    again: bool = False,
+) -> tuple[Base, str]:
+    """Assembles a payload for some platforms and pushes it by digest into the repository `payload` below a prefix.
+
+    Returns:
+        What it was assembled on, and the digest: of an index, or for one platform of its manifest.
+
+    Raises:
+        RosmlError: no base image can be had, or the build failed.
+    """
+    base = _base(services, catalogue, payload, say)
+    file = write_excerpt(services, catalogue, payload.target)
     sets = [
         f"{payload.target}.tags=",
         f"{payload.target}.platform={','.join(platforms)}",
@@ -118,14 +145,8 @@ def publish(
     variables = {"REGISTRY": prefix, names.os_variable(payload.os): f"docker-image://{base.reference}"}
     say(f"payload {payload.name} for {', '.join(platforms)}, assembled on {base.said}")
     call = builder.Bake(payload.target, payload.target, file, tuple(sets), variables)
-    _, digest = push_by_digest(services, call, repository)
-    layers = dict(_layers(services, f"{repository}@{digest}", platforms))
-    reference = f"{repository}@{digest}"
-    if len(platforms) == len(payload.platforms):  # a tag is for all platforms
-        registry.tag(services, repository, digest, payload.name)
-        reference = f"{repository}:{payload.name}@{digest}"
-    python = base.python if payload.python != ANY_PYTHON else ""
-    return Assembled(payload.name, reference, digest, layers, base.said, python, time.monotonic() - started)
+    _, digest = push_by_digest(services, call, f"{prefix}/payload")
+    return base, digest
 
 
 def _layers(services: Services, reference: str, platforms: list[str]) -> Iterator[tuple[str, tuple[str, int]]]:
@@ -154,7 +175,7 @@ def _layers(services: Services, reference: str, platforms: list[str]) -> Iterato
 
 
 @dataclass(frozen=True)
-class _Base:
+class Base:
     """What a payload is assembled on: a reference, the Python that compiles bytecode, and both in words."""
 
     reference: str
@@ -162,25 +183,25 @@ class _Base:
     said: str
 
 
-def _base(services: Services, catalogue: Catalogue, payload: Payload, say: Callable[[str], None]) -> _Base:
+def _base(services: Services, catalogue: Catalogue, payload: Payload, say: Callable[[str], None]) -> Base:
     systems = catalogue.matrix.operating_systems
     system = systems[payload.os]
     if not services.mirror or base_images.debian_suite(system.image):
         reference = base_images.ensure(services, system, say=say)
-        return _Base(reference, system.python, reference)
+        return Base(reference, system.python, reference)
     debian = next((item for item in systems.values() if base_images.debian_suite(item.image)), None)
     if debian is None:
         raise RosmlError(f"{system.image} is on Docker Hub, which does not answer", "use a machine that reaches it")
     reference = base_images.ensure(services, debian, say=say)
     if payload.python == ANY_PYTHON:
-        return _Base(reference, "", f"{debian.image} instead of {system.image}")
+        return Base(reference, "", f"{debian.image} instead of {system.image}")
     version, home = _interpreter(payload.python)
     if home is None:
-        return _Base(
+        return Base(
             reference, "", f"{debian.image} instead of {system.image}, without bytecode: no Python {payload.python}"
         )
     stand_in = _with_python(services, reference, payload.python, home)
-    return _Base(stand_in, version, f"{debian.image} with Python {version} instead of {system.image}")
+    return Base(stand_in, version, f"{debian.image} with Python {version} instead of {system.image}")
 
 
 def _interpreter(python: str) -> tuple[str, Path | None]:

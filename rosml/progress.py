@@ -76,7 +76,7 @@ class Step:
             return "structure tests"
         if "exporting" in text or "pushing" in text:
             return "compress and push"
-        if " ros " in text and "RUN" in text:
+        if (" ros " in text or " ros-wheels " in text) and "RUN" in text:
             return "install ROS packages"
         if " base " in text and "RUN" in text:
             return "install essentials"

@@ -10,19 +10,20 @@ from __future__ import annotations
 import json
 import shlex
 import shutil
-import subprocess
 import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rosml import bake, base_images, builder, files, forecast, missing, names, registry, results, verify
+from rosml import bake, base_images, builder, files, forecast, missing, names, registry, results, sync, verify
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image
+from rosml.expand import Catalogue, Image, tags_of
+from rosml.labels import OCI
 from rosml.problems import listed, unknown
 from rosml.progress import BuildProgress, Step
 from rosml.services import Services
+from rosml.turn import turn
 
 NAMESPACE = "rosml"
 """Namespace in the local registry; tests use another one, so that they never move a user's tags."""
@@ -45,7 +46,7 @@ class Result:
         compressed, unpacked: bytes.
         payloads: bytes of `compressed` that are payloads, which images of a stack share.
         uploaded: bytes that this call added to the registry.
-        passed, failed: structure tests.
+        passed, failed: structure tests. versions: of what was found inside.
         seconds: wall time by phase, in order.
         work: seconds of the builder's work by kind of step.
         reused: what was there already.
@@ -65,6 +66,7 @@ class Result:
     uploaded: int = 0
     passed: int = 0
     failed: int = 0
+    versions: dict[str, str] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict)
     work: dict[str, float] = field(default_factory=dict)
     reused: list[str] = field(default_factory=list)
@@ -83,6 +85,7 @@ class TestsFailed(RosmlError):
 
     def __init__(self, result: Result, report: verify.Report, folder: Path) -> None:
         self.result = result
+        self.names = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
         lines = [f"    {outcome.file}: {outcome.name}\n{_indent(outcome.detail)}" for outcome in report.failed]
         super().__init__(
             f"{len(report.failed)} of {len(report.outcomes)} structure tests of {result.target} failed; no tag was moved\n"
@@ -150,6 +153,12 @@ def architecture_of(catalogue: Catalogue, platform: str) -> str:
     return known[platform]
 
 
+def turn_file(services: Services, target: str, architecture: str) -> Path:
+    """What calls in one checkout wait for that build or test an image, or assemble a payload, for an architecture."""
+    native = architecture == base_images.native_architecture()
+    return services.state / "turns" / (target if native else f"{target}-{architecture}")
+
+
 @dataclass
 class Publisher:
     """Publishes images of a catalogue into the local registry.
@@ -161,6 +170,7 @@ class Publisher:
         namespace: first part of the repositories' names.
         architecture: what to build for. An image for another architecture than the machine's own is built and tested
             under emulation, and gets no tag: a tag is for all of an image's platforms.
+        host: the registry; the local one if empty.
     """
 
     services: Services
@@ -168,6 +178,7 @@ class Publisher:
     say: Callable[[str], None]
     namespace: str = NAMESPACE
     architecture: str = field(default_factory=base_images.native_architecture)
+    host: str = ""
 
     @property
     def native(self) -> bool:
@@ -177,7 +188,7 @@ class Publisher:
     @property
     def prefix(self) -> str:
         """Value of the bake variable REGISTRY."""
-        return f"{self.services.registry}/{self.namespace}"
+        return f"{self.host or self.services.registry}/{self.namespace}".rstrip("/")
 
     def publish(self, target: str) -> Result:
         """Builds, tests and tags one image.
@@ -188,6 +199,7 @@ class Publisher:
         """
         image = self.catalogue.image(target)
         target = image.target  # a tag is a name as well
+        sync.source(self.catalogue.matrix, image.distribution)  # a channel that there is not is told first
         require_buildable(image, "" if self.native else self.architecture)
         self.services.require_registry()
         platform = self.catalogue.matrix.architectures[self.architecture].platform
@@ -196,6 +208,14 @@ class Publisher:
         forecast.require(
             self.services.state, forecast.needed_mb(self.catalogue, image, built.names() if self.native else ()), target
         )
+        with turn(
+            turn_file(self.services, target, self.architecture),
+            lambda: self.say(f"waiting for another call that builds or tests {target}"),
+        ):
+            return self._publish(image, built)
+
+    def _publish(self, image: Image, built: forecast.Built) -> Result:
+        target = image.target
         result = Result(target)
         clock = _Clock(result.seconds)
 
@@ -205,15 +225,13 @@ class Publisher:
         clock.lap("base image")
 
         self.say(f"build {target} and push it by digest")
-        before = _folder_bytes(self.services.state / "registry")
         self._build(image, bake_file, variables, result)
         if self.native:
             built.add([target, image.parent, *image.parts])
-        result.uploaded = _folder_bytes(self.services.state / "registry") - before
         clock.lap("build and push")
 
         self.say("structure tests, inside the image")
-        self._test(image, bake_file, variables, result)
+        config = self.test(image, bake_file, variables, result)
         clock.lap("structure tests")
 
         if not self.native:
@@ -221,7 +239,7 @@ class Publisher:
             result.builder = builder_command(self.services)
             return result
         self.say("index and tags")
-        self._tag(image, result)
+        self._tag(image, config, result)
         clock.lap("index and tags")
         self._remember(result)
         return result
@@ -231,7 +249,8 @@ class Publisher:
         return write_excerpt(self.services, self.catalogue, image.target, image.test_target)
 
     def variables(self, image: Image, result: Result) -> dict[str, str]:
-        """Variables of the bake file: the registry, the platform, and where base images are, which are made if need be.
+        """Variables of the bake file: the registry, the platform, of when ROS's apt repository is, and where base images
+        are, which are made if need be.
 
         What the image starts from is noted in `result`.
         """
@@ -248,21 +267,43 @@ class Publisher:
             if name == image.os:
                 made = "made with mmdebstrap, because Docker Hub does not answer"
                 result.base = f"{reference} ({made if self.services.mirror else 'the official image'})"
-        return variables
+        return variables | self._sync_date(image)
+
+    def _sync_date(self, image: Image) -> dict[str, str]:
+        """The bake variable that says of when ROS's apt repository is: a new state of it is installed anew."""
+        source = sync.source(self.catalogue.matrix, image.distribution)
+        if source is None:
+            return {}
+        try:
+            day = sync.published(source)
+            sync.remember(self.services.state, source, day)
+        except RosmlError as error:  # what the builder has of it may be enough
+            day = sync.remembered(self.services.state, source)
+            self.say(f"{error.message}; taken for as it was last time: {day or 'never asked'}")
+        self.say(f"ROS's apt repository {source.address}, published {day or 'nobody knows when'}")
+        return {"ROS_SYNC_DATES": json.dumps({image.distribution: day})}
 
     def _build(self, image: Image, bake_file: Path, variables: dict[str, str], result: Result) -> None:
         repository = f"{self.prefix}/{image.repository}"
         sets = (f"{image.target}.tags=",)
+        before = _blobs(self.services.state / "registry")
         progress, result.manifest = push_by_digest(
             self.services, builder.Bake(image.target, f"build-{image.target}", bake_file, sets, variables), repository
         )
         result.work.update(progress.phases())
         result.reused = _reused(progress.reused())
-        sizes = [layer.size for layer in registry.layers(self.services, f"{repository}@{result.manifest}")]
+        layers = registry.layers(self.services, f"{repository}@{result.manifest}")
+        sizes = [layer.size for layer in layers]
         result.compressed = sum(sizes)
+        result.uploaded = sum(layer.size for layer in layers if layer.digest.removeprefix("sha256:") not in before)
         result.payloads = sum(sizes[-len(image.parts) :]) if image.parts else 0
 
-    def _test(self, image: Image, bake_file: Path, variables: dict[str, str], result: Result) -> None:
+    def test(self, image: Image, bake_file: Path, variables: dict[str, str], result: Result) -> dict[str, Any]:
+        """Runs the structure tests on what `result.manifest` names; returns the image's config, which they saw.
+
+        Raises:
+            TestsFailed: some of them failed.
+        """
         reference = f"{self.prefix}/{image.repository}@{result.manifest}"
         folder = (
             self.services.state / "tests" / (image.target if self.native else f"{image.target}-{self.architecture}")
@@ -292,16 +333,19 @@ class Publisher:
         if image.budget is not None:
             report = report.with_outcome(verify.within_budget(image.budget, result.payloads))
         result.passed, result.failed, result.unpacked = report.passed, len(report.failed), report.unpacked
+        result.versions = dict(report.versions)
         if report.failed:
             attempts.write_text(str(int(attempt) + 1))
             raise TestsFailed(result, report, report_folder)
+        return config
 
-    def _tag(self, image: Image, result: Result) -> None:
+    def _tag(self, image: Image, config: dict[str, Any], result: Result) -> None:
         """Makes the index and moves the tags to it, the most specific first, the floating ones last."""
         repository = f"{self.prefix}/{image.repository}"
-        annotations = {"org.opencontainers.image.title": image.target}
+        labels = config.get("config", {}).get("Labels") or {}
+        annotations = {name: text for name, text in labels.items() if name.startswith(OCI)}
         result.digest = registry.create_index(self.services, repository, [result.manifest], annotations)
-        tags = [tag.split(":", 1)[1] for tag in image.tags]
+        tags = tags_of(image)
         for name in tags:
             if registry.digest(self.services, f"{repository}:{name}") != result.digest:
                 registry.tag(self.services, repository, result.digest, name)
@@ -346,13 +390,9 @@ def _reused(steps: list[Step]) -> list[str]:
     return list(dict.fromkeys(kinds[step.phase] for step in steps if step.phase in kinds))
 
 
-def _folder_bytes(folder: Path) -> int:
-    """Size of a folder on disk in bytes; 0 where it cannot be read (a registry that is not ours)."""
-    try:
-        done = subprocess.run(["du", "-s", "-B1", str(folder)], capture_output=True, text=True, check=True)
-        return int(done.stdout.split()[0])
-    except (OSError, ValueError, IndexError, subprocess.CalledProcessError):
-        return 0
+def _blobs(storage: Path) -> frozenset[str]:
+    """Digests, without their algorithm, of all that the local registry has in its folder."""
+    return frozenset(file.name for file in storage.glob("docker/registry/v2/blobs/sha256/*/*"))
 
 
 def _indent(text: str) -> str:

@@ -1,13 +1,17 @@
-"""The tables of images in README.md, rendered from the catalogue between two markers."""
+"""The tables of images in README.md, rendered from the catalogue, and from what was built, between two markers."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from rosml import rules
+from rosml.built import Built
+from rosml.catalogue import WORDS, status
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.problems import listed
+from rosml.summary import size
 
 BEGIN = "<!-- images: written by scripts/generate_bake.py -->"
 END = "<!-- /images -->"
@@ -21,8 +25,11 @@ _CONTENT = {
 }
 
 
-def render(readme: str, catalogue: Catalogue) -> str:
+def render(readme: str, catalogue: Catalogue, built: Sequence[Built] = ()) -> str:
     """The README with the tables of this catalogue.
+
+    Args:
+        built: what was built and tested.
 
     Raises:
         RosmlError: the markers are missing.
@@ -33,27 +40,40 @@ def render(readme: str, catalogue: Catalogue) -> str:
         raise RosmlError(
             f"README.md: the markers {BEGIN} and {END} are missing", "put them back where the table belongs"
         )
-    return f"{head}{BEGIN}\n{tables(catalogue)}{END}{tail}"
+    return f"{head}{BEGIN}\n{tables(catalogue, built)}{END}{tail}"
 
 
-def tables(catalogue: Catalogue) -> str:
+def tables(catalogue: Catalogue, built: Sequence[Built] = ()) -> str:
     """Distributions with their components; then what images carry, and on which distributions."""
-    lines = ["| distribution | ROS | system, Python | components | end of life |", "| --- | --- | --- | --- | --- |"]
-    lines += _distributions(catalogue)
-    lines += ["", "| image | content | distributions | platforms |", "| --- | --- | --- | --- |", *_contents(catalogue)]
+    known = {item.target: item for item in built}
+    head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
+    lines = [f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_distributions(catalogue, known)]
+    head = ["image", "content", "distributions", "platforms", "compressed, where built"]
+    lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(catalogue, known)]
     return "\n".join(lines) + "\n"
 
 
-def _distributions(catalogue: Catalogue) -> Iterator[str]:
+def _distributions(catalogue: Catalogue, built: Mapping[str, Built]) -> Iterator[str]:
     matrix = catalogue.matrix
     for name, distribution in matrix.distributions.items():
         python = matrix.operating_systems[distribution.os].python
         eol = f"{distribution.eol}{' (LTS)' if distribution.lts else ''}" if distribution.eol else "rolling"
         components = ", ".join(distribution.components)
-        yield f"| `{name}` | {distribution.ros} | {distribution.os}, {python} | {components} | {eol} |"
+        only = ", ".join(distribution.architectures)
+        notes = [*(["experimental"] if distribution.experimental else []), *([f"{only} only"] if only else [])]
+        note = f" ({', '.join(notes)})" if notes else ""
+        facts = [f"`{name}`{note}", str(distribution.ros), f"{distribution.os}, {python}", components, eol]
+        yield f"| {' | '.join([*facts, _states(catalogue, name, built)])} |"
 
 
-def _contents(catalogue: Catalogue) -> Iterator[str]:
+def _states(catalogue: Catalogue, name: str, built: Mapping[str, Built]) -> str:
+    """How many images of a distribution are in which state."""
+    images = [image for image in catalogue.images if image.distribution == name]
+    counts = Counter(status(catalogue.matrix, image, image.target in built)[0] for image in images)
+    return ", ".join(f"{counts[state]} {word}" for state, word in WORDS.items() if counts[state])
+
+
+def _contents(catalogue: Catalogue, built: Mapping[str, Built]) -> Iterator[str]:
     rows: dict[tuple[str, str | None], list[Image]] = {}
     for image in catalogue.images:
         rows.setdefault((image.framework, image.stack), []).append(image)
@@ -69,8 +89,18 @@ def _contents(catalogue: Catalogue) -> Iterator[str]:
                 if locked
                 else f"without a lock yet: {', '.join(others)}"
             )
-        platforms = ", ".join(first.platforms)
-        yield f"| `{first.repository}:{tag}` | {_content(catalogue, first)} | {where} | {platforms} |"
+        platforms = ", ".join(dict.fromkeys(platform for image in images for platform in image.platforms))
+        sizes = _sizes(built[image.target] for image in images if image.target in built)
+        facts = [f"`{first.repository}:{tag}`", _content(catalogue, first), where, platforms, sizes]
+        yield f"| {' | '.join(facts)} |".replace("|  |", "| |")
+
+
+def _sizes(built: Iterable[Built]) -> str:
+    """The smallest and the largest; empty where none is known."""
+    known = sorted(item.compressed for item in built if item.compressed)
+    if not known:
+        return ""
+    return size(known[0]) if len(known) == 1 else f"{size(known[0])} to {size(known[-1])}"
 
 
 def _content(catalogue: Catalogue, image: Image) -> str:

@@ -66,7 +66,8 @@ def _duplicates(matrix: Matrix) -> Iterator[Finding]:
             lists += [((*here, "wheels", stack), wheels) for stack, wheels in release.wheels.items()]
             lists.append(((*here, "requires"), release.requires))
     for name, distribution in matrix.distributions.items():
-        lists.append((("distributions", name, "components"), distribution.components))
+        for key in ("components", "wheels", "architectures", "rmw"):
+            lists.append((("distributions", name, key), getattr(distribution, key)))
     for path, values in lists:
         seen: set[str] = set()
         for index, value in enumerate(values):
@@ -259,19 +260,52 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
             yield (*path, "default_stack"), unknown("stack", distribution.default_stack, matrix.stacks)
         if distribution.lts and distribution.eol is None:
             yield (*path, "lts"), "a long-term release has an end of life; add 'eol: …'"
-        yield from _placeholders((*path, "packages"), distribution.packages, PLACEHOLDERS)
-        if "{ros_distro}" in distribution.packages and not (distribution.ros_distro or name).islower():
+        packages = distribution.packages or ""
+        yield from _placeholders((*path, "packages"), packages, PLACEHOLDERS)
+        yield from _placeholders((*path, "tools"), distribution.tools or "", ())
+        yield from _row_architectures(matrix, (*path, "architectures"), distribution)
+        yield from _wheels(path, name, distribution)
+        if "{ros_distro}" in packages and not (distribution.ros_distro or name).islower():
             yield (*path, "ros_distro"), "packages have lower-case names, and {ros_distro} is part of them"
         if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
             yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
+        if distribution.rmw and distribution.ros == 1:
+            yield (*path, "rmw"), "ROS 1 has no RMW implementations; they are ROS 2's"
         if distribution.os in matrix.operating_systems:
             os = matrix.operating_systems[distribution.os]
             yield from _apt((*path, "apt"), distribution, os) if distribution.apt else _no_apt(path, distribution, os)
 
 
+def _row_architectures(matrix: Matrix, path: Path, distribution: Distribution) -> Iterator[Finding]:
+    """A distribution may exist for fewer architectures than its operating system, and for no other."""
+    yield from _each(path, "architecture", distribution.architectures, matrix.architectures)
+    os = matrix.operating_systems.get(distribution.os)
+    for index, name in enumerate(distribution.architectures):
+        if os and name in matrix.architectures and name not in os.architectures:
+            yield (*path, index), f"{distribution.os} is built for {listed(os.architectures)} only; remove {name}"
+
+
+def _wheels(path: Path, name: str, distribution: Distribution) -> Iterator[Finding]:
+    """ROS comes from Debian packages or from wheels, which are one set for one component, and know no apt source."""
+    if distribution.packages is None and not distribution.wheels:
+        yield path, "nothing says what ROS comes from; add 'packages: …' or, from Python's index, 'wheels: […]'"
+    if not distribution.wheels:
+        return
+    if distribution.packages is not None:
+        yield (*path, "wheels"), "ROS comes from 'packages' already; keep one of the two"
+    if distribution.ros == 1:
+        yield (*path, "wheels"), "there are no wheels of ROS 1; name Debian packages in 'packages'"
+    if len(distribution.components) > 1:
+        text = f"the wheels of {name} are one component's; keep one of {listed(distribution.components)}"
+        yield (*path, "components"), text
+    for key in ("apt", "rmw"):
+        if getattr(distribution, key):
+            yield (*path, key), f"'{key}' is about Debian packages of ROS, and {name} has wheels; remove it"
+
+
 def _no_apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
     """A system with a suite in ROS's apt repositories does not have ROS's packages itself, as Debian has."""
-    if os.codename:
+    if os.codename and distribution.packages is not None and not distribution.wheels:
         yield (
             path,
             f"{distribution.os} does not have ROS's packages itself, and nothing says where they come from; "

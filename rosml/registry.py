@@ -3,15 +3,22 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from dataclasses import dataclass
 from typing import Any
 
+from rosml import certificates
 from rosml.errors import RosmlError
 from rosml.services import REMEDY, Services
 
 SECONDS = 120.0
 """Longest that one call may take; none of them moves a layer."""
+
+
+LOOPBACK = re.compile(r"(?:127\.0\.0\.1|localhost|\[::1\])(?::\d+)?(?=/)")
+"""Registries that speak plain http: those of this machine without certificates in certs.d. Set-up tells regctl of the one
+that it started."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +35,13 @@ def regctl(services: Services, *arguments: str) -> str:
     Raises:
         RosmlError: regctl failed, or the registry does not answer.
     """
-    command = [services.regctl, *arguments]
+    loopback = dict.fromkeys(
+        found[0]
+        for argument in arguments
+        if (found := LOOPBACK.match(argument)) and found[0] != services.registry and not certificates.of(found[0])
+    )
+    plain = [option for host in loopback for option in ("--host", f"reg={host},tls=disabled")]
+    command = [services.regctl, *arguments, *plain]
     try:
         done = subprocess.run(
             command, env=services.environment(), capture_output=True, text=True, timeout=SECONDS, check=False

@@ -31,9 +31,11 @@ STAND_IN = {
     model.IMAGE: "stand.in/stand-in:stand-in",
     model.URL: "https://stand.in",
     model.PLATFORM: "linux/standin",
+    model.RMW: "rmw_stand_in",
     model.WORD: "stand-in",
     model.SPECIFIER: "<2",
     model.REQUIREMENT: "stand-in",
+    model.PINNED: "stand-in==0",
     model.SENTENCE: "stand-in",
     model.PACKAGES: "stand-in",
 }
@@ -104,9 +106,9 @@ def _put(data: Any, path: Path, value: Any, remove: bool = False) -> None:
         changed = (*owner[: int(step)], changed, *owner[int(step) + 1 :])
 
 
-def annotation(path: Path) -> Any:
-    """The type, with its annotations, of what stands at `path`; None where the model has no such place."""
-    kind: Any = model.Matrix
+def annotation(path: Path, top: type[BaseModel] = model.Matrix) -> Any:
+    """The type, with its annotations, of what stands at `path` below `top`; None where the model has no such place."""
+    kind: Any = top
     for step in path:
         kind = bare(kind)
         if isinstance(kind, type) and issubclass(kind, BaseModel):

@@ -16,9 +16,9 @@ def component_reason(matrix: Matrix, distribution: str, component: str) -> str |
     return f"{distribution} (ROS {facts.ros}) has no {component} metapackage; it has {listed(facts.components)}"
 
 
-def stack_reason(matrix: Matrix, os: str, framework: str, stack: str | None) -> str | None:
-    """Can images of an operating system carry the framework on the stack, on any architecture?"""
-    facts = matrix.frameworks[framework]
+def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> str | None:
+    """Can images of a distribution carry the framework on the stack, on any architecture?"""
+    facts, os = matrix.frameworks[framework], matrix.distributions[distribution].os
     if stack is None or not facts.parts:
         return _pairing(framework, facts, stack)
     return (
@@ -27,24 +27,44 @@ def stack_reason(matrix: Matrix, os: str, framework: str, stack: str | None) -> 
         or _releases(framework, facts, stack, matrix.stacks[stack])
         or _apart(framework, facts, stack, matrix.stacks[stack])
         or _python(matrix, os, facts, matrix.stacks[stack])
-        or _architectures(matrix, os, facts, stack)
+        or _architectures(matrix, distribution, facts, stack)
     )
 
 
-def architectures(matrix: Matrix, os: str, framework: str, stack: str | None) -> tuple[str, ...]:
-    """Architectures with the same content: those of the operating system for which every release has a wheel."""
-    facts = matrix.frameworks[framework]
-    allowed = set(matrix.operating_systems[os].architectures)
+def built_for(matrix: Matrix, distribution: str) -> tuple[str, ...]:
+    """The architectures of a distribution: those of its operating system, or the ones among them that it names."""
+    facts = matrix.distributions[distribution]
+    system = matrix.operating_systems[facts.os].architectures
+    return tuple(name for name in system if not facts.architectures or name in facts.architectures)
+
+
+def architectures(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> tuple[str, ...]:
+    """Architectures with the same content: those of the distribution for which every release has a wheel."""
+    return _with_wheels(matrix, built_for(matrix, distribution), framework, stack)
+
+
+def joined_for(matrix: Matrix, os: str, framework: str, stack: str | None) -> tuple[str, ...]:
+    """Architectures of an operating system for which every release has a wheel, whatever a distribution is built for."""
+    return _with_wheels(matrix, matrix.operating_systems[os].architectures, framework, stack)
+
+
+def _with_wheels(matrix: Matrix, among: Sequence[str], framework: str, stack: str | None) -> tuple[str, ...]:
+    allowed = set(among)
     if stack is not None:
-        for _, wheels in _available(matrix, facts, stack):
+        for _, wheels in _available(matrix, matrix.frameworks[framework], stack):
             allowed &= set(wheels)
     return tuple(name for name in matrix.architectures if name in allowed)
 
 
-def architecture_reason(matrix: Matrix, os: str, framework: str, stack: str | None, architecture: str) -> str | None:
+def architecture_reason(
+    matrix: Matrix, distribution: str, framework: str, stack: str | None, architecture: str
+) -> str | None:
     """Why an image that exists leaves out an architecture."""
+    os = matrix.distributions[distribution].os
     if architecture not in matrix.operating_systems[os].architectures:
         return f"images of {os} are built for {listed(matrix.operating_systems[os].architectures)} only"
+    if architecture not in built_for(matrix, distribution):
+        return f"{distribution} exists for {listed(built_for(matrix, distribution))} only"
     for what, wheels in _available(matrix, matrix.frameworks[framework], stack) if stack else ():
         if architecture not in wheels:
             return f"{what} has {stack} wheels for {listed(wheels)} only"
@@ -59,6 +79,23 @@ def plain(matrix: Matrix) -> str:
 def parts(framework: Framework, stack: Stack) -> tuple[Part, ...]:
     """The parts that a framework takes of a stack, in the order in which they are joined."""
     return tuple(part for part in PARTS if part in framework.parts and (part != "cuda" or stack.accelerator == "cuda"))
+
+
+def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[Part, ...]]:
+    """The parts of every framework that a stack can carry, on some operating system and architecture."""
+    facts = matrix.stacks[stack]
+    return {
+        name: parts(framework, facts)
+        for name, framework in matrix.frameworks.items()
+        if (
+            _pairing(name, framework, stack)
+            or _accelerator(name, framework, stack, facts)
+            or _parts(name, framework, stack, facts)
+            or _releases(name, framework, stack, facts)
+            or _apart(name, framework, stack, facts)
+        )
+        is None
+    }
 
 
 def families(framework: Framework) -> tuple[Family, ...]:
@@ -104,18 +141,20 @@ def _python(matrix: Matrix, os: str, framework: Framework, stack: Stack) -> str 
         others = [name for name, release in releases.items() if python in release.python]
         if not others:
             return f"no release of {family} has a wheel for Python {python}, the Python of {os}"
-        return f"{family} {version} has no wheel for Python {python}, the Python of {os} ({listed(others)} has)"
+        have = f"{listed(others)} {'has' if len(others) == 1 else 'have'}"
+        return f"{family} {version} has no wheel for Python {python}, the Python of {os} ({have})"
     return None
 
 
-def _architectures(matrix: Matrix, os: str, framework: Framework, stack: str) -> str | None:
-    available = matrix.operating_systems[os].architectures
+def _architectures(matrix: Matrix, distribution: str, framework: Framework, stack: str) -> str | None:
+    facts, available = matrix.distributions[distribution], built_for(matrix, distribution)
+    who = distribution if facts.architectures else facts.os
     common = set(available)
     for what, wheels in _available(matrix, framework, stack):
         if not common & set(wheels):
             if not wheels:
                 return f"{what} has no wheel for stack {stack}"
-            return f"{what} has {stack} wheels for {listed(wheels)} only, and {os} is built for {listed(available)}"
+            return f"{what} has {stack} wheels for {listed(wheels)} only, and {who} is built for {listed(available)}"
         common &= set(wheels)
     return None
 

@@ -1,4 +1,5 @@
-"""The model -> the text of matrix.schema.json, with which editors complete and check matrix.yaml."""
+"""Models -> the texts of their JSON Schemas: matrix.schema.json, with which editors complete and check matrix.yaml, and
+catalogue.schema.json, for whoever reads catalogue.json."""
 
 from __future__ import annotations
 
@@ -6,12 +7,18 @@ import json
 import sys
 from typing import Any
 
+from pydantic import BaseModel
+
 from rosml.errors import RosmlError
 from rosml.model import Matrix
 
 
-def render() -> str:
-    """The JSON Schema (draft 2020-12).
+def render(model: type[BaseModel] = Matrix, module: str = "rosml/model.py", read: bool = False) -> str:
+    """The JSON Schema (draft 2020-12) of a model.
+
+    Args:
+        model: the model. module: where it stands.
+        read: for whoever reads what this program writes: keys that a later version adds are no errors.
 
     Raises:
         RosmlError: Python dropped the docstrings, some of which are descriptions there.
@@ -20,8 +27,8 @@ def render() -> str:
         raise RosmlError("Python runs without docstrings, which the schema shows", "unset PYTHONOPTIMIZE", exit_code=2)
     schema = {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "$comment": "Generated from rosml/model.py by scripts/generate_bake.py",
-        **_plain(Matrix.model_json_schema()),
+        "$comment": f"Generated from {module} by scripts/generate_bake.py",
+        **(_open if read else _plain)(_plain(model.model_json_schema())),
     }
     return json.dumps(schema, indent=2, ensure_ascii=False) + "\n"
 
@@ -39,3 +46,10 @@ def _plain(schema: Any, names: bool = False) -> Any:
         }
         return plain | strict
     return [_plain(item) for item in schema] if isinstance(schema, list) else schema
+
+
+def _open(schema: Any) -> Any:
+    """Without the demand that there be no other keys."""
+    if isinstance(schema, dict):
+        return {key: _open(value) for key, value in schema.items() if (key, value) != ("additionalProperties", False)}
+    return [_open(item) for item in schema] if isinstance(schema, list) else schema

@@ -33,7 +33,6 @@ class Services:
         regctl: path of regctl.
         uv: path of uv.
         ca_bundle: the user's CA bundle, absolute; empty where the system's certificates do.
-        docker_hub: whether Docker Hub answered.
         mirror: whether the local registry stands in for Docker Hub.
     """
 
@@ -46,7 +45,6 @@ class Services:
     regctl: str
     uv: str
     ca_bundle: str
-    docker_hub: bool
     mirror: bool
 
     @classmethod
@@ -70,7 +68,6 @@ class Services:
                 regctl=str(facts["regctl"]),
                 uv=str(facts["uv"]),
                 ca_bundle=str(facts["ca_bundle"]),
-                docker_hub=bool(facts["docker_hub"]),
                 mirror=bool(facts["mirror"]),
             )
         except FileNotFoundError:

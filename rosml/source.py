@@ -69,8 +69,8 @@ def shown(file: FilePath) -> str:
         return str(file)
 
 
-def read(file: FilePath) -> Document:
-    """Reads a YAML file.
+def read(file: FilePath, option: str = "--matrix") -> Document:
+    """Reads a YAML file. `option`: the one of the command line that names another file.
 
     Raises:
         RosmlError: the file is missing, unreadable or too large (exit code 2).
@@ -81,7 +81,7 @@ def read(file: FilePath) -> Document:
         with file.open("rb") as stream:
             content = stream.read(MAX_BYTES + 1)
     except FileNotFoundError:
-        raise RosmlError(f"{name}: no such file", remedy="name the file with --matrix", exit_code=2) from None
+        raise RosmlError(f"{name}: no such file", remedy=f"name the file with {option}", exit_code=2) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise RosmlError(f"{name}: cannot be read: {reason}", exit_code=2) from None
@@ -92,7 +92,7 @@ def parse(content: bytes, name: str = "matrix.yaml") -> Document:
     """Parses YAML text; raises as `read` does."""
     if len(content) > MAX_BYTES:
         raise RosmlError(
-            f"{name}: larger than {MAX_BYTES // 1024} KiB, which no matrix needs",
+            f"{name}: larger than {MAX_BYTES // 1024} KiB, which no such file needs",
             remedy="check that this is the right file",
             exit_code=2,
         )
@@ -114,7 +114,7 @@ def parse(content: bytes, name: str = "matrix.yaml") -> Document:
     except yaml.YAMLError as error:
         raise InputError(name, [Problem(1, 1, "", f"not YAML: {error}")]) from None
     if node is None:
-        raise InputError(name, [Problem(1, 1, "", "the file is empty; a matrix needs at least 'version: 1'")])
+        raise InputError(name, [Problem(1, 1, "", "the file is empty; it needs at least 'version: 1'")])
     document.places[()] = _place(node)
     document.data = _value(document, (), node)
     return document

@@ -1,4 +1,4 @@
-"""A document -> a `Matrix`, or every problem that it has, each with its place in the file."""
+"""A document -> its model, such as a `Matrix`, or every problem that it has, each with its place in the file."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from datetime import date
 from itertools import islice
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -18,6 +18,36 @@ from rosml.source import Document
 
 EXPLAINED = 500
 """How many of the model's complaints are explained; of more than that nobody reads all."""
+
+
+Top = TypeVar("Top", bound=BaseModel)
+"""The model of a whole file."""
+
+
+def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> Top:
+    """What a document says, as a model of any kind.
+
+    Args:
+        document: the file.
+        top: the model of the whole of it.
+        meaning: what the model's own patterns ask for, in words.
+
+    Raises:
+        InputError: with every problem of its structure.
+    """
+    problems = list(document.problems)
+    try:
+        found = top.model_validate(document.data)
+    except ValidationError as error:
+        details = _first_errors(error.errors(include_url=False)[:EXPLAINED])
+        explained = {problem.path for problem in problems}
+        complaints = [_problem(document, detail, top, meaning) for detail in details]
+        raise InputError(
+            document.name, [*problems, *(problem for problem in complaints if problem.path not in explained)]
+        ) from None
+    if problems:
+        raise InputError(document.name, problems)
+    return found
 
 
 def validate(document: Document) -> Matrix:
@@ -47,20 +77,22 @@ def validate(document: Document) -> Matrix:
     return matrix
 
 
-def _problem(document: Document, error: Any) -> Problem:
+def _problem(
+    document: Document, error: Any, top: type[BaseModel] = Matrix, meaning: Mapping[str, str] = MEANING
+) -> Problem:
     kind: str = error["type"]
     path, of_key = _path(document, error["loc"], kind)
     if kind == "missing":
-        return document.problem(path[:-1], f"'{path[-1]}' is missing; add '{path[-1]}: …'{_purpose(path)}")
+        return document.problem(path[:-1], f"'{path[-1]}' is missing; add '{path[-1]}: …'{_purpose(path, top)}")
     if kind == "extra_forbidden":
-        return document.problem(path, _join(f"unknown key {path[-1]!r}", near(str(path[-1]), _fields(path[:-1]))))
+        return document.problem(path, _join(f"unknown key {path[-1]!r}", near(str(path[-1]), _fields(path[:-1], top))))
     context, value = error.get("ctx", {}), error["input"]
     if of_key:
         value = path[-1]
-    if kind == "string_pattern_mismatch" and _names_architecture(path):
+    if kind == "string_pattern_mismatch" and top is Matrix and _names_architecture(path):
         return document.problem(path, unknown("architecture", value, document.data.get("architectures") or ()))
     written = document.place(path).text if not of_key else ""
-    return document.problem(path, _complaint(kind, context, value, written, error["msg"]))
+    return document.problem(path, _complaint(kind, context, value, written, error["msg"], meaning))
 
 
 def _first_errors(details: Sequence[Any]) -> list[Any]:
@@ -76,7 +108,9 @@ def _names_architecture(path: Path) -> bool:
     )
 
 
-def _complaint(kind: str, context: Mapping[str, Any], value: Any, written: str, otherwise: str) -> str:
+def _complaint(
+    kind: str, context: Mapping[str, Any], value: Any, written: str, otherwise: str, meaning: Mapping[str, str]
+) -> str:
     """One sentence: what was expected, what is there, and how to put it right."""
     if kind == "string_type":
         quoted = isinstance(value, (int, float, date)) and written
@@ -85,7 +119,7 @@ def _complaint(kind: str, context: Mapping[str, Any], value: Any, written: str, 
             remedy = "write it without brackets"
         return _join(f"expected text, found {_found(value, written)}", remedy)
     if kind == "string_pattern_mismatch":
-        return f"expected {MEANING.get(context['pattern'], 'text')}, found {_found(value)}"
+        return f"expected {meaning.get(context['pattern'], 'text')}, found {_found(value)}"
     if kind == "literal_error":
         known = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
         remedy = f"write it without quotes: {value}" if value in known else _near_match(value, known)
@@ -153,18 +187,18 @@ def _path(document: Document, location: Sequence[Any], kind: str) -> tuple[Path,
     return path, of_key
 
 
-def _fields(path: Path) -> list[str]:
-    model = _model(path)
+def _fields(path: Path, top: type[BaseModel]) -> list[str]:
+    model = _model(path, top)
     return list(model.model_fields) if model else []
 
 
-def _purpose(path: Path) -> str:
-    model = _model(path[:-1])
+def _purpose(path: Path, top: type[BaseModel]) -> str:
+    model = _model(path[:-1], top)
     field = model.model_fields.get(str(path[-1])) if model else None
     return f" ({field.description})" if field and field.description else ""
 
 
-def _model(path: Path) -> type[BaseModel] | None:
+def _model(path: Path, top: type[BaseModel]) -> type[BaseModel] | None:
     """The model that describes what stands at `path`."""
-    kind = bare(annotation(path))
+    kind = bare(annotation(path, top))
     return kind if isinstance(kind, type) and issubclass(kind, BaseModel) else None

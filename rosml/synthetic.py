@@ -45,8 +45,8 @@ def _head() -> str:
         "registry: localhost:5000",
         "default: {target: d0-core-torch-cu128, group: [d0-core]}",
         "architectures:",
-        "  amd64: {platform: linux/amd64, wheels: x86_64-manylinux_2_28, triplet: x86_64-linux-gnu, runner: amd64}",
-        "  arm64: {platform: linux/arm64, wheels: aarch64-manylinux_2_28, triplet: aarch64-linux-gnu, runner: arm64}",
+        "  amd64: {platform: linux/amd64, wheels: x86_64-manylinux_2_28, runner: amd64}",
+        "  arm64: {platform: linux/arm64, wheels: aarch64-manylinux_2_28, runner: arm64}",
         "operating_systems:",
     ]
     for number in range(_SYSTEMS):

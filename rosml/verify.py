@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -39,10 +39,12 @@ def within_budget(budget: int, found: int) -> Outcome:
 
 @dataclass(frozen=True)
 class Report:
-    """All structure tests of an image, and the size of its unpacked root file system in bytes."""
+    """All structure tests of an image, the size of its unpacked root file system in bytes, and the versions of what it
+    holds, as they were recorded when its parts were built."""
 
     outcomes: tuple[Outcome, ...]
     unpacked: int
+    versions: Mapping[str, str] = field(default_factory=dict)
 
     def with_outcome(self, outcome: Outcome) -> Report:
         """The report with one more test."""
@@ -151,7 +153,15 @@ def read_report(folder: Path, files: tuple[str, ...]) -> Report:
         unpacked = int((folder / "unpacked").read_text().split()[0]) * 1024
     except (OSError, ValueError, IndexError):
         unpacked = 0
-    return Report(tuple(outcomes), unpacked)
+    return Report(tuple(outcomes), unpacked, _versions(folder / "versions"))
+
+
+def _versions(file: Path) -> dict[str, str]:
+    """Versions by name from lines such as `torch 2.10.0`; none where there is no file."""
+    if not file.is_file():
+        return {}
+    lines = (line.split(maxsplit=1) for line in file.read_text(errors="replace").splitlines())
+    return {line[0]: line[1] for line in lines if len(line) == 2}
 
 
 def _outcomes(folder: Path, file: str) -> list[Outcome]:

@@ -1,5 +1,14 @@
 #!/usr/bin/env python3
-"""Measures the generator, and our second image beside one whose Dockerfile has a `RUN pip install`."""
+"""Measures the generator, our second image beside one whose Dockerfile has a `RUN pip install`, and many tags.
+
+\b
+Examples:
+  bench.py --generator                         the generator alone: no registry, no builder
+  bench.py                                     all, with a small image (make bench)
+  bench.py --target bookworm-base-torch-cu128  with one that has CUDA: 35 GB of free disk
+
+A page with charts is written as well: .state/bench/report/report.md, and report.json beside it.
+"""
 
 from __future__ import annotations
 
@@ -29,6 +38,9 @@ if TYPE_CHECKING:
 
 TARGET = "bookworm-base-tensorflow-cpu"
 """What is built in both ways: the smallest with a framework. One with CUDA takes several times as long."""
+
+REPORT = ROOT / ".state/bench/report"
+"""Where the page with charts is written, if nothing else is said."""
 
 RUNS = 5
 """Whole runs on the real matrix, of which the median counts."""
@@ -66,27 +78,47 @@ class Measured:
 @click.option("--generator", is_flag=True, help="Measure the generator alone; needs no registry and no builder.")
 @click.option("--target", default="", help=f"The image that is built in both ways; {TARGET} if it is empty.")
 @click.option("--json", "as_json", is_flag=True, help="Print the numbers as JSON.")
+@click.option(
+    "--output", default="", metavar="FOLDER", help="Where the report is written; .state/bench/report if it is empty."
+)
 @click.option("--check", is_flag=True, help="Exit 1 if the generator misses a limit, which an idle machine can tell.")
-def main(generator: bool, target: str, as_json: bool, check: bool) -> None:
+def main(generator: bool, target: str, as_json: bool, output: str, check: bool) -> None:
     if generator and target:
         raise click.UsageError("--generator builds no image: leave --target out")
     publisher = None if generator else bench_publisher(target or TARGET)  # what cannot be built is told before all else
+    from rosml import bench_report
+
+    environment = bench_report.machine()
     real = whole_run()
     sizes = [measured(size) for size in SIZES]
     growth = sizes[-1].each / sizes[0].each
-    data: dict[str, Any] = {"real_seconds": real, "sizes": [asdict(size) for size in sizes], "growth": growth}
+    data: dict[str, Any] = {
+        "machine": environment,
+        "real_seconds": real,
+        "sizes": [asdict(size) for size in sizes],
+        "growth": growth,
+    }
     if not as_json:
         print_table(real, sizes)
     if publisher:
         from rosml import comparison
+        from rosml import growth as growth_of_tags
 
         found = comparison.compare(publisher, target or TARGET)
         data["comparison"] = found.to_json()
         if not as_json:
             click.echo()
             comparison.print_table(found)
+        grown = growth_of_tags.measure(publisher, publisher.catalogue.image(target or TARGET).target, found)
+        data["growth_of_tags"] = grown.to_json()
+        if not as_json:
+            click.echo()
+            growth_of_tags.print_table(grown, found.target)
+    limits = {"real": REAL_SECONDS, "largest": LARGEST_SECONDS}
+    report = bench_report.write(data, Path(output) if output else REPORT, limits)
     if as_json:
         click.echo(json.dumps(data, indent=2))
+    click.echo(f"with charts: {report}", err=True)
     problems = missed(real, sizes)
     if problems and check:
         raise RosmlError(

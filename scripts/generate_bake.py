@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docker-bake.hcl (and matrix.schema.json and README.md's table) from matrix.yaml; lists, explains and compares
+"""Writes docker-bake.hcl (and schemas, and the tables of README.md and docs/built.md) from matrix.yaml; lists, explains and compares
 images, and plans their build in CI.
 
 \b
@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
@@ -28,6 +29,9 @@ import click
 
 from rosml import ROOT, command, files
 from rosml.errors import RosmlError
+
+if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
+    from rosml.expand import Catalogue
 
 COMMAND = "make generate"
 
@@ -81,48 +85,79 @@ def main(
 
     catalogue = expand.load(matrix, ROOT)
     if list_:
-        from rosml import inputs, listing
-
-        images = listing.members(catalogue, groups)
-        if not images:
-            click.echo(listing.none_in(catalogue, groups), err=True)
-        if as_json:
-            click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
-        elif images:
-            listing.print_table(images)
+        list_images(catalogue, groups, as_json)
     elif diff is not None:
-        from rosml import difference, inputs
-
-        found = difference.since(diff, inputs.Inputs(ROOT, catalogue))
-        if as_json:
-            click.echo(difference.as_json(found), nl=False)
-        else:
-            difference.print_table(found)
+        compare(catalogue, diff, as_json)
     elif explain is not None:
         from rosml.explain import explain as sentence
 
         click.echo(sentence(catalogue, explain))
     elif shards is not None:
-        from rosml import plan
-
-        planned = plan.plan(catalogue, shards, include=lambda image: image.locked)
-        if output:
-            write({output: plan.as_json(planned)})
-        elif as_json:
-            click.echo(plan.as_json(planned), nl=False)
-        else:
-            plan.print_table(planned, left_out=sum(not image.locked for image in catalogue.images))
+        deal_out(catalogue, shards, as_json, output)
     else:
-        from rosml import bake, inputs, missing
+        from rosml import missing
 
-        inputs.Inputs(ROOT, catalogue).check()
-        wanted = {output or ROOT / "docker-bake.hcl": bake.render(catalogue)}
-        if output is None:
-            from rosml import readme, schema
+        (verify if check else write)(generated(catalogue, output), missing.lost(catalogue))
 
-            wanted[ROOT / "matrix.schema.json"] = schema.render()
-            wanted[ROOT / "README.md"] = readme.render((ROOT / "README.md").read_text(encoding="utf-8"), catalogue)
-        (verify if check else write)(wanted, missing.lost(catalogue))
+
+def list_images(catalogue: Catalogue, groups: tuple[str, ...], as_json: bool) -> None:
+    """Prints the images that are in all of some groups; all images where none is named."""
+    from rosml import inputs, listing
+
+    images = listing.members(catalogue, groups)
+    if not images:
+        click.echo(listing.none_in(catalogue, groups), err=True)
+    if as_json:
+        click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
+    elif images:
+        listing.print_table(images)
+
+
+def compare(catalogue: Catalogue, other: str, as_json: bool) -> None:
+    """Prints which images differ from another version: a git revision, or another matrix file."""
+    from rosml import ci, difference, inputs
+
+    found = difference.since(other, inputs.Inputs(ROOT, catalogue))
+    ci.summary(difference.markdown(found))
+    if as_json:
+        click.echo(difference.as_json(found), nl=False)
+    else:
+        difference.print_table(found)
+
+
+def deal_out(catalogue: Catalogue, shards: int, as_json: bool, output: Path | None) -> None:
+    """Prints which of some machines builds what, or writes it into a file."""
+    from rosml import plan
+
+    planned = plan.plan(catalogue, shards, include=lambda image: image.locked)
+    if output:
+        write({output: plan.as_json(planned)})
+    elif as_json:
+        click.echo(plan.as_json(planned), nl=False)
+    else:
+        plan.print_table(planned, left_out=sum(not image.locked for image in catalogue.images))
+
+
+def generated(catalogue: Catalogue, output: Path | None) -> dict[Path, str]:
+    """Every generated file with its content; nothing but the bake file where that is to be written elsewhere."""
+    from rosml import bake, inputs
+
+    inputs.Inputs(ROOT, catalogue).check()
+    if output:
+        return {output: bake.render(catalogue)}
+    from rosml import built, readme, schema
+    from rosml.catalogue import Published
+
+    known = built.merged(built.read(ROOT / "docs/built.json"), (), catalogue)
+    page, front = ((ROOT / name).read_text(encoding="utf-8") for name in ("docs/built.md", "README.md"))
+    return {
+        ROOT / "docker-bake.hcl": bake.render(catalogue),
+        ROOT / "matrix.schema.json": schema.render(),
+        ROOT / "catalogue.schema.json": schema.render(Published, "rosml/catalogue.py", read=True),
+        ROOT / "docs/built.json": built.text(known),
+        ROOT / "docs/built.md": built.render(page, known),
+        ROOT / "README.md": readme.render(front, catalogue, known),
+    }
 
 
 def write(wanted: dict[Path, str], lost: RosmlError | None = None) -> None:

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Writes the hash-pinned locks in locks/ from matrix.yaml."""
+"""Writes the hash-pinned locks in locks/ from matrix.yaml, and moves the digests of base images in it."""
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
@@ -16,37 +17,60 @@ import rosml.environment  # noqa: F401 (first: says what to do where the others 
 
 import click
 
-from rosml import ROOT, command, files
+from rosml import ROOT, ci, command, files
 from rosml.errors import RosmlError
 
 if TYPE_CHECKING:
     from rosml.lock import Move
+    from rosml.pins import Pins
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.option("--upgrade", is_flag=True, help="Move to the newest versions that fit; otherwise earlier ones stay.")
+@click.option(
+    "--upgrade",
+    is_flag=True,
+    help="Move to the newest versions that fit, and base images to what their tags point at; otherwise earlier ones stay.",
+)
+@click.option("--bases", is_flag=True, help="Only move base images to what their tags point at; resolve nothing.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock would change.")
-@click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only this stack's locks; may be repeated.")
+@click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only the locks of this stack or row of wheels.")
 @click.option(
     "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
 )
-def main(upgrade: bool, check: bool, stacks: tuple[str, ...], matrix: Path) -> None:
+@click.option(
+    "--report", type=click.Path(path_type=Path, dir_okay=False), help="Write the table of versions there, as Markdown."
+)
+def main(upgrade: bool, bases: bool, check: bool, stacks: tuple[str, ...], matrix: Path, report: Path | None) -> None:
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
+
+    With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'make generate' then.
 
     \b
     Examples:
       uv run scripts/lock.py              after a change in matrix.yaml
       uv run scripts/lock.py --upgrade    take new releases of the dependencies
       uv run scripts/lock.py --stack cpu  the locks of one stack
+      uv run scripts/lock.py --bases      take base images that their makers renewed
     """
     from rosml import expand, names, source
     from rosml.lock import lock, moves
     from rosml.problems import unknown
 
     catalogue = expand.catalogue(source.read(matrix))
+    if bases and (upgrade or stacks):
+        raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
+    pinned = base_images(matrix, check) if bases or (upgrade and not stacks) else None
+    if bases and pinned:
+        if report:
+            files.write(report, base_table(pinned))
+        if check and pinned.moved:
+            raise RosmlError(
+                f"{len(pinned.moved)} base images have moved", "run 'make locks UPGRADE=1' and commit the result"
+            )
+        return
     for name in stacks:
-        if name not in catalogue.matrix.stacks:
-            raise RosmlError(unknown("stack", name, catalogue.matrix.stacks), exit_code=2)
+        if name not in (known := [*catalogue.matrix.stacks, *(item.distribution for item in catalogue.wheels)]):
+            raise RosmlError(unknown("stack", name, known), exit_code=2)
     locks = lock(catalogue, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
     there = {path for path in names.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
@@ -56,14 +80,55 @@ def main(upgrade: bool, check: bool, stacks: tuple[str, ...], matrix: Path) -> N
         files.write(ROOT / path, locks.texts[path])
     for path in stale:  # when all is written: whoever reads along may stop reading
         click.echo(f"{path}: {'would change' if check else 'written'}")
-    print_moves(moves(earlier, {path: locks.texts[path] for path in stale if path in earlier}))
+    moved = moves(earlier, {path: locks.texts[path] for path in stale if path in earlier})
+    print_moves(moved)
+    if report:
+        fresh = [path for path in stale if path not in earlier]
+        files.write(report, markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else ""))
     for path in sorted(there - locks.texts.keys()):
         click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it")
     for request, reason in locks.left_out.items():
         click.echo(f"{request}: locks stay as they are: {reason}", err=True)
     click.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}")
-    if check and stale:
+    if check and (stale or (pinned and pinned.moved)):
         raise RosmlError(f"{len(stale)} locks are stale", "run 'make locks' and commit the result")
+
+
+def base_images(matrix: Path, check: bool) -> Pins:
+    """Looks where the tags of base images point, and writes that into the matrix; nothing where it is only checked."""
+    from rosml import expand, oci, pins, source
+
+    document = source.read(matrix)
+    with oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
+        found = pins.look(expand.catalogue(document).matrix, registries)
+    if found.moved and not check:
+        files.write(matrix, pins.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))
+    for system, image, old, new in pins.rows(found.moved):
+        click.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}")
+    for line in pins.reasons(found.left_out):
+        click.echo(line, err=True)
+    total = len(expand.catalogue(document).matrix.operating_systems)
+    click.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}")
+    return found
+
+
+def base_table(pinned: Pins) -> str:
+    """The base images that moved, and those of which nobody knows: a part of the text of a pull request."""
+    from rosml import pins
+
+    rows = pins.rows(pinned.moved)
+    text = ci.table(("system", "base image", "old", "new"), rows) if rows else "No base image moved.\n"
+    lines = "".join(f"- {line}\n" for line in pins.reasons(pinned.left_out))
+    return f"\n{text}" + (f"\n{lines}" if lines else "")
+
+
+def markdown(moved: Mapping[Move, int], fresh: Sequence[str], left_out: Mapping[Any, str]) -> str:
+    """The table, new locks, and those that stay as they are with the reason: the text of a pull request."""
+    rows = [(m.stack, m.package, m.old or "-", m.new or "-", str(count)) for m, count in sorted(moved.items())]
+    text = ci.table(("stack", "package", "old", "new", "locks"), rows) if rows else "No version moved.\n"
+    lines = [f"- new: `{path}`" for path in fresh]
+    lines += [f"- {request}: locks stay as they are: {reason}" for request, reason in left_out.items()]
+    return text + ("\n" + "\n".join(lines) + "\n" if lines else "")
 
 
 def print_moves(moved: Mapping[Move, int]) -> None:

@@ -6,7 +6,12 @@ from __future__ import annotations
 import json
 import re
 import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
@@ -18,12 +23,27 @@ import click
 
 from rosml import ROOT, command
 
+if TYPE_CHECKING:
+    from rosml.expand import Catalogue
+    from rosml.pipeline import Pipeline
+    from rosml.publish import Result
+    from rosml.scan import Run
+    from rosml.services import Services
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
 def cli() -> None:
     """Builds, tests and publishes images of matrix.yaml.
 
     Needs the services that 'make up' starts.
+
+    \b
+    Examples:
+      uv run scripts/publish.py image bookworm-core-torch-cu128
+      uv run scripts/publish.py all --registry ghcr.io/me/rosml --only 'bookworm-*' --serve amd64
+      uv run scripts/publish.py status
     """
 
 
@@ -63,7 +83,7 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
       uv run scripts/publish.py image bookworm-core-torch-cu128
       uv run scripts/publish.py image bookworm-base --json
     """
-    from rosml import bake, expand, files
+    from rosml import bake, expand, files, sync
     from rosml.base_images import native_architecture
     from rosml.publish import Publisher, architecture_of, require_buildable
     from rosml.services import Services
@@ -74,6 +94,7 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     # A typo is told before anything else happens.
     architecture = architecture_of(catalogue, platform) if platform else native_architecture()
     require_buildable(catalogue.image(target), "" if architecture == native_architecture() else architecture)
+    sync.source(catalogue.matrix, catalogue.image(target).distribution)
     if check:
         return
     services = Services.load(ROOT)
@@ -81,7 +102,41 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     if matrix.resolve() == ROOT / "matrix.yaml" and files.write(bake_file, bake.render(catalogue)):
         say(f"{bake_file.name} was not up to date with {matrix.name}: written anew")
     result = Publisher(services, catalogue, say, namespace, architecture).publish(target)
+    if catalogue.image(target).stack is None:  # what others are composed of
+        _list_files(services, catalogue, f"{namespace}/{catalogue.image(target).repository}", result.manifest)
+    _attach_facts(services, catalogue, namespace, result, architecture)
     click.echo(json.dumps(result.to_json(), indent=2) if as_json else text(result))
+
+
+def _attach_facts(services: Services, catalogue: Catalogue, namespace: str, result: Result, architecture: str) -> None:
+    """Attaches what was found out about an image to it, which the catalogue shows."""
+    from rosml import ledger, oci
+    from rosml.inputs import Inputs
+    from rosml.pipeline import now
+
+    entry = ledger.Entry(
+        result.target,
+        architecture,
+        inputs=Inputs(ROOT, catalogue).digest(result.target, architecture),
+        repository=catalogue.image(result.target).repository,
+        digest=result.manifest,
+        size=result.compressed,
+        unpacked=result.unpacked,
+        passed=result.passed,
+        versions=result.versions,
+        date=now(),
+        changed=now(),
+    )
+    with oci.Registry(services.registry) as client:
+        ledger.Ledger(client, namespace).attach(entry, {})
+
+
+def _list_files(services: Services, catalogue: Catalogue, repository: str, digest: str) -> None:
+    """Attaches the list of its files to what was pushed, which compose.py compares."""
+    from rosml import filelist, oci
+
+    with oci.Registry(services.registry) as client:
+        filelist.attach_files(services, catalogue, client, repository, digest, say)
 
 
 @cli.command()
@@ -122,8 +177,15 @@ def payload(
     catalogue = expand.load(matrix, ROOT)
     wanted = [found.find(catalogue, name) for name in dict.fromkeys(payloads)]
     if not wanted:
-        for item in catalogue.payloads:
-            click.echo(f"{item.name}  {', '.join(item.platforms)}")
+        if as_json:
+            click.echo(
+                json.dumps(
+                    [{"name": item.name, "platforms": [*item.platforms]} for item in catalogue.payloads], indent=2
+                )
+            )
+        else:
+            for item in catalogue.payloads:
+                click.echo(f"{item.name}  {', '.join(item.platforms)}")
         return
     services = Services.load(ROOT)
     services.require_registry()
@@ -131,6 +193,7 @@ def payload(
     results = []
     for item in wanted:
         results.append(found.publish(services, catalogue, item, say, namespace, again, platform))
+        _list_files(services, catalogue, f"{namespace}/payload", results[-1].digest)
         if not (as_json or markdown):
             done = results[-1]
             click.echo(f"{done.reference}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")
@@ -148,21 +211,32 @@ def payload(
     "--namespace", default="rosml", show_default=True, callback=_namespace, help="first part of the repositories' names"
 )
 @click.option("--json", "as_json", is_flag=True, help="print the records as JSON on standard output")
-@click.option("--markdown", is_flag=True, help="print the table as Markdown, for docs/built.md")
-def results(matrix: Path, namespace: str, as_json: bool, markdown: bool) -> None:
+@click.option("--markdown", is_flag=True, help="print the table as Markdown")
+@click.option(
+    "--record",
+    "day",
+    type=click.DateTime(["%Y-%m-%d"]),
+    help="write them into docs/built.json as built on that day; 'make generate' makes the tables of it",
+)
+def results(matrix: Path, namespace: str, as_json: bool, markdown: bool, day: datetime | None) -> None:
     """Lists what was published from this checkout: sizes, tests, times.
 
     \b
     Examples:
       uv run scripts/publish.py results
       uv run scripts/publish.py results --json
+      uv run scripts/publish.py results --record 2026-11-22
     """
-    from rosml import expand
+    from rosml import built, expand
     from rosml import results as found
 
     if as_json and markdown:
         raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
-    records = found.read(ROOT / ".state", namespace, expand.load(matrix, ROOT))
+    catalogue = expand.load(matrix, ROOT)
+    records = found.read(ROOT / ".state", namespace, catalogue)
+    if day:
+        number = built.record(ROOT / "docs/built.json", built.of_results(records, day.date()), catalogue)
+        say(f"docs/built.json: {number} of {len(records)} recorded; what failed is not. Now: make generate")
     if as_json:
         click.echo(json.dumps(records, indent=2))
     elif markdown:
@@ -196,6 +270,449 @@ def compare(one: str, other: str, as_json: bool) -> None:
         click.echo(found.difference or "all layers are the same")
     if not found.same:
         raise SystemExit(1)
+
+
+# ---- Publishing the matrix -------------------------------------------------------------------------------------------
+
+
+def _options(*names: str) -> Callable[[Function], Function]:
+    """Options that steps of a publishing run share, by name."""
+
+    def decorate(function: Function) -> Function:
+        for name in reversed(names):
+            function = _OPTIONS[name](function)
+        return function
+
+    return decorate
+
+
+def _lower(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
+    """A place for images: no registry knows capitals, and names of repositories on forges have them."""
+    return value.lower()
+
+
+def _words(_context: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> tuple[str, ...]:
+    """Values, several of which may stand in one text: a job in CI has one field for them, which may be empty."""
+    return tuple(word for value in values for word in value.split())
+
+
+_OPTIONS: dict[str, Callable[[Function], Function]] = {
+    "registry": click.option(
+        "--registry",
+        default="",
+        metavar="PREFIX",
+        callback=_lower,
+        help="where images go, such as ghcr.io/me/rosml; the local registry's rosml if left out",
+    ),
+    "matrix": click.option(
+        "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml"
+    ),
+    "only": click.option(
+        "--only", multiple=True, metavar="GLOB", callback=_words, help="images by target, pattern or group; repeatable"
+    ),
+    "architecture": click.option(
+        "--architecture",
+        "architectures",
+        multiple=True,
+        metavar="NAME",
+        callback=_words,
+        help="work for it; repeatable; this machine's own if left out",
+    ),
+    "serve": click.option(
+        "--serve",
+        multiple=True,
+        metavar="NAME",
+        callback=_words,
+        help="architectures that this registry serves; repeatable; all of the matrix if left out",
+    ),
+    "force": click.option(
+        "--force", is_flag=True, envvar="ROSML_FORCE", help="make everything anew, without the builder's cache"
+    ),
+    "plan": click.option(
+        "--plan",
+        "plan_file",
+        type=click.Path(path_type=Path, exists=True),
+        help="what 'plan' wrote: its date and images",
+    ),
+    "shard": click.option("--shard", default="", metavar="NAME", help="of --plan: only what it builds"),
+    "date": click.option(
+        "--date", default="", metavar="TIME", help="the run's date, such as 2026-11-22T03:00:00Z; now"
+    ),
+    "since": click.option(
+        "--since", default="", metavar="REV", help="only images that differ from a git revision: for pull requests"
+    ),
+    "at-most": click.option(
+        "--at-most",
+        type=click.IntRange(min=1),
+        default=4,
+        show_default=True,
+        help="with --since: so many of them, chosen to have one for all that changed",
+    ),
+    "require-scan": click.option(
+        "--require-scan", is_flag=True, help="images get tags only after a scan by the policy that found them clean"
+    ),
+    "sign": click.option(
+        "--sign",
+        is_flag=True,
+        envvar="ROSML_SIGN",
+        help="sign indexes, with the key that COSIGN_KEY names or as the workflow; without a signature none gets a tag",
+    ),
+    "policy": click.option(
+        "--policy",
+        type=click.Path(path_type=Path),
+        default=ROOT / "scan.yaml",
+        help="which vulnerabilities keep an image from its tags; scan.yaml",
+    ),
+    "json": click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output"),
+}
+
+
+@dataclass
+class Call:
+    """What the commands of a publishing run are called with."""
+
+    registry: str = ""
+    matrix: Path = ROOT / "matrix.yaml"
+    only: tuple[str, ...] = ()
+    architectures: tuple[str, ...] = ()
+    serve: tuple[str, ...] = ()
+    force: bool = False
+    plan_file: Path | None = None
+    shard: str = ""
+    date: str = ""
+    as_json: bool = False
+    since: str = ""
+    at_most: int = 4
+    require_scan: bool = False
+    sign: bool = False
+    policy: Path = ROOT / "scan.yaml"
+
+    def changed(self, catalogue: Catalogue) -> tuple[str, ...]:
+        """The images to build of those that differ from the revision; ends the command where there are none."""
+        from rosml import changed, ci, difference
+        from rosml.base_images import native_architecture
+        from rosml.inputs import Inputs
+
+        found = difference.since(self.since, Inputs(ROOT, catalogue))
+        choice = changed.choose(catalogue, found, self.architectures or (native_architecture(),), self.at_most)
+        say(str(choice))
+        ci.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
+        if not choice.built:
+            if self.as_json:
+                click.echo(json.dumps({"counts": {}, "outcomes": []}))
+            raise click.exceptions.Exit(0)
+        return choice.built
+
+    def pipeline(self) -> Pipeline:
+        """The run, after the registry and the repositories of packages were asked how things are."""
+        from rosml import agenda, expand, oci, policy
+        from rosml import pipeline as running
+        from rosml.services import Services
+        from rosml.signer import Signer
+
+        started = time.monotonic()
+        catalogue = expand.load(self.matrix, ROOT)
+        services = Services.load(ROOT)
+        if self.plan_file:
+            plan = running.read_plan(self.plan_file, self.shard)
+            self.date, self.registry = self.date or plan.date, self.registry or plan.registry
+            self.only = self.only or plan.targets
+            self.architectures = self.architectures or plan.architectures
+            self.serve, self.force = self.serve or plan.serve, self.force or plan.force
+        elif self.shard:
+            raise click.UsageError("--shard is one of a plan: add --plan FILE")
+        agenda.require_architectures(catalogue, self.serve)  # with a typo nothing would ever get a tag
+        if self.since:
+            if self.only:
+                raise click.UsageError("--since says which images; leave --only out")
+            self.only = self.changed(catalogue)
+        place = running.destination(self.registry or f"{services.registry}/rosml")
+        signer = Signer.find(ROOT, services.environment()) if self.sign else None  # told before anything is built
+        client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
+        date = running.checked_date(self.date) if self.date else running.now()
+        if not self.force:
+            running.require_not_ahead(date, running.now())
+        scanning = running.policy_digest(policy.load(self.policy)) if self.require_scan else ""
+        found = agenda.survey(
+            services, catalogue, client, place.prefix, self.only, self.architectures, self.force, scanning, date
+        )
+        for remark in found.remarks:
+            say(remark)
+        return running.Pipeline(
+            found, client, place.host, place.prefix, say, self.serve, signer=signer, started=started
+        )
+
+    def report(self, pipeline: Pipeline) -> None:
+        """Prints what was done; ends with 1 where something failed."""
+        from rosml import report
+
+        report.show(pipeline, self.as_json)
+        if pipeline.failed:
+            raise SystemExit(1)
+
+
+@cli.command()
+@_options("registry", "matrix", "only", "architecture", "serve", "force", "date", "json")
+@click.option(
+    "--everywhere", is_flag=True, help="work for all architectures that the registry serves, on their machines"
+)
+@click.option(
+    "--shards",
+    type=click.IntRange(min=1),
+    default=8,
+    show_default=True,
+    help="among how many machines builds are dealt out, at most",
+)
+@click.option("--why", is_flag=True, help="name the inputs that changed")
+@click.option(
+    "--output", type=click.Path(path_type=Path, dir_okay=False), help="write the plan there, for the other steps"
+)
+def plan(everywhere: bool, shards: int, why: bool, output: Path | None, **options: Any) -> None:
+    """Says what is to be done: which images are not as they should be, and why.
+
+    Compares the inputs of every image, and the dates of the packages it is built from, with what the registry's ledger
+    says. Unchanged images are not touched by any later step.
+
+    \b
+    Examples:
+      uv run scripts/publish.py plan --why
+      uv run scripts/publish.py plan --only 'bookworm-*' --output plan.json
+    """
+    from rosml import expand, files, report
+
+    call = Call(**options)
+    if everywhere:
+        call.architectures = call.serve or tuple(expand.load(call.matrix, ROOT).matrix.architectures)
+    pipeline = call.pipeline()
+    text = report.plan_json(pipeline, shards, why)
+    if output:
+        files.write(output, text)
+        report.tell(text)
+    if call.as_json:
+        click.echo(text, nl=False)
+    else:
+        report.print_plan(pipeline, why)
+
+
+_STEP = ("registry", "matrix", "only", "architecture", "serve", "force", "plan", "shard", "date", "json")
+_GATED = (*_STEP, "require-scan", "policy", "sign")
+
+
+def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
+    """A command for a step of the pipeline."""
+
+    @cli.command(
+        name, help=f"{help_text}\n\n\b\nExample:\n  uv run scripts/publish.py {name} --plan plan.json --shard amd64-1"
+    )
+    @_options(*options)
+    def command_of_step(**options: Any) -> None:
+        call = Call(**options)
+        pipeline = call.pipeline()
+        getattr(pipeline, name)()
+        call.report(pipeline)
+
+
+_step("build", "Builds ROS images and payloads that are not as they should be, and pushes them by digest.")
+_step("compose", "Puts images with frameworks together in the registry, from ROS images and payloads; pulls nothing.")
+_step("test", "Runs the structure tests of images that have not passed them, on their architecture.")
+_step("index", "Makes indexes of images whose architectures are all there, tested and alike. No tag moves.", _GATED)
+_step("promote", "Moves tags to the indexes of images that passed everything; remembers where they were.", _GATED)
+
+
+@cli.command(name="all")
+@_options("registry", "matrix", "only", "since", "at-most", "architecture", "serve", "force", "date")
+@_options("require-scan", "policy", "sign", "json")
+def everything(**options: Any) -> None:
+    """Builds, composes, tests and publishes all that is not as it should be: every step, one after the other.
+
+    Scans where --require-scan is given, with the database that 'scan --fetch' left. Signs where --sign is given, with
+    cosign ('make signer').
+
+    Interrupted at any point, the next call goes on where it was.
+
+    \b
+    Examples:
+      uv run scripts/publish.py all --only 'bookworm-core*' --serve amd64
+      uv run scripts/publish.py all --since origin/main --at-most 2 --serve amd64
+    """
+    call = Call(**options)
+    pipeline = call.pipeline()
+    for name in ("build", "compose", "test"):
+        getattr(pipeline, name)()
+    if call.require_scan:
+        _scan(call, pipeline, fetch=False, database="", reports=None)
+    pipeline.index()
+    pipeline.promote()
+    call.report(pipeline)
+
+
+def _scan(call: Call, pipeline: Pipeline, fetch: bool, database: str, reports: Path | None) -> Run:
+    """Scans by a call's policy, with the database that is there or is fetched."""
+    from rosml import certificates, policy
+    from rosml.trivy import ScannerFailed, Trivy
+
+    rules = policy.load(call.policy)
+    try:
+        trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=certificates.trusting(pipeline.agenda.services))
+        if fetch and isinstance(trivy, Trivy):
+            trivy.fetch(rules.policy.database, database, say)
+    except ScannerFailed as error:  # every image says so
+        trivy = error
+    return pipeline.scan(rules, trivy, reports)
+
+
+@cli.command()
+@_options("registry", "matrix", "only", "plan", "shard", "date", "policy", "json")
+@click.option("--fetch", is_flag=True, help="fetch the database of vulnerabilities first; once per run")
+@click.option("--database", default="", metavar="REFERENCE", help="the one that all machines of a run take, by digest")
+@click.option(
+    "--reports", type=click.Path(path_type=Path, file_okay=False), help="a folder for SARIF, a file per image"
+)
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="write what was found there, for 'record', and nothing into the registry: reading is enough",
+)
+def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, **options: Any) -> None:
+    """Scans images for known vulnerabilities, by the policy in scan.yaml. Needs 'make scanner'.
+
+    Exits with 3 where the policy stops an image, with 4 where the scanner failed and nothing is known.
+
+    \b
+    Examples:
+      uv run scripts/publish.py scan --fetch --only 'bookworm-core*' --reports sarif
+      uv run scripts/publish.py scan --plan plan.json --fetch --output scan.json
+    """
+    from rosml import report
+    from rosml.handover import Reader
+    from rosml.scan_report import print_run
+
+    call = Call(**options)
+    pipeline = call.pipeline()
+    reader = Reader(pipeline.registry)
+    if output:
+        pipeline.registry = reader
+    run = _scan(call, pipeline, fetch, database, reports)
+    if output:
+        reader.write(output, pipeline.agenda.date)
+    if not call.as_json:
+        print_run(run)
+    report.show(pipeline, call.as_json)
+    raise SystemExit(run.outcome.exit_code)
+
+
+@cli.command()
+@_options("registry", "matrix", "only", "plan", "date", "json")
+@click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
+def record(file: Path, **options: Any) -> None:
+    """Writes into the registry what 'scan --output FILE' found on a machine that may not.
+
+    \b
+    Example:
+      uv run scripts/publish.py record scan.json --plan plan.json
+    """
+    from rosml import handover
+
+    call = Call(**options)
+    pipeline = call.pipeline()
+    handover.record(pipeline, file)
+    call.report(pipeline)
+
+
+@cli.command()
+@_options("registry", "matrix", "only", "architecture", "serve", "json")
+def status(**options: Any) -> None:
+    """Shows how every image stands: published, stale, failed, missing, unlocked or unbuildable here; and why.
+
+    \b
+    Examples:
+      uv run scripts/publish.py status --only 'bookworm-*'
+      uv run scripts/publish.py status --registry ghcr.io/me/rosml --json
+    """
+    from rosml import standing
+    from rosml.pipeline import now
+
+    call = Call(**options)
+    pipeline = call.pipeline()
+    found = list(standing.standings(pipeline.agenda, pipeline.registry, pipeline.prefix, now(), pipeline.serving))
+    if call.as_json:
+        click.echo(standing.as_json(found))
+    else:
+        standing.print_table(found)
+
+
+@cli.command()
+@_options("registry", "matrix", "json")
+@click.argument("run", default="")
+def undo(run: str, **options: Any) -> None:
+    """Moves the tags of RUN back to where they were; of the last run if left out.
+
+    RUN is the date of a run. A tag that has moved on since stays where it is.
+
+    \b
+    Examples:
+      uv run scripts/publish.py undo
+      uv run scripts/publish.py undo 2026-11-22T03:00:00Z --registry ghcr.io/me/rosml
+    """
+    from rosml import promote
+
+    call = Call(only=(), **options)
+    pipeline = call.pipeline()
+    promote.undo(pipeline, run)
+    call.report(pipeline)
+
+
+@cli.command()
+@_options("registry", "matrix", "json")
+@click.option(
+    "--days",
+    type=click.IntRange(min=0, max=36500),
+    default=30,
+    show_default=True,
+    help="dated tags younger than that stay",
+)
+@click.option(
+    "--newest",
+    type=click.IntRange(min=0),
+    default=3,
+    show_default=True,
+    help="so many dated tags of each image stay in any case",
+)
+@click.option("--apply", is_flag=True, help="remove it; without that, only says what would go")
+def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
+    """Says what the registry no longer needs, and with --apply removes it.
+
+    What a kept tag leads to stays: an index, its images, and what is attached to them.
+
+    \b
+    Examples:
+      uv run scripts/publish.py prune --days 60
+      uv run scripts/publish.py prune --apply
+    """
+
+    from rosml.prune import Pruner
+
+    call = Call(**options)
+    pipeline = call.pipeline()
+    today = datetime.now(UTC).date()
+    pruner = Pruner(pipeline.registry, pipeline.prefix, pipeline.agenda.catalogue, today, days, newest)
+    found = pruner.find()
+    if not call.as_json:
+        for repository, tag in found.tags:
+            click.echo(f"{repository}:{tag}")
+        for repository, digest in found.manifests:
+            click.echo(f"{repository}@{digest}")
+        for repository, subject, digest in found.superseded:
+            click.echo(f"{repository}@{digest}, superseded, of {subject}")
+        manifests = len(found.manifests) + len(found.superseded)
+        click.echo(f"{len(found.tags)} tags and {manifests} manifests can go; {found.kept} tags stay")
+    if apply:
+        for line in pruner.remove(found):
+            say(line if " stays: " in line else f"removed: {line}")
+    if call.as_json:  # at the end: an error while it is removed is an object of its own
+        click.echo(json.dumps(found.to_json(), indent=2))
+    elif not apply and (found.tags or found.manifests or found.superseded):
+        click.echo("nothing was removed; add --apply")
 
 
 if __name__ == "__main__":

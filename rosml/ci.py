@@ -1,0 +1,45 @@
+"""What a job in CI is told: a summary for people, outputs for the jobs after it. Elsewhere nobody is told anything."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+SUMMARY = "GITHUB_STEP_SUMMARY"
+"""Names the file that CI shows as a job's summary; Markdown is added to it."""
+
+OUTPUT = "GITHUB_OUTPUT"
+"""Names the file that CI reads a step's outputs from, a line each."""
+
+
+def summary(text: str) -> None:
+    """Adds Markdown to the job's summary."""
+    _append(SUMMARY, text)
+
+
+def output(name: str, value: str) -> None:
+    """Sets an output of the step.
+
+    Raises:
+        ValueError: the value has more than one line, which could set another output.
+    """
+    if "\n" in value or "\r" in value:
+        raise ValueError(f"the output {name} has several lines")
+    _append(OUTPUT, f"{name}={value}\n")
+
+
+def table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """A table in Markdown."""
+    lines = [columns, ["---"] * len(columns), *rows]
+    return "".join(f"| {' | '.join(map(_cell, line))} |\n" for line in lines)
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", "\\|").replace("\n", "<br>")
+
+
+def _append(variable: str, text: str) -> None:
+    if path := os.environ.get(variable):
+        with Path(path).open("a", encoding="utf-8") as stream:
+            stream.write(text)

@@ -1,0 +1,158 @@
+"""How publishing grows with the number of tags: images that are composed in the registry, beside the usual way, where every
+tag is built. And what a run over the whole matrix takes where nothing changed.
+
+Each tag stands on a ROS image of its own, as if so many components had changed overnight: a config of its own over layers
+that are there. What a build of the usual way takes was measured once, by `comparison`; so many tags take so many times that.
+"""
+
+from __future__ import annotations
+
+import secrets
+import time
+from dataclasses import dataclass
+from typing import Any
+
+from rosml import agenda, filelist, oci, second_run
+from rosml.comparison import NAMESPACE, Comparison
+from rosml.compose import Composer
+from rosml.errors import RosmlError
+from rosml.pipeline import Pipeline, now
+from rosml.publish import Publisher
+from rosml.second_run import SecondRun
+from rosml.summary import duration, size
+from rosml.temporary import Temporary
+
+TAGS = (10, 20, 40)
+
+
+@dataclass(frozen=True)
+class Growth:
+    """Publishing so many tags after a change of ROS: seconds and new bytes in the registry of both ways.
+
+    The usual way's are those of one tag, times the number of tags.
+    """
+
+    tags: int
+    seconds: float
+    uploaded: int
+    usual_seconds: float
+    usual_bytes: int
+
+    def to_json(self) -> dict[str, float | int]:
+        """For `--json`."""
+        return dict(vars(self))
+
+
+@dataclass(frozen=True)
+class Grown:
+    """All sizes, and a second run over the whole matrix."""
+
+    rows: tuple[Growth, ...]
+    again: SecondRun
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {"rows": [row.to_json() for row in self.rows], "again": self.again.to_json()}
+
+
+def measure(publisher: Publisher, target: str, usual: Comparison) -> Grown:
+    """Composes images of a target's parts and removes them again.
+
+    Args:
+        publisher: with the bench's own namespace. target: an image with a framework. usual: what one build of it took.
+
+    Raises:
+        RosmlError: a build failed, or the registry does not answer.
+    """
+    services, catalogue = publisher.services, publisher.catalogue
+    client = oci.Registry(services.registry, ca_bundle=services.ca_bundle)
+    date = now()
+    place = f"{NAMESPACE}/night-{secrets.token_hex(4)}"
+    again = second_run.measure(services, catalogue, place, date, publisher.say)
+
+    found = agenda.survey(services, catalogue, client, NAMESPACE, [target], date=date)
+    run = Pipeline(found, client, services.registry, NAMESPACE, publisher.say)
+    publisher.say(f"the parts of {target}, by digest")
+    run.build()
+    if run.failed:
+        raise RosmlError(f"a part of {target} cannot be built", "see the log that the message above names")
+    image, architecture = catalogue.image(target), publisher.architecture
+    ros, *payloads = (
+        oci.Reference(services.registry, run.repository(item.repository), found.known[item.key].digest)
+        for item in (found.by_key[need, architecture] for need in found.by_key[image.target, architecture].needs)
+    )
+    rows = []
+    for number in TAGS:
+        publisher.say(f"{number} tags, composed in the registry")
+        with Temporary(services.registry, ca_bundle=services.ca_bundle) as temporary:
+            made = _Made(temporary, secrets.token_hex(4))
+            variants = [made.ros(ros, index) for index in range(number)]
+            with Composer(lambda _: temporary, services.state / "cache" / "files") as composer:
+                start = time.monotonic()
+                results = [
+                    composer.compose(str(variant), [str(item) for item in payloads], made.target(ros.host, index))
+                    for index, variant in enumerate(variants)
+                ]
+                seconds = time.monotonic() - start
+        uploaded = sum(result.uploaded for result in results)
+        side = usual.usual
+        rows.append(
+            Growth(number, seconds, uploaded, number * side.build_and_push_seconds, number * side.registry_new_bytes)
+        )
+    return Grown(tuple(rows), again)
+
+
+@dataclass
+class _Made:
+    """Images that are removed again by their client. `run` tells them from all others."""
+
+    client: Temporary
+    run: str
+
+    def ros(self, ros: oci.Reference, index: int) -> oci.Reference:
+        """A ROS image with a config of its own over the layers of another, and with that one's list of files."""
+        found = self.client.manifest(ros.repository, ros.reference)
+        if found is None:
+            raise RosmlError(f"{ros} is not there any more", "run it again")
+        config = self.client.json_blob(ros.repository, found.content["config"]["digest"])
+        config["config"] = {**config["config"], "Env": [*config["config"]["Env"], f"ROSML_BENCH={self.run}-{index}"]}
+        data = oci.encoded(config)
+        self.client.put_blob(ros.repository, data)
+        content = oci.encoded({**found.content, "config": oci.descriptor(oci.CONFIG, data)})
+        digest = self.client.put_manifest(ros.repository, "", content, oci.IMAGE)
+        variant = ros._replace(reference=digest)
+        manifest = self.client.manifest(ros.repository, digest)
+        for entry in self.client.referrers(ros.repository, ros.reference, filelist.ARTIFACT)[:1]:
+            listed = self.client.manifest(ros.repository, entry["digest"])
+            if listed and manifest:
+                names = self.client.blob(ros.repository, listed.content["layers"][0]["digest"])
+                filelist.attach(self.client, ros.repository, manifest, names)
+        return variant
+
+    def target(self, host: str, index: int) -> str:
+        """The tag of a composed image."""
+        return f"{host}/{NAMESPACE}/growth-{self.run}:{index}"
+
+
+def cells(row: Growth) -> tuple[str, ...]:
+    """A row of both ways for people: tags, time and bytes of ours, time and bytes of the usual way."""
+    usual = (duration(row.usual_seconds), size(row.usual_bytes))
+    return (str(row.tags), duration(row.seconds), size(row.uploaded), *usual)
+
+
+def print_table(found: Grown, target: str) -> None:
+    """Prints both ways side by side."""
+    from rich.table import Table  # slow to import, and only needed here
+
+    from rosml.listing import console, show
+
+    table = Table(box=None, header_style="bold", pad_edge=False)
+    table.add_column(f"tags of {target}", no_wrap=True)
+    for column in ("composed", "new in registry", "every tag built", "new in registry", "a tag"):
+        table.add_column(column, justify="right", no_wrap=True)
+    for row in found.rows:
+        table.add_row(*cells(row), f"{row.seconds / row.tags:.2f} s")
+    show(table)
+    out = console()
+    out.print("every tag built: one build was measured, above, and multiplied", style="dim")
+    out.print(f"{second_run.HEADING}: {second_run.text(found.again)}", style="dim")

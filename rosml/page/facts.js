@@ -1,0 +1,199 @@
+// The catalogue as data: what belongs to what, what differs, what is shared. Nothing here touches the page.
+"use strict";
+
+(() => {
+  const { catalogue } = window;
+  const TITLES = {
+    none: "ROS alone",
+    cuda: "CUDA",
+    torch: "PyTorch",
+    tensorflow: "TensorFlow",
+    ml: "PyTorch and TensorFlow",
+  };
+  const STATUS = { built: "built", "stand-in": "verified by stand-in", "not built": "not built yet" };
+  const CARRIED = { torch: "PyTorch", tensorflow: "TensorFlow", cuda: "CUDA", cudnn: "cuDNN", nccl: "NCCL" };
+
+  const byTarget = new Map(catalogue.images.map((image) => [image.target, image]));
+  const payloads = new Map(catalogue.payloads.map((payload) => [payload.name, payload]));
+
+  /** What the main tag points at; nothing where there is nothing. */
+  function present(image) {
+    return image.status === "built" || !("status" in image) ? image.builds[0] : undefined;
+  }
+
+  function architecture(platform) {
+    return platform.split("/")[1];
+  }
+
+  /** A reference with the registry before it: by a tag, or by a digest. */
+  function reference(image, name) {
+    return `${catalogue.registry}/${image.repository}${name.startsWith("sha256:") ? "@" : ":"}${name}`;
+  }
+
+  function mainTag(image) {
+    return image.tags.length ? image.tags[0].name : "";
+  }
+
+  /** How the page calls a build: by the tag that never moves, else by any, else by its digest. */
+  function buildName(image, build) {
+    const kinds = ["dated", "main", "versions", "floating"];
+    const own = kinds.flatMap((tagKind) => image.tags.filter((tag) => tag.kind === tagKind && tag.digest === build.digest));
+    return own.length ? `${image.repository}:${own[0].name}` : `${image.repository}@${build.digest}`;
+  }
+
+  /** Every name that a build can be asked for by. */
+  let names;
+  function buildNames() {
+    if (!names) {
+      names = new Map();
+      for (const image of catalogue.images) {
+        for (const build of image.builds) names.set(`${image.repository}@${build.digest}`, { image, build });
+        for (const tag of image.tags) {
+          const build = image.builds.find((item) => item.digest === tag.digest);
+          if (build) names.set(`${image.repository}:${tag.name}`, { image, build });
+        }
+      }
+    }
+    return names;
+  }
+
+  /** The image and build that a text names: with or without the registry, by target too. */
+  function find(text) {
+    const wanted = text.trim().replace(`${catalogue.registry}/`, "");
+    const image = byTarget.get(wanted);
+    const build = image && present(image);
+    return build ? { image, build } : buildNames().get(wanted);
+  }
+
+  /** What kind of thing a part is: for its colour. */
+  function kind(part) {
+    const payload = payloads.get(part);
+    return payload ? payload.part : part ? "ros" : "other";
+  }
+
+  function layersOf(platform) {
+    return platform.layers.map((position) => catalogue.layers[position]);
+  }
+
+  function bytes(layers) {
+    return layers.reduce((sum, layer) => sum + layer.compressed, 0);
+  }
+
+  /** Two platforms' layers: in both, and in one alone. */
+  function compareLayers(one, other) {
+    const left = layersOf(one);
+    const right = layersOf(other);
+    const leftDigests = new Set(left.map((layer) => layer.digest));
+    const rightDigests = new Set(right.map((layer) => layer.digest));
+    return {
+      shared: right.filter((layer) => leftDigests.has(layer.digest)),
+      left: left.filter((layer) => !rightDigests.has(layer.digest)),
+      right: right.filter((layer) => !leftDigests.has(layer.digest)),
+    };
+  }
+
+  /** Versions by name that two platforms have, and whether they are the same. */
+  function compareVersions(one, other) {
+    // Labels name fewer things than were found inside: what only one of both could know is no difference.
+    const both = one.found_inside === other.found_inside;
+    const all = [...new Set([...Object.keys(one.versions), ...Object.keys(other.versions)])];
+    const compared = both ? all : all.filter((name) => name in one.versions && name in other.versions);
+    return compared
+      .sort((a, b) => rank(a) - rank(b) || a.localeCompare(b))
+      .map((name) => ({
+        name,
+        left: one.versions[name],
+        right: other.versions[name],
+        same: one.versions[name] === other.versions[name],
+      }));
+  }
+
+  const FIRST = [
+    "ros-distro",
+    "ros-version",
+    "ros-channel",
+    "image-os",
+    "image-python",
+    "python",
+    "cuda",
+    "cudnn",
+    "torch",
+    "tensorflow",
+    "numpy",
+  ];
+  function rank(name) {
+    const place = FIRST.indexOf(name);
+    return place < 0 ? FIRST.length : place;
+  }
+
+  function sortedVersions(platform) {
+    return Object.entries(platform.versions).sort(([a], [b]) => rank(a) - rank(b) || a.localeCompare(b));
+  }
+
+  /** What changed from one build of an image to a later one, on a platform that both have. */
+  function changes(older, newer) {
+    const pairs = newer.platforms
+      .map((platform) => ({
+        newer: platform,
+        older: older.platforms.find((item) => item.platform === platform.platform),
+      }))
+      .filter((pair) => pair.older);
+    return pairs.map(({ newer: after, older: before }) => {
+      const layers = compareLayers(before, after);
+      return {
+        platform: after.platform,
+        parts: [...new Set([...layers.left, ...layers.right].map((layer) => layer.part))],
+        pulled: bytes(layers.right),
+        kept: layers.shared.length,
+        all: after.layers.length,
+        growth: after.size.compressed - before.size.compressed,
+        versions: compareVersions(before, after).filter((item) => !item.same),
+        sync:
+          before.ros_sync && after.ros_sync && before.ros_sync !== after.ros_sync
+            ? [before.ros_sync, after.ros_sync]
+            : null,
+      };
+    });
+  }
+
+  /** The present build of every published image on a platform. */
+  function published(platform) {
+    return catalogue.images
+      .map((image) => ({
+        image,
+        found: (present(image) || { platforms: [] }).platforms.find((item) => item.platform === platform),
+      }))
+      .filter((item) => item.found);
+  }
+
+  /** Words for the end of life of an image's distribution, and whether it is over. */
+  function endOfLife(image) {
+    const { eol } = catalogue.distributions[image.distribution];
+    return { text: eol || "none: rolling", over: Boolean(eol) && eol < catalogue.created.slice(0, 10) };
+  }
+
+  Object.assign(window.rosml, {
+    catalogue,
+    TITLES,
+    STATUS,
+    CARRIED,
+    byTarget,
+    payloads,
+    present,
+    architecture,
+    reference,
+    mainTag,
+    buildName,
+    buildNames,
+    find,
+    kind,
+    layersOf,
+    bytes,
+    compareLayers,
+    compareVersions,
+    sortedVersions,
+    changes,
+    published,
+    endOfLife,
+  });
+})();

@@ -1,0 +1,321 @@
+// One image: what to write after FROM, what is inside on each platform, how large, and what changed from night to night.
+"use strict";
+
+(() => {
+  const r = window.rosml;
+  const { el } = r;
+
+  /** The FROM line of a tag that one chooses, or pinned to its digest. */
+  function use(image) {
+    const shown = el("code", { class: "line", id: "from-line" });
+    const pin = el("input", { type: "checkbox", onchange: update });
+    const tag = el(
+      "select",
+      { id: "tag", onchange: update },
+      image.tags.map((item) => el("option", { value: item.name }, `${item.name} (${KINDS[item.kind]})`)),
+    );
+
+    function line() {
+      const found = image.tags.find((item) => item.name === tag.value);
+      return `FROM ${r.reference(image, tag.value)}${pin.checked ? `@${found.digest}` : ""}`;
+    }
+
+    function update() {
+      shown.textContent = line();
+    }
+
+    update();
+    return el(
+      "section",
+      { "aria-labelledby": "use" },
+      el("h2", { id: "use" }, "Use it"),
+      el("div", { class: "from" }, shown, r.copyButton(line, "Copy", "Copy the FROM line")),
+      el(
+        "div",
+        { class: "choices" },
+        el("span", { class: "choose" }, el("label", { for: "tag" }, "Tag"), tag),
+        el("label", { class: "choice" }, pin, el("span", null, "pin to the digest")),
+      ),
+    );
+  }
+
+  const KINDS = { main: "what it is", versions: "spells versions out", floating: "short", dated: "never moves" };
+
+  /** A bar of parts, each as wide as its share of the bytes. */
+  function bar(platform) {
+    const parts = Object.entries(platform.parts);
+    const text = parts.map(([name, size]) => `${name || "other"}: ${r.size(size.compressed)}`).join(", ");
+    return el(
+      "div",
+      { class: "parts", role: "img", "aria-label": text },
+      parts.map(([name, size]) =>
+        el("span", {
+          class: `part kind-${r.kind(name)}`,
+          style: { "flex-grow": String(size.compressed) },
+          title: `${name || "other"}: ${r.size(size.compressed)}`,
+        }),
+      ),
+    );
+  }
+
+  function sharedBy(platform) {
+    const users = new Map();
+    for (const { found } of r.published(platform.platform)) {
+      for (const position of found.layers) users.set(position, (users.get(position) || 0) + 1);
+    }
+    return users;
+  }
+
+  function partsTable(platform) {
+    const users = sharedBy(platform);
+    const rows = Object.entries(platform.parts).map(([name, size]) => {
+      const layers = platform.layers.filter((position) => r.catalogue.layers[position].part === name);
+      const images = Math.min(...layers.map((position) => users.get(position) || 1));
+      return el(
+        "tr",
+        null,
+        el(
+          "th",
+          { scope: "row" },
+          el("span", { class: `key kind-${r.kind(name)}`, "aria-hidden": "true" }),
+          name || "other",
+        ),
+        el("td", { class: "number" }, r.size(size.compressed)),
+        el("td", { class: "number" }, r.size(size.unpacked)),
+        el("td", { class: "number" }, String(layers.length)),
+        el("td", { class: "number" }, images > 1 ? `${images}` : "this one alone"),
+      );
+    });
+    const head = [
+      "Part",
+      { text: "Compressed", className: "number" },
+      { text: "Unpacked", className: "number" },
+      { text: "Layers", className: "number" },
+      { text: "Images that have it", className: "number" },
+    ];
+    return r.table(`Parts for ${platform.platform}`, head, rows);
+  }
+
+  function checks(platform) {
+    const { tests, scan } = platform;
+    const found =
+      scan &&
+      Object.entries(scan.findings)
+        .map(([severity, number]) => `${number} ${severity}`)
+        .join(", ");
+    return [
+      r.fact(
+        "Structure tests",
+        tests ? `${tests.passed} passed${tests.failures.length ? `, ${tests.failures.length} failed` : ""}` : "unknown",
+        tests && tests.failures.length
+          ? el(
+              "ul",
+              null,
+              tests.failures.map((text) => el("li", null, text)),
+            )
+          : null,
+      ),
+      r.fact(
+        "Scan",
+        scan
+          ? `${scan.outcome}: ${found || "no findings"} in ${r.count(scan.packages, "package")}${scan.database ? `, database of ${scan.database.slice(0, 10)}` : ""}`
+          : "not scanned",
+      ),
+      scan && scan.failing.length ? r.fact("Stopped by", scan.failing.join(", ")) : null,
+    ];
+  }
+
+  function platformSection(platform) {
+    const versions = r.sortedVersions(platform);
+    const rows = versions.map(([name, version]) =>
+      el("tr", null, el("th", { scope: "row" }, name), el("td", { class: "mono" }, version)),
+    );
+    return el(
+      "section",
+      { class: "platform", "aria-label": platform.platform },
+      el("h3", null, platform.platform),
+      bar(platform),
+      el(
+        "dl",
+        { class: "facts" },
+        r.fact("Compressed", r.size(platform.size.compressed)),
+        r.fact("Unpacked", r.size(platform.size.unpacked)),
+        r.fact("Layers", String(platform.layers.length)),
+        checks(platform),
+        platform.ros_sync
+          ? r.fact(
+              "State of ROS's packages",
+              el("code", { class: "digest", title: platform.ros_sync }, platform.ros_sync.slice(0, 20)),
+            )
+          : null,
+        r.fact(
+          "Manifest",
+          r.digest(platform.digest),
+          r.copyButton(() => platform.digest, "Copy", `Copy the digest for ${platform.platform}`),
+        ),
+        platform.inputs ? r.fact("Inputs", r.digest(platform.inputs)) : null,
+      ),
+      partsTable(platform),
+      versions.length
+        ? el(
+            "details",
+            null,
+            el(
+              "summary",
+              null,
+              `${r.count(versions.length, "version")} ${platform.found_inside ? "found inside" : "from the labels"}`,
+            ),
+            r.table(`Versions for ${platform.platform}`, ["Name", "Version"], rows),
+          )
+        : null,
+    );
+  }
+
+  function describe(change) {
+    const parts = change.parts.map((name) => name || "other").join(", ");
+    const versions = change.versions.map((item) => `${item.name} ${item.left || "none"} → ${item.right || "none"}`);
+    return el(
+      "li",
+      null,
+      el("strong", null, change.platform),
+      ": ",
+      change.pulled || change.kept < change.all
+        ? `${parts} ${change.parts.length === 1 ? "is" : "are"} new; an update pulls ${r.size(change.pulled)} and keeps ${change.kept} of ${change.all} layers (${r.change(change.growth)})`
+        : "the same layers; only the configuration differs",
+      change.sync ? `; ROS's packages moved from ${change.sync[0].slice(0, 20)} to ${change.sync[1].slice(0, 20)}` : "",
+      versions.length ? `; ${versions.join(", ")}` : "",
+    );
+  }
+
+  function history(image) {
+    // Newest first by date: a tag that was moved back points at an older one.
+    const builds = [...image.builds].sort((a, b) => (a.created < b.created ? 1 : -1));
+    const items = builds.map((build, index) => {
+      const before = builds[index + 1];
+      const changes = before ? r.changes(before, build) : [];
+      const link =
+        before &&
+        `#/compare?a=${encodeURIComponent(r.buildName(image, before))}&b=${encodeURIComponent(r.buildName(image, build))}`;
+      return el(
+        "li",
+        null,
+        el(
+          "p",
+          { class: "when" },
+          r.day(build.created),
+          " ",
+          build === r.present(image) ? el("span", { class: "status built" }, "now") : null,
+          " ",
+          r.digest(build.digest),
+        ),
+        build.tags.length
+          ? el("p", { class: "sub mono" }, build.tags.join(" · "))
+          : el("p", { class: "sub" }, "no tag points at it any more"),
+        before
+          ? [
+              el("ul", null, changes.map(describe)),
+              el(
+                "a",
+                { href: link, "aria-label": `Compare the build of ${build.created.slice(0, 10)} with the one before` },
+                "Compare with the one before",
+              ),
+            ]
+          : el("p", { class: "sub" }, "the oldest one that is described here"),
+      );
+    });
+    const moves = image.moves.map((move) =>
+      el(
+        "li",
+        null,
+        r.day(move.run),
+        ": ",
+        move.old ? [r.digest(move.old), " → "] : "first set to ",
+        r.digest(move.new),
+      ),
+    );
+    return el(
+      "section",
+      { "aria-labelledby": "history" },
+      el("h2", { id: "history" }, "History"),
+      items.length ? el("ol", { class: "history" }, items) : el("p", null, "There is none yet."),
+      moves.length
+        ? el(
+            "details",
+            null,
+            el("summary", null, `${r.count(moves.length, "run")} moved the tag ${r.mainTag(image)}`),
+            el("ul", null, moves),
+          )
+        : null,
+    );
+  }
+
+  /** What an image is, line by line. */
+  function about(image) {
+    const build = r.present(image);
+    const facts = r.catalogue.distributions[image.distribution];
+    const end = r.endOfLife(image);
+    const promised = Object.entries(image.promised)
+      .map(([name, version]) => `${r.CARRIED[name] || name} ${version}`)
+      .join(", ");
+    return el(
+      "dl",
+      { class: "facts" },
+      r.fact(
+        "Status",
+        el("span", { class: `status ${image.status.replace(" ", "-")}` }, r.STATUS[image.status]),
+        image.reason ? el("p", { class: "sub" }, image.reason) : null,
+      ),
+      r.fact(
+        "Content",
+        `ROS ${facts.ros} ${image.distribution}, ${image.component}`,
+        promised ? el("p", { class: "sub" }, promised) : null,
+      ),
+      r.fact("System", `${facts.os}, Python ${facts.python}`),
+      r.fact("Platforms", image.platforms.join(", ")),
+      r.fact(
+        "End of life",
+        el("span", { class: end.over ? "bad" : null }, end.text + (end.over ? " (over)" : "")),
+        facts.experimental ? el("p", { class: "sub" }, "experimental") : null,
+      ),
+      build ? r.fact("Created", r.day(build.created)) : null,
+      build
+        ? r.fact(
+            "Index",
+            r.digest(build.digest),
+            r.copyButton(() => build.digest, "Copy", "Copy the digest of the index"),
+          )
+        : null,
+    );
+  }
+
+  function view(main, query, target) {
+    const image = r.byTarget.get(target);
+    if (!image) {
+      main.append(
+        el("h1", null, "No such image"),
+        el("p", null, `There is no image ${target} in this catalogue. `, el("a", { href: "#/" }, "See all")),
+      );
+      return;
+    }
+    main.append(
+      el("p", { class: "crumbs" }, el("a", { href: "#/" }, "Images"), " / "),
+      el("h1", null, image.target),
+      about(image),
+    );
+    const build = r.present(image);
+    if (build) {
+      main.append(
+        use(image),
+        el(
+          "section",
+          { "aria-labelledby": "inside" },
+          el("h2", { id: "inside" }, "Inside"),
+          build.platforms.map(platformSection),
+        ),
+        history(image),
+      );
+    }
+  }
+
+  r.views.image = { title: (target) => target, view };
+})();

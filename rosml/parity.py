@@ -1,0 +1,52 @@
+"""One index, one content: what must be alike on all architectures of a tag."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from rosml.errors import RosmlError
+from rosml.verify import LABEL
+
+OWN = ("org.opencontainers.image.base.digest",)
+"""Labels that an architecture may have to itself: base images that were made here have a digest each."""
+
+FRAMEWORKS = ("ros-distro", "ros-version", "torch", "tensorflow", "cuda", "cudnn", "numpy")
+"""What of the versions that were found inside must be the same. Debian may be a revision apart between architectures."""
+
+
+def require(target: str, configs: Mapping[str, Mapping[str, Any]], versions: Mapping[str, Mapping[str, str]]) -> None:
+    """Checks that the images of an index promise and hold the same.
+
+    Args:
+        target: for the message.
+        configs: the images' configs by architecture.
+        versions: what was found inside them by architecture.
+
+    Raises:
+        RosmlError: they differ; the message says in what.
+    """
+    found: dict[str, dict[str, str]] = {}
+    for architecture, config in configs.items():
+        inner = config.get("config") or {}
+        if config.get("architecture") != architecture:
+            raise RosmlError(
+                f"{target}: the image for {architecture} says that it is for {config.get('architecture')}",
+                "build it anew: --force",
+            )
+        facts = {name: str(value) for name, value in (inner.get("Labels") or {}).items() if name not in OWN}
+        facts |= dict(item.split("=", 1) for item in inner.get("Env") or [] if "=" in item)
+        facts |= {key: str(inner.get(key)) for key in ("Entrypoint", "Cmd", "WorkingDir", "User")}
+        held = versions.get(architecture, {})
+        facts |= {f"{name} inside": held[name] for name in FRAMEWORKS if name in held}
+        found[architecture] = facts
+    first, *others = found
+    for other in others:
+        for name in sorted(found[first].keys() | found[other].keys()):
+            one, two = found[first].get(name, "nothing"), found[other].get(name, "nothing")
+            if one != two:
+                shown = name.removeprefix(LABEL)
+                raise RosmlError(
+                    f"{target} is not the same on all architectures: {shown} is {one} on {first}, {two} on {other}",
+                    "an index holds one content: build both from the same inputs, or give them tags of their own",
+                )

@@ -1,0 +1,836 @@
+"""The steps of a publishing run: build, compose, test, scan, index, promote. Each does what the agenda says is missing.
+
+A step works item by item, and writes an item's entry in the ledger when it is done: whatever ends the run, the next one
+goes on from there. An item that fails is written down as failed, and is no other item's trouble, but for those that are
+put together from it. No tag moves before the last step, and then only to an index of images that passed.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime, timedelta
+from functools import cached_property, partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from rosml import bars, builder, filelist, files, names, oci, parity, payloads, provenance, registry, scan_report, sync
+from rosml import scan as scanning
+from rosml import upstream as upstreams
+from rosml.agenda import ELSEWHERE, INDEX, Agenda, Item
+from rosml.errors import RosmlError
+from rosml.expand import Image, Payload, repository_of
+from rosml.labels import OCI, REVISION, SOURCE, TITLE
+from rosml.ledger import Entry, Ledger
+from rosml.policy import Rules
+from rosml.problems import some, unknown
+from rosml.publish import Publisher, Result, TestsFailed, push_by_digest, turn_file, write_excerpt
+from rosml.sbom import Shelf
+from rosml.signer import PATIENCE, Signer, SignerFailed
+from rosml.trivy import ScannerFailed, Trivy
+from rosml.turn import turn
+
+if TYPE_CHECKING:
+    from rosml.compose import Composer
+
+State = Literal["done", "failed", "waits"]
+
+INPUTS = "io.rosml.inputs"
+DATE = "io.rosml.date"
+TIME = "%Y-%m-%dT%H:%M:%SZ"
+
+AHEAD = timedelta(days=1)
+"""How far a date may be ahead of the clock: clocks differ, and so do the places where people write dates down."""
+
+SUPERSEDED = 20
+"""From so many digests on that an entry has taken the place of, those that are gone from the registry are forgotten."""
+
+PLAN_FORMAT = 1
+"""Version of plan.json's format."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a step did about an item.
+
+    Attributes:
+        step: its name. target, architecture: of the item; no architecture where it is about an index or tags.
+        state: done, failed, or waits for something that is not there.
+        reason: what was done, or why it failed or waits.
+        seconds: wall time. uploaded: bytes that the registry got.
+    """
+
+    step: str
+    target: str
+    architecture: str
+    state: State
+    reason: str = ""
+    seconds: float = 0.0
+    uploaded: int = 0
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {name: value for name, value in vars(self).items() if value != ""}
+
+
+@dataclass(frozen=True)
+class Made:
+    """What building an item came to.
+
+    Attributes:
+        digest: of its manifest. parts: digests of what it stands on, by target.
+        upstream: of when its packages are; empty where no repository decides.
+        base: reference of the operating system's image that it starts from; empty where that is one of its parts.
+    """
+
+    digest: str
+    parts: Mapping[str, str] = field(default_factory=dict)
+    upstream: str = ""
+    base: str = ""
+
+
+@dataclass(frozen=True)
+class Destination:
+    """Where images go: the registry's address, and the path of its repositories."""
+
+    host: str
+    prefix: str
+
+
+def destination(text: str) -> Destination:
+    """The place that a text such as `ghcr.io/me/rosml` names.
+
+    Raises:
+        RosmlError: it names none (exit code 2).
+    """
+    host, _, prefix = text.rstrip("/").partition("/")
+    if not oci.is_place(host, prefix):
+        text = f"{text!r} is no place for images"
+        raise RosmlError(text, "name a registry and a path in it, such as ghcr.io/me/rosml", exit_code=2)
+    return Destination(host, prefix)
+
+
+@dataclass(frozen=True)
+class Planned:
+    """What plan.json says that the other steps need."""
+
+    date: str
+    registry: str
+    targets: tuple[str, ...]
+    architectures: tuple[str, ...]
+    serve: tuple[str, ...] = ()
+    force: bool = False
+
+
+def read_plan(file: Path, shard: str = "") -> Planned:
+    """Reads plan.json.
+
+    Args:
+        file: what `plan` wrote.
+        shard: the targets and architecture of this one alone; of the whole plan if empty.
+
+    Raises:
+        RosmlError: it is no plan, or has no such shard (exit code 2).
+    """
+    try:
+        content = json.loads(file.read_text(encoding="utf-8"))
+        if content["version"] != PLAN_FORMAT:
+            raise ValueError(f"it has format {content['version']}")
+        shards = {_text(item["name"]): item for item in content["shards"]}
+        if shard and shard not in shards:
+            raise RosmlError(unknown("shard", shard, shards), f"there is {', '.join(shards) or 'none'}", exit_code=2)
+        part = shards[shard] if shard else content
+        found = Planned(
+            checked_date(_text(content["date"])),
+            _text(content["registry"]),
+            _texts(part["targets"]),
+            (_text(part["architecture"]),) if shard else _texts(content["architectures"]),
+            _texts(content["serve"]),
+            content["force"],
+        )
+        if not (found.targets and found.architectures):  # which would mean all that there are
+            raise ValueError("it names no images")
+        if not isinstance(content["force"], bool):
+            raise TypeError(f"{content['force']!r} is neither true nor false")
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+        raise RosmlError(
+            f"{file} is no plan: {error}", "write it with: publish.py plan --output FILE", exit_code=2
+        ) from None
+    return found
+
+
+def _text(value: Any) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{value!r} is no text")
+    return value
+
+
+def _texts(value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list):
+        raise TypeError(f"{value!r} is no list")
+    return tuple(map(_text, value))
+
+
+def checked_date(text: str) -> str:
+    """A run's date.
+
+    Raises:
+        RosmlError: it is none (exit code 2).
+    """
+    if not is_date(text):
+        raise RosmlError(f"{text!r} is no time", "write it as 2026-11-22T03:00:00Z", exit_code=2)
+    return text
+
+
+def is_date(text: str) -> bool:
+    """Whether a text is a run's date, all of which are written alike: `2026-11-22T03:00:00Z`."""
+    try:
+        return datetime.strptime(text, TIME).strftime(TIME) == text  # which takes shorter numbers as well
+    except ValueError:
+        return False
+
+
+def is_ahead(date: str, clock: str) -> bool:
+    """Whether a run's date is in the future. Both are dates of runs."""
+    return datetime.strptime(date, TIME) > datetime.strptime(clock, TIME) + AHEAD
+
+
+def require_not_ahead(date: str, clock: str) -> None:
+    """Checks the date of a run that begins now: until it comes, no other run could move the tags that it moves.
+
+    Raises:
+        RosmlError: it is in the future (exit code 2).
+    """
+    if is_ahead(date, clock):
+        raise RosmlError(
+            f"the run's date {date} is in the future: it is {clock}, and until then no other run could move its tags",
+            "correct the date, or this machine's clock; --force takes it all the same",
+            exit_code=2,
+        )
+
+
+def date_of(manifest: Any) -> str:
+    """What an index says of the date of the run that made it: anybody may write anything there. Empty where it says none."""
+    return str(annotations_of(manifest).get(DATE, ""))
+
+
+def annotations_of(manifest: Any) -> dict[str, Any]:
+    """The annotations of a manifest, whatever it has in their place; none of one that is not there."""
+    found = manifest.content.get("annotations") if manifest else None
+    return found if isinstance(found, dict) else {}
+
+
+def now() -> str:
+    """The date and time of a run, which is chosen once: 2026-11-22T03:00:00Z."""
+    return datetime.now(UTC).strftime(TIME)
+
+
+@dataclass
+class Pipeline:
+    """A publishing run.
+
+    Attributes:
+        agenda: what there is to do.
+        registry: where images go (`oci.Registry`). host: its address. prefix: path of its repositories.
+        say: told what is going on, a line at a time.
+        serving: the architectures that the registry serves; all of the matrix if empty.
+        outcomes: what was done so far.
+        signer: signs indexes, without which they get no tags; None where nothing is signed.
+        started: when it began, by the monotonic clock.
+        pushed: bytes of layers that the builder added to the registry.
+    """
+
+    agenda: Agenda
+    registry: Any
+    host: str
+    prefix: str
+    say: Callable[[str], None]
+    serving: tuple[str, ...] = ()
+    outcomes: list[Outcome] = field(default_factory=list)
+    signer: Signer | None = None
+    started: float = field(default_factory=time.monotonic)
+    pushed: int = 0
+    refused: int = 0
+    """How often the signer failed, one time after the other."""
+    _may_push: bool = False
+
+    @property
+    def ledger(self) -> Ledger:
+        """The ledger of the registry."""
+        return Ledger(self.registry, self.prefix)
+
+    def repository(self, name: str) -> str:
+        """Path of a repository in the registry."""
+        return names.repository_path(self.prefix, name)
+
+    def reference(self, name: str) -> str:
+        """A repository with the registry before it."""
+        return f"{self.host}/{self.repository(name)}"
+
+    @cached_property
+    def composer(self) -> Composer:
+        """What puts images together; it reads each part once."""
+        from rosml.compose import Composer
+
+        cache = self.agenda.services.state / "cache" / "files"
+        return Composer(lambda _: self.registry, cache, say=self.say)
+
+    @property
+    def failed(self) -> bool:
+        """Whether something failed."""
+        return any(outcome.state == "failed" for outcome in self.outcomes)
+
+    @property
+    def uploaded(self) -> int:
+        """Bytes that the registry got since its client was made: layers that it did not have, configs, manifests, what is
+        attached, the ledger. Without what regctl and cosign send: indexes and signatures, of about 1 kB each.
+        """
+        return self.pushed + int(self.registry.uploaded)
+
+    # ---- Items -------------------------------------------------------------------------------------------------------
+
+    def build(self, targets: Sequence[str] = ()) -> None:
+        """Builds ROS images and payloads that are not as they should be, and pushes them by digest.
+
+        Args:
+            targets: of these alone, and what they stand on; all if empty.
+        """
+        wanted = [item for item in self.agenda.items if item.kind != "joined"]
+        if targets:
+            keys = self._with_parts(set(targets))
+            wanted = [item for item in wanted if item.target in keys]
+        self._each("build", wanted, self._build)
+
+    def _with_parts(self, targets: set[str]) -> set[str]:
+        todo, found = list(targets), set[str]()
+        while todo:
+            target = todo.pop()
+            found.add(target)
+            todo += [
+                need for item in self.agenda.items if item.target == target for need in item.needs if need not in found
+            ]
+        return found
+
+    def compose(self) -> None:
+        """Puts images with frameworks together, in the registry."""
+        self._each("compose", [item for item in self.agenda.items if item.kind == "joined"], self._compose)
+
+    def test(self, targets: Sequence[str] = ()) -> None:
+        """Runs the structure tests of images that have not passed them.
+
+        Args:
+            targets: of these alone; all if empty.
+        """
+        wanted = [i for i in self.agenda.items if i.kind != "payload" and (not targets or i.target in targets)]
+        self._each("test", wanted, self._test)
+
+    def _each(self, step: str, items: Sequence[Item], work: Callable[[Item, Entry], Entry]) -> None:
+        """Does a step's work on those items whose turn it is. Calls in one checkout take turns: they write the same files."""
+        expected = sum(step in self.agenda.task(item).steps for item in items)
+        number = 0
+        for item in bars.over(items, step, len(items)):
+            task = self.agenda.task(item, ahead=False)
+            if task.hindered:
+                if task.hindered != ELSEWHERE:
+                    self.outcomes.append(Outcome(step, *item.key, "waits", task.hindered))
+                continue
+            if step not in task.steps[:1]:
+                if step in task.steps:  # an earlier step is still to be done
+                    self.outcomes.append(Outcome(step, *item.key, "waits", f"{task.steps[0]} comes first"))
+                continue
+            with turn(
+                turn_file(self.agenda.services, item.target, item.architecture),
+                partial(self.say, f"waiting for another call that works on {item.target}"),
+            ):
+                if self._done_elsewhere(step, item):
+                    continue
+                number += 1
+                self._do(step, item, f"({number} of {expected})", task.why, work)
+
+    def _do(self, step: str, item: Item, place: str, why: Sequence[str], work: Callable[[Item, Entry], Entry]) -> None:
+        """Does a step's work on an item, and writes down what came of it."""
+        self._require_push()
+        self.say(f"{step} {item.target} for {item.architecture} {place}: {'; '.join(why)}")
+        entry = self.agenda.known.get(item.key) or Entry(*item.key)
+        started, before = time.monotonic(), self.uploaded
+        try:
+            entry = work(item, entry)
+            state: State = "failed" if entry.failed else "done"
+        except RosmlError as error:
+            entry = replace(entry, failed={"step": step, "reason": _short(error), "remedy": error.remedy})
+            state = "failed"
+            self.say(f"failed: {error.message}" + (f"; {error.remedy}" if error.remedy else ""))
+        seconds = time.monotonic() - started
+        entry = replace(entry, changed=self.agenda.date, seconds={**entry.seconds, step: round(seconds, 2)})
+        self._write(item, entry)
+        reason = entry.failed.get("reason", "") if state == "failed" else "; ".join(why)
+        self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before))
+
+    def _done_elsewhere(self, step: str, item: Item) -> bool:
+        """Looks at the ledger once more: another run may have done this step since this one began."""
+        found = self.ledger.read(*item.key)
+        if found is None or found == self.agenda.known.get(item.key):
+            return False
+        self.agenda.known[item.key] = found
+        if found.digest and self.registry.head(self.repository(item.repository), found.digest):
+            self.agenda.present.add(item.key)
+        if step in self.agenda.task(item, ahead=False).steps[:1]:
+            return False
+        self.say(f"{step} {item.target} for {item.architecture}: another run did it in the meantime")
+        return True
+
+    def _require_push(self) -> None:
+        """Checks, before the first work is done, that its result may be written down: it may take hours.
+
+        Raises:
+            RosmlError: it may not.
+        """
+        if not self._may_push:
+            self.registry.may_push(self.ledger.repository)
+            self._may_push = True
+
+    def _write(self, item: Item, entry: Entry) -> None:
+        entry = self._remembered(entry)
+        self.ledger.write(entry, self.agenda.inputs.of(*item.key))
+        self.agenda.known[item.key] = entry
+        if entry.digest:
+            self.agenda.present.add(item.key)
+
+    def _remembered(self, entry: Entry) -> Entry:
+        """An entry without the digests that were in its place and are gone, where it has many: it would grow for ever."""
+        if len(entry.superseded) <= SUPERSEDED:
+            return entry
+        where = self.repository(entry.repository)
+        return replace(entry, superseded=tuple(x for x in entry.superseded if self.registry.head(where, x)))
+
+    def _build(self, item: Item, entry: Entry) -> Entry:
+        started = now()
+        if isinstance(item.thing, Payload):
+            made = self._assemble(item.thing, item.architecture)
+        else:
+            made = self._ros(item, item.thing, entry)
+        self.pushed += self._new_bytes(item, entry, made)
+        self._attest(item, made, started)
+        self.agenda.forced.add(item.key)
+        return entry.made(made.digest, **self._facts(item, made.digest, made.parts), upstream=made.upstream)
+
+    def _new_bytes(self, item: Item, before: Entry, made: Made) -> int:
+        """Bytes of the layers of what was built, without those of what it stands on and of what was in its place."""
+        own = self._sizes(item, made.digest)
+        there = self._sizes(item, before.digest)
+        for target, digest in made.parts.items():
+            there |= self._sizes(self.agenda.by_key[target, item.architecture], digest)
+        return sum(size for layer, size in own.items() if layer not in there)
+
+    def _sizes(self, item: Item, digest: str) -> dict[str, int]:
+        """Bytes of the layers of a manifest by their digests; none where it is not in the registry."""
+        found = self.registry.manifest(self.repository(item.repository), digest) if digest else None
+        return {str(x["digest"]): int(x["size"]) for x in found.content["layers"]} if found else {}
+
+    # ---- Where an image came from ------------------------------------------------------------------------------------
+
+    def _attest(self, item: Item, made: Made, started: str) -> None:
+        """Attaches to what was made, or composed, what it was made from; what is attached already is not said again."""
+        place = self.repository(item.repository)
+        definition = provenance.Definition(
+            self._parameters(item), self.agenda.inputs.digest(*item.key), tuple(self._dependencies(item, made))
+        )
+        provenance.attach(self.registry, place, made.digest, definition, self.machine, started, now())
+
+    @cached_property
+    def machine(self) -> provenance.Machine:
+        """Who makes the images of this run."""
+        return provenance.Machine.here(self.agenda.date)
+
+    @cached_property
+    def _source(self) -> list[dict[str, Any]]:
+        return provenance.source(self.agenda.services.root)
+
+    def _parameters(self, item: Item) -> dict[str, str]:
+        """What was asked for."""
+        asked = {"target": item.target, "platform": self._platform(item.architecture)}
+        if isinstance(item.thing, Payload):
+            return asked
+        image = item.thing
+        found = {"distribution": image.distribution, "component": image.component, "framework": image.framework}
+        repository = sync.source(self.agenda.catalogue.matrix, image.distribution)
+        channel = {"channel": repository.channel, "snapshot": repository.day} if repository else {}
+        return asked | found | {"stack": image.stack or ""} | channel
+
+    def _dependencies(self, item: Item, made: Made) -> Iterator[dict[str, Any]]:
+        """What it was made from: base image or parts, locks, packages, the checkout."""
+        services = self.agenda.services
+        if made.base:
+            yield provenance.base(made.base, services.registry if services.mirror else "")
+        for target, digest in made.parts.items():
+            part = self.agenda.by_key[target, item.architecture]
+            yield provenance.image(target, self.reference(part.repository), digest)
+        if item.kind != "joined":  # those of a composed image are its parts'
+            used = self.agenda.inputs.of(*item.key)
+            yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
+        if isinstance(item.thing, Image) and item.kind == "ros":
+            repository = sync.source(self.agenda.catalogue.matrix, item.thing.distribution)
+            yield from provenance.packages(repository.address if repository else upstreams.DEBIAN, made.upstream)
+        yield from self._source
+
+    def _facts(self, item: Item, digest: str, parts: Mapping[str, str]) -> dict[str, Any]:
+        manifest = self.registry.manifest(self.repository(item.repository), digest)
+        if manifest is None:
+            raise RosmlError(f"{item.target} is not in the registry after it was pushed", "run it again")
+        return {
+            "inputs": self.agenda.inputs.digest(*item.key),
+            "repository": item.repository,
+            "parts": dict(parts),
+            "size": sum(int(layer["size"]) for layer in manifest.content["layers"]),
+            "date": self.agenda.date,
+        }
+
+    def _assemble(self, payload: Payload, architecture: str) -> Made:
+        """Assembles a payload."""
+        platform = self.agenda.catalogue.matrix.architectures[architecture].platform
+        services, catalogue = self.agenda.services, self.agenda.catalogue
+        base, digest = payloads.push(services, catalogue, payload, self.say, self.reference("").rstrip("/"), [platform])
+        self._list_files(payload, digest)
+        return Made(digest, base=base.reference)
+
+    def _list_files(self, thing: Image | Payload, digest: str) -> None:
+        """Attaches the list of its files to what was pushed, for whoever joins it to others."""
+        where = self.repository(repository_of(thing))
+        filelist.attach_files(self.agenda.services, self.agenda.catalogue, self.registry, where, digest, self.say)
+
+    def _ros(self, item: Item, image: Image, entry: Entry) -> Made:
+        """Builds a ROS image on the one below it, as it is in the registry."""
+        publisher = self._publisher(item.architecture)
+        publisher.services.require_builder("" if publisher.native else self._platform(item.architecture))
+        variables = publisher.variables(image, Result(image.target))
+        parts = self._parts(item)
+        variables["DIGESTS"] = json.dumps(parts)
+        sets = [f"{image.target}.tags="]
+        moment = self.agenda.upstream.get(image.distribution, entry.upstream)
+        if self.agenda.force:
+            sets.append(f"{image.target}.no-cache=true")
+        elif moment:  # packages that moved are installed anew: the builder cannot know that they did
+            sets.append(f"{image.target}.contexts.upstream={self._moment(image, moment)}")
+        bake_file = write_excerpt(self.agenda.services, self.agenda.catalogue, image.target)
+        call = builder.Bake(
+            image.target, f"build-{image.target}-{item.architecture}", bake_file, tuple(sets), variables
+        )
+        _, digest = push_by_digest(self.agenda.services, call, self.reference(image.repository))
+        self._list_files(image, digest)
+        base = "" if parts else variables[names.os_variable(image.os)].removeprefix("docker-image://")
+        return Made(digest, parts, moment, base)
+
+    def _moment(self, image: Image, moment: str) -> Path:
+        """A folder that says of when a distribution's packages are, for the builder's cache to know."""
+        folder = self.agenda.services.state / "upstream" / image.distribution
+        folder.mkdir(parents=True, exist_ok=True)
+        files.write(folder / "moment", moment + "\n")
+        return folder
+
+    def _parts(self, item: Item) -> dict[str, str]:
+        """Digests of what an item is put together from."""
+        return {target: self.agenda.known[target, item.architecture].digest for target in item.needs}
+
+    def _digests(self, item: Item) -> dict[str, str]:
+        """The same by the names that the bake file's DIGESTS has for them."""
+        known = {payload.target: payload.name for payload in self.agenda.catalogue.payloads}
+        return {known.get(target, target): digest for target, digest in self._parts(item).items()}
+
+    def _platform(self, architecture: str) -> str:
+        return self.agenda.catalogue.matrix.architectures[architecture].platform
+
+    def _publisher(self, architecture: str) -> Publisher:
+        services, catalogue = self.agenda.services, self.agenda.catalogue
+        return Publisher(services, catalogue, self.say, self.prefix, architecture, self.host)
+
+    def _compose(self, item: Item, entry: Entry) -> Entry:
+        started, parts = now(), self._parts(item)
+        digest = self._join(item, parts)
+        self._attest(item, Made(digest, parts), started)
+        self.agenda.forced.add(item.key)
+        return entry.made(digest, **self._facts(item, digest, parts))
+
+    def _join(self, item: Item, parts: Mapping[str, str]) -> str:
+        """Puts an image together of its parts; gives the digest of its manifest."""
+        from rosml import compose  # asks for more than the other steps
+
+        assert isinstance(item.thing, Image)
+        return compose.image(self, item.thing, item.architecture, parts)
+
+    def _test(self, item: Item, entry: Entry) -> Entry:
+        """Tests an image in a root file system of the layers that its manifest names.
+
+        A ROS image is taken by its digest. A composed one is joined in the builder from the same parts by their digests:
+        its layers are theirs, and payloads that were unpacked once need not be unpacked for each image.
+        """
+        image = item.thing
+        assert isinstance(image, Image)
+        publisher = self._publisher(item.architecture)
+        publisher.services.require_builder("" if publisher.native else self._platform(item.architecture))
+        result = Result(image.target, manifest=entry.digest)
+        variables = publisher.variables(image, result)
+        digests = {image.target: entry.digest} if item.kind == "ros" else self._digests(item)
+        manifest = self.registry.manifest(self.repository(item.repository), entry.digest)
+        sizes = [int(layer["size"]) for layer in manifest.content["layers"]]
+        result.payloads = sum(sizes[-len(image.parts) :]) if image.parts else 0
+        if item.kind == "joined":
+            self._same_layers(item, manifest.content)
+        variables["DIGESTS"] = json.dumps(digests)
+        file = write_excerpt(self.agenda.services, self.agenda.catalogue, image.target, image.test_target)
+        failures: tuple[str, ...] = ()
+        reason = ""
+        try:
+            publisher.test(image, file, variables, result)
+        except TestsFailed as error:
+            failures, reason = error.names, error.message
+            self.say(reason)
+        return replace(
+            entry,
+            tested=self.agenda.tests(item),
+            passed=result.passed,
+            failures=failures,
+            unpacked=result.unpacked,
+            versions=result.versions,
+            failed={"step": "test", "reason": f"tests failed: {some(list(failures))}"} if failures else {},
+        )
+
+    def _same_layers(self, item: Item, manifest: Mapping[str, Any]) -> None:
+        """Checks that a composed image is the sum of its parts, which is what the tests see.
+
+        Raises:
+            RosmlError: it is not.
+        """
+        layers: list[str] = []
+        for target, digest in self._parts(item).items():
+            part = self.agenda.by_key[target, item.architecture]
+            found = self.registry.manifest(self.repository(part.repository), digest)
+            layers += [layer["digest"] for layer in found.content["layers"]] if found else []
+        if layers != [layer["digest"] for layer in manifest["layers"]]:
+            raise RosmlError(f"{item.target} does not consist of its parts' layers", "compose it again: --force")
+
+    # ---- Scans -------------------------------------------------------------------------------------------------------
+
+    def scan(self, rules: Rules, trivy: Trivy | ScannerFailed, reports: Path | None = None) -> scanning.Run:
+        """Scans all images that are there, on whatever architecture: what a scan reads is in the registry.
+
+        An image that was held against the same database by the same policy before is left alone.
+
+        Args:
+            rules: the policy.
+            trivy: the scanner, with its database; or why there is none.
+            reports: a folder for a SARIF file of each image.
+        """
+        policy = policy_digest(rules)
+        state = _database(trivy)
+        images: dict[tuple[str, str], scanning.Image] = {}
+        for item in self.agenda.items:
+            entry = self.agenda.known.get(item.key)
+            if item.kind == "payload" or entry is None or not entry.digest or item.key not in self.agenda.present:
+                continue
+            same = state and entry.scan.get("policy") == policy and entry.scan.get("database") == state
+            if not same or entry.scanned == scanning.Outcome.SCANNER_FAILED.value:
+                images[item.key] = scanning.Image(item.target, item.architecture, tuple(self._scanned_parts(item)))
+        moment = datetime.fromisoformat(self.agenda.date.replace("Z", "+00:00"))
+        whole = len(images) == sum(item.kind != "payload" for item in self.agenda.items)
+        started = time.monotonic()
+        run = self._scan(list(images.values()), rules, trivy, moment, whole)
+        seconds = (time.monotonic() - started) / max(1, len(run.images))
+        for found in run.images:
+            key = found.target, found.architecture
+            facts = {
+                "policy": policy,
+                "database": found.database.digest if found.database else "",
+                "updated": found.database.updated if found.database else "",
+                "packages": found.packages,
+                "findings": dict(Counter(finding.severity for finding in found.findings)),
+                "failing": sorted({finding.id for finding in found.failing}),
+            }
+            entry = replace(self.agenda.known[key], scanned=found.outcome.value, scan=facts, changed=self.agenda.date)
+            self._write(self.agenda.by_key[key], entry)
+            clean = found.outcome is scanning.Outcome.CLEAN
+            reason = found.reason if clean else f"{found.outcome.value}: {found.reason}"
+            self.outcomes.append(Outcome("scan", *key, "done" if clean else "failed", reason, seconds))
+        if reports:
+            scan_report.write(reports, run)
+        for problem in run.problems:
+            self.outcomes.append(Outcome("scan", "policy", "", "failed", problem))
+        return run
+
+    def _scan(
+        self, images: list[scanning.Image], rules: Rules, trivy: Trivy | ScannerFailed, moment: datetime, whole: bool
+    ) -> scanning.Run:
+        if isinstance(trivy, ScannerFailed):
+            return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole)
+        shelf = Shelf(self.registry, f"trivy {trivy.version}")
+        return scanning.scan_images(images, rules, trivy, shelf, now=moment, whole=whole, say=self.say)
+
+    def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
+        """The ROS image and the payloads that an image is the sum of."""
+        for target in item.needs if item.kind == "joined" else (item.target,):
+            part = self.agenda.by_key[target, item.architecture]
+            digest = self.agenda.known[part.key].digest
+            yield scanning.Part(target, self.host, self.repository(part.repository), digest, part.kind == "ros")
+
+    # ---- Indexes and tags --------------------------------------------------------------------------------------------
+
+    def index(self) -> None:
+        """Makes an index of every image whose architectures are all there, tested and alike; nobody sees it yet."""
+        for thing in self.agenda.things():
+            if reason := self.agenda.unready(thing, self.serving):
+                self.outcomes.append(Outcome("index", thing.target, "", "waits", reason))
+                continue
+            started = time.monotonic()
+            entries = [self.agenda.known[key] for key in self.members(thing)]
+            digests = {entry.architecture: entry.digest for entry in entries}
+            before = self.agenda.known.get((thing.target, INDEX))
+            inputs = self.agenda.inputs.together(thing)
+            there = (thing.target, INDEX) in self.agenda.present
+            if before and there and before.parts == digests and before.inputs == inputs and not before.failed:
+                continue
+            entry = before or Entry(thing.target, INDEX)
+            try:
+                digest = self._index(thing, entries, inputs)
+                facts = {
+                    "inputs": inputs,
+                    "repository": repository_of(thing),
+                    "parts": digests,
+                    "date": self.agenda.date,
+                }
+                entry = entry.made(digest, **facts)
+                state: State = "done"
+                reason = f"{len(entries)} architecture{'s'[: len(entries) != 1]}"
+            except RosmlError as error:
+                entry = replace(entry, failed={"step": "index", "reason": _short(error), "remedy": error.remedy})
+                state, reason = "failed", error.message
+            entry = self._remembered(replace(entry, changed=self.agenda.date))
+            self.ledger.write(entry, {})
+            self.agenda.known[thing.target, INDEX] = entry
+            self.agenda.present.add((thing.target, INDEX))
+            self.outcomes.append(Outcome("index", thing.target, "", state, reason, time.monotonic() - started))
+            if state == "done":
+                self.signed(thing)
+
+    def signed(self, thing: Image | Payload, moving: bool = False) -> bool:
+        """Whether an image's index has the signature that it needs, which is made if it lacks it.
+
+        Args:
+            thing: the image or payload.
+            moving: whether a tag is about to move to it: then the ledger's word is not enough, and cosign is asked.
+        """
+        entry = self.agenda.known[thing.target, INDEX]
+        if self.signer is None or (self.signer.identity in entry.signed and not moving):
+            return True
+        if self.refused >= PATIENCE:
+            self.outcomes.append(Outcome("sign", thing.target, "", "waits", f"the signer failed {PATIENCE} times"))
+            return False
+        started = time.monotonic()
+        try:
+            made = self.signer.ensure(f"{self.reference(entry.repository)}@{entry.digest}")
+        except SignerFailed as error:
+            self.refused += 1
+            self.say(f"failed: {error.message}; {error.remedy}")
+            self.outcomes.append(Outcome("sign", thing.target, "", "failed", error.message, time.monotonic() - started))
+            return False
+        self.refused = 0
+        if self.signer.identity not in entry.signed:
+            signed = {**entry.signed, self.signer.identity: self.agenda.date}
+            self.agenda.known[thing.target, INDEX] = replace(entry, signed=signed)
+            self.ledger.write(self.agenda.known[thing.target, INDEX], {})
+        if made:
+            text = f"by {self.signer.identity}"
+            self.outcomes.append(Outcome("sign", thing.target, "", "done", text, time.monotonic() - started))
+        return True
+
+    def promote(self) -> None:
+        """Moves the tags of all images whose index is as it should be."""
+        from rosml.promote import Promotion  # imports this module
+
+        Promotion(self).run()
+
+    def write_restored(self) -> None:
+        """Writes into the ledger the entries that it lacks, and that were found attached to their images."""
+        for key, inputs in self.agenda.restored.items():
+            self.ledger.write(self.agenda.known[key], inputs)
+        self.agenda.restored.clear()
+
+    def members(self, thing: Image | Payload) -> Iterator[tuple[str, str]]:
+        """Target and architecture of what an index of an image is made of."""
+        return (key for key in self.agenda.members(thing) if not self.serving or key[1] in self.serving)
+
+    def _index(self, thing: Image | Payload, entries: Sequence[Entry], inputs: str) -> str:
+        """Makes an index; gives its digest. Nothing is pulled.
+
+        Raises:
+            RosmlError: its architectures do not hold the same; or the ledger names another image's manifest.
+        """
+        repository = self.repository(repository_of(thing))
+        configs = {entry.architecture: self._config(repository, entry.digest) for entry in entries}
+        for entry in entries:
+            _require_own(thing, entry, configs[entry.architecture])
+        parity.require(thing.target, configs, {entry.architecture: entry.versions for entry in entries})
+        labels = (configs[entries[0].architecture].get("config") or {}).get("Labels") or {}
+        annotations = self._checkout | {name: text for name, text in labels.items() if name.startswith(OCI)}
+        annotations |= {INPUTS: inputs, DATE: self.agenda.date}
+        services = self.agenda.services
+        return registry.create_index(services, f"{self.host}/{repository}", [e.digest for e in entries], annotations)
+
+    @property
+    def _checkout(self) -> dict[str, str]:
+        """What an index says of the checkout that it was made in: its address, and its revision unless files differ from it.
+        Images say no revision: every commit would change all of them."""
+        found = next(iter(self._source), {})
+        address, revision = found.get("uri", "").removeprefix("git+"), found.get("digest", {}).get("gitCommit", "")
+        said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}
+        return {name: text for name, text in said.items() if text}
+
+    def _config(self, repository: str, digest: str) -> dict[str, Any]:
+        manifest = self.registry.manifest(repository, digest)
+        if manifest is None:
+            raise RosmlError(
+                f"{repository}@{digest} is not in the registry any more", "run 'build' and 'compose' again"
+            )
+        content = json.loads(self.registry.blob(repository, manifest.content["config"]["digest"]))
+        return content if isinstance(content, dict) else {}
+
+
+def title(thing: Image | Payload) -> str:
+    """What the label and the annotation of that name say of an image or payload."""
+    return thing.name if isinstance(thing, Payload) else thing.target
+
+
+def _require_own(thing: Image | Payload, entry: Entry, config: Mapping[str, Any]) -> None:
+    """Checks that a manifest is that of the image which the ledger says it is.
+
+    Raises:
+        RosmlError: it is not.
+    """
+    labels = (config.get("config") or {}).get("Labels") or {}
+    found = str(labels.get(TITLE, "")), str(config.get("architecture", ""))
+    if found != (title(thing), entry.architecture):
+        raise RosmlError(
+            f"the ledger's entry {entry.tag} names {entry.digest},"
+            f" which is {found[0] or 'an image without a title'} for {found[1] or 'no architecture'}",
+            "publish it again with --force",
+        )
+
+
+def _database(trivy: Trivy | ScannerFailed) -> str:
+    """The digest of the scanner's database; empty where there is none, of which the scan tells."""
+    try:
+        return "" if isinstance(trivy, ScannerFailed) else trivy.database().digest
+    except ScannerFailed:
+        return ""
+
+
+def policy_digest(rules: Rules) -> str:
+    """Stands for a scan's policy: what it says, not how it is written."""
+    return hashlib.sha256(rules.policy.model_dump_json().encode()).hexdigest()
+
+
+def _short(error: RosmlError, lines: int = 12) -> str:
+    """A message's beginning: the ledger is no place for logs."""
+    return "\n".join(error.message.splitlines()[:lines])[:2000]

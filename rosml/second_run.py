@@ -1,0 +1,202 @@
+"""A second run over the whole matrix, measured on a registry: nothing changed, so nothing is to be done.
+
+The images that a first run would have made stand there as manifests of some bytes, with their entries in the ledger and
+their tags: what a run asks the registry for is the same, whatever an image weighs.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from rosml import agenda as agendas
+from rosml import oci
+from rosml.agenda import INDEX, Agenda, Item
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image, Payload, repository_of, tags_of
+from rosml.inputs import Inputs
+from rosml.labels import TITLE
+from rosml.ledger import READERS, Entry, Ledger
+from rosml.pipeline import DATE, Pipeline, title
+from rosml.problems import counted
+from rosml.promote import dated
+from rosml.services import Services
+from rosml.summary import duration, size
+from rosml.temporary import Temporary
+
+LAYER = b"a layer"
+
+HEADING = "a second run over the whole matrix, nothing changed"
+
+
+@dataclass(frozen=True)
+class SecondRun:
+    """What a run came to that found everything as it should be.
+
+    Attributes:
+        items: images and payloads, on their architectures. tags: of all of them.
+        seconds: wall time, from the first look at the registry to the end.
+        uploaded: bytes that were sent. steps: how many were done, or failed.
+    """
+
+    items: int
+    tags: int
+    seconds: float
+    uploaded: int
+    steps: int
+
+    def to_json(self) -> dict[str, float | int]:
+        """For `--json`."""
+        return dict(vars(self))
+
+
+def text(found: SecondRun) -> str:
+    """What was measured, in a sentence's end."""
+    return (
+        f"{found.items} images and payloads on their architectures, {found.tags} tags, {duration(found.seconds)},"
+        f" {size(found.uploaded)} uploaded, {counted(found.steps, 'step')} done"
+        " (each image a manifest of some bytes, put there as a first run would have left it)"
+    )
+
+
+def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, say: Callable[[str], None]) -> SecondRun:
+    """Fills a place with the whole matrix, runs all steps once more, and removes everything again.
+
+    Args:
+        services: the registry, and of when packages are. catalogue: what is published there.
+        prefix: a path in the registry that nobody else uses. date: of the run.
+
+    Raises:
+        RosmlError: the registry does not answer or refuses; or something is to be done, because packages moved or their
+            repositories do not answer. Nothing is built then.
+    """
+    with Temporary(services.registry, ca_bundle=services.ca_bundle) as client:
+        first = _survey(services, catalogue, client, prefix, date)
+        say(f"{len(first.items)} manifests of some bytes, with their entries, in the place of a first run")
+        tags = Place(first, client, prefix).fill()
+        say(f"a run over {len(first.items)} images and payloads on their architectures, nothing changed")
+        before, started = client.uploaded, time.monotonic()
+        run = Pipeline(_survey(services, catalogue, client, prefix, date), client, services.registry, prefix, say)
+        _require_idle(run.agenda)
+        for step in (run.build, run.compose, run.test, run.index, run.promote):
+            step()
+        seconds, uploaded = time.monotonic() - started, client.uploaded - before
+    done = sum(outcome.state != "waits" for outcome in run.outcomes)
+    return SecondRun(len(run.agenda.items), tags, seconds, uploaded, done)
+
+
+def _survey(services: Services, catalogue: Catalogue, client: oci.Registry, prefix: str, date: str) -> Agenda:
+    """For all architectures: nothing is left to another machine."""
+    architectures = tuple(catalogue.matrix.architectures)
+    inputs = Inputs(services.root, catalogue)
+    return agendas.survey(services, catalogue, client, prefix, (), architectures, date=date, inputs=inputs)
+
+
+def _require_idle(agenda: Agenda) -> None:
+    """Checks that a run would do nothing: this is a measurement, and no time to build images.
+
+    Raises:
+        RosmlError: it would.
+    """
+    tasks = [task for item in agenda.items if (task := agenda.task(item)).steps]
+    if tasks:
+        first, remarks = tasks[0], "".join(f"; {remark}" for remark in agenda.remarks)
+        text = f"{len(tasks)} items are not as they were put there, {first.item.target} because {first.why[0]}{remarks}"
+        raise RosmlError(text, "measure again when the repositories of packages answer, and do not move")
+
+
+@dataclass
+class Place:
+    """Where everything that a matrix describes stands in a few bytes.
+
+    Attributes:
+        agenda: all items. client: the registry. prefix: path of the repositories.
+    """
+
+    agenda: Agenda
+    client: oci.Registry
+    prefix: str
+
+    @cached_property
+    def _book(self) -> Ledger:
+        return Ledger(self.client, self.prefix)
+
+    def fill(self) -> int:
+        """Puts all of it, as a run that passed everything would have left it. Gives the number of images' tags."""
+        things = self.agenda.things()
+        for repository in {repository_of(thing) for thing in things}:
+            self.client.put_blob(self._book.path(repository), LAYER)
+        with ThreadPoolExecutor(READERS) as pool:
+            list(pool.map(self._put_item, self.agenda.items))
+            return sum(pool.map(self._put_index, things))
+
+    def _config(self, item: Item) -> bytes:
+        labels = {TITLE: title(item.thing)}
+        return oci.encoded({"os": "linux", "architecture": item.architecture, "config": {"Labels": labels}})
+
+    def _manifest(self, item: Item) -> bytes:
+        layer = oci.descriptor("application/vnd.oci.image.layer.v1.tar", LAYER)
+        config = oci.descriptor(oci.CONFIG, self._config(item))
+        return oci.encoded({"schemaVersion": 2, "mediaType": oci.IMAGE, "config": config, "layers": [layer]})
+
+    def _entry(self, item: Item) -> Entry:
+        """What the ledger says of it after a run in which it passed its tests."""
+        needs = {target: self.agenda.by_key[target, item.architecture] for target in item.needs}
+        tested = "" if item.kind == "payload" else self.agenda.tests(item)
+        upstream = self.agenda.upstream.get(item.thing.distribution, "") if isinstance(item.thing, Image) else ""
+        return Entry(
+            *item.key,
+            inputs=self.agenda.inputs.digest(*item.key),
+            upstream=upstream if item.kind == "ros" else "",
+            repository=item.repository,
+            digest=oci.digest_of(self._manifest(item)),
+            parts={target: oci.digest_of(self._manifest(part)) for target, part in needs.items()},
+            size=len(LAYER),
+            date=self.agenda.date,
+            changed=self.agenda.date,
+            tested=tested,
+            passed=int(bool(tested)),
+        )
+
+    def _put_item(self, item: Item) -> None:
+        repository = self._book.path(item.repository)
+        self.client.put_blob(repository, self._config(item))
+        self.client.put_manifest(repository, "", self._manifest(item), oci.IMAGE)
+        self._write(self._entry(item))
+
+    def _put_index(self, thing: Image | Payload) -> int:
+        """The index of its architectures, and its tags, of which it gives the number."""
+        items = [self.agenda.by_key[key] for key in self.agenda.members(thing)]
+        members = []
+        for item in items:
+            place = {"os": "linux", "architecture": item.architecture}
+            members.append({**oci.descriptor(oci.IMAGE, self._manifest(item)), "platform": place})
+        content: dict[str, Any] = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": members}
+        index = oci.encoded({**content, "annotations": {TITLE: title(thing), DATE: self.agenda.date}})
+        entries = [self._entry(item) for item in items]
+        entry = Entry(
+            thing.target,
+            INDEX,
+            inputs=self.agenda.inputs.together(thing),
+            repository=repository_of(thing),
+            digest=oci.digest_of(index),
+            parts={item.architecture: item.digest for item in entries},
+            date=self.agenda.date,
+            changed=self.agenda.date,
+        )
+        attached = {item.architecture: item.facts for item in (*entries, entry)}
+        repository = self._book.path(entry.repository)
+        names = tags_of(thing)
+        tags = (dated(names[0], self.agenda.date), *names)
+        for tag in tags:
+            self.client.put_manifest(repository, tag, index, oci.INDEX)
+        self._write(replace(entry, attached=attached))
+        return len(tags)
+
+    def _write(self, entry: Entry) -> None:
+        inputs = {} if entry.architecture == INDEX else self.agenda.inputs.of(entry.target, entry.architecture)
+        self._book.write(entry, inputs)

@@ -1,0 +1,138 @@
+"""Where a distribution's packages come from, and of when that apt repository is."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import urllib.request
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, date
+from email.utils import parsedate_to_datetime
+from http.client import HTTPException
+from pathlib import Path
+
+from rosml import files
+from rosml.errors import RosmlError
+from rosml.model import Distribution, Matrix
+
+CHANNELS = ("live", "snapshot", "final")
+SECONDS = 20.0
+RELEASE_BYTES = 1 << 20
+"""More than any InRelease file has; ROS's have some ten kB."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """An apt repository of ROS.
+
+    Attributes:
+        channel: live, snapshot or final.
+        day: of the snapshot; empty otherwise.
+        address: as the image's apt source names it.
+        codename: its suite.
+    """
+
+    channel: str
+    day: str
+    address: str
+    codename: str
+
+
+def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> Source | None:
+    """The repository that a distribution is built from; none where the operating system has ROS's packages itself.
+
+    Args:
+        matrix: says which.
+        name: of the distribution.
+        environ: `ROS_CHANNEL` and `ROS_SNAPSHOT` say otherwise for this time.
+
+    Raises:
+        RosmlError: they ask for what there is not (exit code 2).
+    """
+    distribution = matrix.distributions[name]
+    channel, day = environ.get("ROS_CHANNEL", ""), environ.get("ROS_SNAPSHOT", "")
+    if distribution.apt is None:
+        if channel or day:
+            whose = "wheels" if distribution.wheels else f"{distribution.os}'s own"
+            text = f"the ROS packages of {name} are {whose}: there is no other channel"
+            raise RosmlError(text, "leave CHANNEL and SNAPSHOT out", exit_code=2)
+        return None
+    if channel and channel not in CHANNELS:
+        raise RosmlError(f"no channel {channel!r}", f"CHANNEL takes {', '.join(CHANNELS)}", exit_code=2)
+    channel = channel or distribution.apt.channel
+    if channel == "snapshot":
+        day = day or (distribution.apt.date.isoformat() if distribution.apt.date else "")
+        if not _is_day(day):
+            text = f"no day {day!r} of a snapshot" if day else "a snapshot is of a day"
+            raise RosmlError(text, "name one, such as SNAPSHOT=2026-08-07", exit_code=2)
+        if day > date.today().isoformat():
+            raise RosmlError(f"{day} is still to come", "name a day that has passed", exit_code=2)
+    elif day:
+        raise RosmlError(f"the channel {channel} has no days", "add CHANNEL=snapshot", exit_code=2)
+    if channel == "final" and (distribution.eol is None or distribution.eol > date.today()):
+        text = f"{name} gets updates until {distribution.eol or 'further notice'}: it has no final snapshot yet"
+        raise RosmlError(text, "take CHANNEL=snapshot and a day", exit_code=2)
+    codename = matrix.operating_systems[distribution.os].codename or ""
+    return Source(channel, day, _address(name, distribution, channel, day), codename)
+
+
+def _is_day(text: str) -> bool:
+    try:
+        return date.fromisoformat(text).isoformat() == text
+    except ValueError:
+        return False
+
+
+def _address(name: str, distribution: Distribution, channel: str, day: str) -> str:
+    """https://docs.ros.org/en/rolling/Installation/Testing.html names live, .../Snapshot-Repository.html the others."""
+    if channel == "live":
+        return f"http://packages.ros.org/{distribution.generation}/ubuntu"
+    return f"http://snapshots.ros.org/{distribution.ros_distro or name}/{day or channel}/ubuntu"
+
+
+def published(source: Source, environ: Mapping[str, str] = os.environ) -> str:
+    """When a repository was published last, such as 2026-11-20T21:14:09Z.
+
+    The signature is not looked at: the build, which does, fails where it finds another time.
+
+    Raises:
+        RosmlError: it does not answer, or says no date.
+    """
+    address = source.address
+    if mirror := environ.get("ROS_APT_MIRROR", ""):
+        address = f"{mirror.rstrip('/')}/{address.removeprefix('http://')}"
+    url = f"{address}/dists/{source.codename}/InRelease"
+    try:
+        with urllib.request.urlopen(url, timeout=SECONDS) as answer:
+            text = answer.read(RELEASE_BYTES).decode(errors="replace")
+    except (OSError, ValueError, HTTPException) as error:
+        reason = getattr(error, "reason", None) or error
+        raise RosmlError(
+            f"{url} does not answer ({reason})", "check the network, HTTP_PROXY and ROS_APT_MIRROR"
+        ) from None
+    found = re.search(r"^Date: (.+)$", text, re.MULTILINE)
+    try:
+        return parsedate_to_datetime(found[1] if found else "").astimezone(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
+    except ValueError:
+        raise RosmlError(f"{url} says no date", "check the mirror") from None
+
+
+def remember(state: Path, source: Source, when: str) -> None:
+    """Notes when a repository was published, for a time when it does not answer."""
+    known = _known(state) | {f"{source.address} {source.codename}": when}
+    files.write(state / "ros-sync.json", json.dumps(known, indent=2) + "\n")
+
+
+def remembered(state: Path, source: Source) -> str:
+    """What was noted; empty if nothing was."""
+    return _known(state).get(f"{source.address} {source.codename}", "")
+
+
+def _known(state: Path) -> dict[str, str]:
+    try:
+        found = json.loads((state / "ros-sync.json").read_text())
+    except (OSError, ValueError):
+        return {}
+    return {str(key): str(value) for key, value in found.items()} if isinstance(found, dict) else {}

@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""Makes a site of the documentation, and fails where a link leads nowhere."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+
+# isort: split
+
+import click
+
+from rosml import ROOT, command, files
+from rosml.errors import RosmlError
+
+CONFIG = "mkdocs.yml"
+BESIDE = ("README.md", "SECURITY.md", "CONTRIBUTING.md")
+"""Pages that are not in docs/, since forges look for them elsewhere."""
+
+FOLDER = "repository"
+"""Where files that are not in docs/ are on the site."""
+
+_LINK = re.compile(r"(?<=\]\()(?P<path>[^)\s#]+)(?P<anchor>#[^)\s]*)?(?=\))")
+_FENCE = re.compile(r"^ *(```|~~~)")
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=ROOT / ".state/docs",
+    help="Where to make it; .state/docs if left out. The site is in its folder site.",
+)
+def main(output: Path) -> None:
+    """Makes a site of the pages in docs/ and of README.md, SECURITY.md and CONTRIBUTING.md. No server is needed for it.
+
+    \b
+    Examples:
+      uv run scripts/docs.py                  into .state/docs/site (make docs)
+      uv run scripts/docs.py --output /tmp/x  into /tmp/x/site
+    """
+    stage(ROOT, output)
+    build(output)
+    click.echo(files.shown(output / "site/index.html"))
+
+
+def build(folder: Path) -> None:
+    """Builds the site of a staged folder.
+
+    Raises:
+        RosmlError: a link or an anchor leads nowhere, or a page is not in the navigation.
+    """
+    argv = [sys.executable, "-m", "zensical", "build", "--strict", "--clean", "--config-file", CONFIG]
+    done = subprocess.run(argv, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+    said = f"{done.stdout}{done.stderr}".partition("Traceback (most recent call last)")[0].strip()
+    if done.returncode or not (folder / "site/index.html").is_file():
+        raise RosmlError(f"the site cannot be built:\n{said}", "mend what it names; the pages are those in docs/")
+
+
+def stage(root: Path, folder: Path) -> None:
+    """Copies every page, and every file of the repository that one links to, to where they are on the site; links follow.
+
+    A page may so link to a file that is none, as it does on a forge.
+    """
+    shutil.rmtree(folder / "docs", ignore_errors=True)
+    (folder / "docs").mkdir(parents=True)
+    shutil.copy(root / CONFIG, folder)
+    waiting = [str(file.relative_to(root)) for file in (root / "docs").rglob("*") if file.is_file()] + [*BESIDE]
+    done = set()
+    while waiting:
+        source = waiting.pop()
+        if source in done:
+            continue
+        done.add(source)
+        place = folder / "docs" / place_of(source)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        if not source.endswith(".md"):
+            shutil.copy(root / source, place)
+            continue
+        text = (root / source).read_text(encoding="utf-8")
+        waiting += [target for target in links(source, text) if (root / target).is_file()]
+        place.write_text(moved(root, source, text), encoding="utf-8")
+
+
+def moved(root: Path, source: str, text: str) -> str:
+    """A page's text with links to where their targets are on the site; those to nothing stay, to be found by the build."""
+
+    def follow(match: re.Match[str]) -> str:
+        target = resolved(source, match["path"])
+        if "://" in match["path"] or not (root / target).is_file():
+            return match[0]
+        here = posixpath.dirname(place_of(source))
+        return posixpath.relpath(place_of(target), here or ".") + (match["anchor"] or "")
+
+    return "\n".join(_LINK.sub(follow, line) if prose else line for prose, line in lines(text))
+
+
+def links(source: str, text: str) -> Iterator[str]:
+    """What a page links to, relative to the repository's root."""
+    for prose, line in lines(text):
+        for match in _LINK.finditer(line) if prose else ():
+            if "://" not in match["path"]:
+                yield resolved(source, match["path"])
+
+
+def lines(text: str) -> Iterator[tuple[bool, str]]:
+    """Every line, and whether it is prose, not code."""
+    code = False
+    for line in text.split("\n"):
+        fence = bool(_FENCE.match(line))
+        yield not (code or fence), line
+        code ^= fence
+
+
+def resolved(source: str, path: str) -> str:
+    """A link's path, relative to the repository's root."""
+    return posixpath.normpath(posixpath.join(posixpath.dirname(source), path))
+
+
+def place_of(source: str) -> str:
+    """Where a file of the repository is on the site."""
+    return source.removeprefix("docs/") if source.startswith("docs/") else f"{FOLDER}/{source}"
+
+
+if __name__ == "__main__":
+    sys.exit(command.run(main))
