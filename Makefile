@@ -5,10 +5,15 @@ TARGET ?=
 PLATFORM :=
 # Groups whose images `make list` lists: distributions, components, frameworks, stacks, architectures.
 GROUP ?=
+# ROS's apt repository in the place of what matrix.yaml says: live, snapshot (with SNAPSHOT=2026-08-07), final.
+CHANNEL :=
+SNAPSHOT :=
 # Stacks whose locks `make locks` makes anew; all if empty.
 STACK ?=
-# Anything but nothing: list, plan and diff print JSON.
+# Anything but nothing: list, plan, diff, standing and status print JSON.
 JSON ?=
+# Anything but nothing: `make unit` measures what the tests run of rosml/, and fails below pyproject.toml's fail_under.
+COVERAGE ?=
 # What `make diff` compares with: a git revision, or another matrix file.
 REV ?= HEAD
 # Among how many machines `make plan` deals the images out.
@@ -23,36 +28,65 @@ export PATH := $(CURDIR)/.state/bin:$(PATH)
 export UV_COMPILE_BYTECODE := 1
 export UV_CACHE_DIR ?= $(CURDIR)/.state/uv
 export HYPOTHESIS_STORAGE_DIRECTORY ?= $(CURDIR)/.state/cache/hypothesis
-export TARGET REV PLATFORM
+# For publish, standing and catalogue: images by target, pattern or group; where they go; the architectures that are served there.
+ONLY ?=
+REGISTRY ?=
+SERVE ?=
+# Only images that differ from a git revision, at most so many of them.
+SINCE ?=
+AT_MOST ?= 4
+# The folder that `make catalogue` writes; .state/catalogue if empty.
+OUTPUT ?=
+# Where `make locks` writes its table of versions, in Markdown.
+REPORT ?=
+export TARGET REV PLATFORM ONLY SERVE SINCE REPORT OUTPUT
+# Not under its own name, which is that of a variable of docker-bake.hcl.
+export PLACE := $(REGISTRY)
+unexport REGISTRY
+ifneq ($(CHANNEL)$(SNAPSHOT),)
+export ROS_CHANNEL := $(CHANNEL)
+export ROS_SNAPSHOT := $(SNAPSHOT)
+endif
 # A ROS workspace sets them; they would change what our Python imports.
 unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
+PAGE := $(RUN) --group page pytest tests/page
+# As many tests at a time as there are processors; of those of real builds, two files.
+BESIDE := --numprocesses=auto
+LANES := --numprocesses=2 --dist=loadfile --no-loadscope-reorder --verbose
 
-.PHONY: help image test test-arm64 lint unit bench list explain generate plan diff locks up emulation down clean status
+.PHONY: help image test test-arm64 lint unit page bench list explain generate plan diff locks up emulation scanner signer room publish standing catalogue down clean status docs
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / {printf "  make %-11s %s\n", $$1, $$2}' Makefile
+	@python3 tools/make_help.py
 
 image: .python ## build, test, push and tag one image: make image TARGET=bookworm-base-torch-cu128
 	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$$PLATFORM") --check -- "$$TARGET"
 	@$(BOOTSTRAP) up
 	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$$PLATFORM") -- "$$TARGET"
 
-test: up ## the whole suite: linters, unit tests, real builds
-	@$(RUN) pytest
+test: up ## the whole suite: linters, unit tests, the catalogue's page, real builds
+	@$(BOOTSTRAP) engine
+	@$(BOOTSTRAP) linters
+	@$(BOOTSTRAP) browser
+	@failed=; $(RUN) pytest $(BESIDE) tests/lint tests/unit || failed=1; $(PAGE) || failed=1; $(RUN) pytest $(LANES) tests/e2e || failed=1; test -z "$$failed"
 
 test-arm64: emulation ## an image for arm64 with both frameworks, built and tested under emulation: half an hour
 	@ROSML_TEST_ARM64=1 $(RUN) pytest tests/e2e/test_arm64.py
 
-lint: .python ## the linters only
+lint: .linters ## the linters only
 	@$(RUN) pytest tests/lint
 
-unit: .python ## the linters and the unit tests: no builder, two minutes
-	@$(RUN) pytest tests/lint tests/unit
+unit: .linters ## the linters and the unit tests: no builder, two minutes; COVERAGE=1 fails below 90 % of rosml/
+	@$(RUN) pytest $(BESIDE) $(if $(COVERAGE),--cov=rosml) tests/lint tests/unit
 
-bench: up ## our second image beside one with RUN pip install, and how fast the generator is: make bench TARGET=bookworm-base-torch-cu128
+page: ## the catalogue's page in a browser; installs Chromium where there is none
+	@$(BOOTSTRAP) browser
+	@$(PAGE)
+
+bench: up ## our images beside those with RUN pip install, what more tags cost, and how fast the generator is: make bench TARGET=bookworm-base-torch-cu128
 	@$(RUN) scripts/bench.py --target="$$TARGET"
 
 list: .python ## every image that can be built, or those of groups: make list GROUP="jazzy torch"; JSON=1
@@ -61,7 +95,7 @@ list: .python ## every image that can be built, or those of groups: make list GR
 explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot
 	@$(RUN) scripts/generate_bake.py --explain "$$TARGET"
 
-generate: .python ## docker-bake.hcl, matrix.schema.json and README.md's tables anew, after a change of matrix.yaml
+generate: .python ## docker-bake.hcl, schemas and the documentation's tables anew, after a change of matrix.yaml or docs/built.json
 	@$(RUN) scripts/generate_bake.py
 
 plan: .python ## who builds what in CI, with time, download and disk: make plan SHARDS=8; JSON=1
@@ -70,14 +104,32 @@ plan: .python ## who builds what in CI, with time, download and disk: make plan 
 diff: .python ## which images a change builds anew, and why: make diff REV=HEAD~1; JSON=1
 	@$(RUN) scripts/generate_bake.py --diff "$$REV" $(if $(JSON),--json)
 
-locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml; UPGRADE=1 moves versions; STACK=cpu: of one stack
-	@$(RUN) scripts/lock.py $(if $(UPGRADE),--upgrade) $(patsubst %,--stack=%,$(STACK))
+locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml; UPGRADE=1 moves versions and base images, BASES=1 these alone; STACK=cpu: of one stack
+	@$(RUN) scripts/lock.py $(if $(UPGRADE),--upgrade) $(if $(BASES),--bases) $(patsubst %,--stack=%,$(STACK)) $(if $(REPORT),--report "$$REPORT")
 
 up: ## set up: tools, local registry, builder (the commands above do it by themselves)
 	@$(BOOTSTRAP) up
 
 emulation: up ## let this machine build and test for the other architecture too: make image TARGET=bookworm-core PLATFORM=linux/arm64
 	@$(BOOTSTRAP) emulate
+
+scanner: ## trivy, which looks for known vulnerabilities in images; building it takes 10 minutes, once
+	@$(BOOTSTRAP) scanner
+
+signer: ## cosign, which signs images where publish.py is called with --sign; building it takes a quarter of an hour, once
+	@$(BOOTSTRAP) signer
+
+room: ## in CI, before up: remove what GitHub's machines bring and nobody needs here
+	@$(BOOTSTRAP) room
+
+publish: up ## all that is not as it should be, to the local registry or another one: make publish ONLY="bookworm-*" REGISTRY=ghcr.io/me/rosml SERVE=amd64; SINCE=main
+	@$(RUN) scripts/publish.py all --only "$$ONLY" --registry "$$PLACE" --since "$$SINCE" --at-most "$(AT_MOST)" --serve "$$SERVE"
+
+standing: .python ## how the images stand: published, stale, failed, missing; ONLY and REGISTRY as above
+	@$(RUN) scripts/publish.py status --only "$$ONLY" --registry "$$PLACE" $(if $(JSON),--json)
+
+catalogue: .python ## a page and catalogue.json of what is published, for any static host: make catalogue REGISTRY=ghcr.io/me/rosml OUTPUT=public
+	@$(RUN) scripts/catalogue.py --only "$$ONLY" --registry "$$PLACE" $(if $(OUTPUT),--output "$$OUTPUT")
 
 down: ## stop the registry and the builder; what they stored stays
 	@$(BOOTSTRAP) down
@@ -86,8 +138,19 @@ clean: ## stop them and remove all that was made
 	@$(BOOTSTRAP) clean
 
 status: ## what is running
-	@$(BOOTSTRAP) status
+	@$(BOOTSTRAP) status $(if $(JSON),--json)
+
+docs: .python ## the documentation as a site in .state/docs/site, without a broken link
+	@$(RUN) scripts/docs.py
+
+# What there is not: which was meant? Also in a dry run.
+.DEFAULT:
+	+@python3 tools/make_help.py '$@'
 
 .PHONY: .python
 .python:
 	@$(BOOTSTRAP) tools --python
+
+.PHONY: .linters
+.linters:
+	@$(BOOTSTRAP) linters

@@ -1,4 +1,5 @@
-"""The commands of scripts/bootstrap.py: tools, up, emulate, down, clean, status."""
+"""The commands of scripts/bootstrap.py: tools, linters, browser, up, emulate, engine, scanner, signer, room, down, clean,
+status."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ import json
 import os
 import shutil
 import signal
+import subprocess
 import sys
 import time
 from collections.abc import Sequence
@@ -17,11 +19,14 @@ from typing import Any, Callable, NoReturn
 from machine import emulation, mounts, network, services
 from machine.console import Failure, colour, elapsed, say
 from machine.install import (
+    ACTIONLINT,
     BUILDKITD,
     BUILDX,
+    COSIGN,
     GO_TOOLS,
     REGCTL,
     REGISTRY,
+    TRIVY,
     Installer,
     dotted,
     output_of,
@@ -30,7 +35,7 @@ from machine.install import (
     which_system,
 )
 from machine.services import BUILDER, Tools
-from machine.state import State, read_json
+from machine.state import State, read_json, write_atomically
 
 OLDEST_REGCTL = (0, 11)
 OLDEST_BUILDX = (0, 26)
@@ -112,6 +117,7 @@ def install_tools(state: State, hub: bool, bundle: str) -> Tools:
     installer.drop_go_caches()
     installer.packages(uv)
     installer.report()
+    offer_path(state)
     return Tools(kind, builder, buildx, regctl, registry, uv, buildkitd, runc)
 
 
@@ -124,6 +130,80 @@ def python_tools(state: State) -> None:
     """Command ``tools --python``."""
     installer = Installer(state, network.ca_bundle(os.environ))
     installer.packages(installer.uv(OLDEST_UV))
+
+
+PREINSTALLED = (
+    "/usr/local/lib/android",
+    "/usr/share/dotnet",
+    "/usr/share/swift",
+    "/usr/local/.ghcup",
+    "/opt/ghc",
+    "/opt/hostedtoolcache/CodeQL",
+)
+"""What GitHub's machines bring that takes gigabytes and is not used here."""
+
+
+def room(_state: State) -> None:
+    """Command ``room``."""
+    if os.environ.get("RUNNER_ENVIRONMENT") != "github-hosted":
+        say("this is none of GitHub's own machines: nothing is removed")
+        return
+    before = shutil.disk_usage("/").free
+    folders = [folder for folder in PREINSTALLED if os.path.isdir(folder)]
+    if folders:
+        subprocess.run(["sudo", "rm", "-rf", *folders], stdin=subprocess.DEVNULL, check=False)
+    free = shutil.disk_usage("/").free
+    say(f"removed {len(folders)} folders, {(free - before) / 1e9:.1f} GB; {free / 1e9:.1f} GB are free")
+
+
+def offer_path(state: State) -> None:
+    """Lets the next steps of a job in CI find the programs that were installed here."""
+    if path := os.environ.get("GITHUB_PATH"):
+        with open(path, "a", encoding="utf-8") as stream:
+            stream.write(f"{state.bin}\n")
+
+
+def linters(state: State) -> None:
+    """Command ``linters``."""
+    installer = Installer(state, network.ca_bundle(os.environ))
+    installer.packages(installer.uv(OLDEST_UV))
+    if not installer.found_exactly(ACTIONLINT, ["--version"]):
+        installer.go_tool(ACTIONLINT)
+        installer.drop_go_caches()
+
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chromium-headless-shell")
+"""What the tests of the catalogue's page take: the first one that is there."""
+
+
+def browser(state: State) -> None:
+    """Command ``browser``."""
+    installer = Installer(state, network.ca_bundle(os.environ))
+    installer.packages(installer.uv(OLDEST_UV), "page")
+    if any(which_system(name) for name in BROWSERS):
+        return
+    if which_system("apt-get") is None or os.geteuid() != 0:
+        say("there is no Chromium: the tests of the catalogue's page will be skipped, and say so")
+        return
+    installer.debian_packages({"chromium": "opens the catalogue's page in its tests"})
+
+
+def scanner(state: State) -> None:
+    """Command ``scanner``."""
+    installer = Installer(state, network.ca_bundle(os.environ))
+    path = installer.found_exactly(TRIVY, ["--version"]) or installer.go_tool(TRIVY)
+    installer.drop_go_caches()
+    installer.report()
+    write_atomically(state.scanner, json.dumps({"trivy": path}, indent=2) + "\n")
+
+
+def signer(state: State) -> None:
+    """Command ``signer``."""
+    installer = Installer(state, network.ca_bundle(os.environ))
+    path = installer.found_exactly(COSIGN, ["version"]) or installer.go_tool(COSIGN)
+    installer.drop_go_caches()
+    installer.report()
+    write_atomically(state.signer, json.dumps({"cosign": path}, indent=2) + "\n")
 
 
 def prepare(state: State) -> tuple[Tools, bool, str]:
@@ -147,6 +227,17 @@ def emulate(state: State) -> None:
     if emulation.ensure(Installer(state, network.ca_bundle(os.environ))):
         services.stop_builder(state)  # it looks once which architectures there are
     up(state)
+
+
+def engine(state: State) -> None:
+    """Command ``engine``."""
+    installer = Installer(state, network.ca_bundle(os.environ))
+    if docker_is_there(installer) or which_system("dockerd"):
+        return
+    if which_system("apt-get") is None or os.geteuid() != 0:
+        say("no Docker answers: the tests of the runtime contract that need one will be skipped, and say so")
+        return
+    installer.debian_packages({"docker.io": "runs images for the tests of the runtime contract"})
 
 
 def down(state: State) -> None:
@@ -275,8 +366,16 @@ def parser() -> argparse.ArgumentParser:
     found.add_argument(
         "--python", action="store_true", help="only uv and the Python packages: enough for linters and lists"
     )
+    commands.add_parser("linters", help="those Python packages, and actionlint, which is built in some seconds")
     commands.add_parser("up", help="the same, then start the local registry and the builder")
     commands.add_parser("emulate", help="let this machine build and test for the other architecture, with QEMU")
+    commands.add_parser("engine", help="install Docker where there is none: tests run images in it")
+    commands.add_parser("browser", help="install Chromium where there is none: tests open the catalogue's page in it")
+    commands.add_parser(
+        "scanner", help="find or build trivy, which looks for known vulnerabilities in images: 10 minutes"
+    )
+    commands.add_parser("signer", help="find or build cosign, which signs images: a quarter of an hour")
+    commands.add_parser("room", help="remove what GitHub's machines bring and nobody needs here; on those only")
     commands.add_parser("down", help="stop the registry and the builder; keeps what they stored")
     commands.add_parser("clean", help="stop them and remove all that was made (.state, .venv)")
     shown = commands.add_parser("status", help="say what is running")
@@ -302,8 +401,14 @@ def main(root: Path, argv: Sequence[str]) -> int:
             raise Failure("this set-up needs Linux", "use a Linux machine, a virtual one, or WSL")
         table: dict[str, Callable[[State], Any]] = {
             "tools": tools,
+            "linters": linters,
+            "browser": browser,
             "up": up,
             "emulate": emulate,
+            "engine": engine,
+            "scanner": scanner,
+            "signer": signer,
+            "room": room,
             "down": down,
             "clean": clean,
         }

@@ -18,8 +18,9 @@ from machine.state import State, write_atomically
 
 Version = tuple[int, ...]
 
-BUILD_BYTES = 5_000_000_000
-"""Disk that the builds of all Go tools need together; removed afterwards."""
+BUILD_BYTES = 6_000_000_000
+"""Disk that the builds of the services' Go tools need together, and those of trivy and cosign each by itself; removed
+afterwards."""
 
 OLDEST_GO: Version = (1, 21)
 """From this release on Go fetches the newer toolchain that a go.mod asks for by itself."""
@@ -37,7 +38,10 @@ REGCTL = GoTool("regctl", "regctl")
 REGISTRY = GoTool("registry", "registry")
 BUILDX = GoTool("buildx", "buildx")
 BUILDKITD = GoTool("buildkitd", "buildkit")
-GO_TOOLS = (REGCTL, REGISTRY, BUILDX, BUILDKITD)
+TRIVY = GoTool("trivy", "trivy")
+COSIGN = GoTool("cosign", "cosign")
+ACTIONLINT = GoTool("actionlint", "actionlint")
+GO_TOOLS = (REGCTL, REGISTRY, BUILDX, BUILDKITD, TRIVY, COSIGN, ACTIONLINT)
 
 
 @dataclass(frozen=True)
@@ -117,19 +121,38 @@ class Installer:
         say(f"{name}: the one on PATH ({path}, {has}) is older than v{dotted(oldest)}: not used")
         return None
 
+    def found_exactly(self, tool: GoTool, ask: Sequence[str]) -> str | None:
+        """A program on the user's PATH that is of the very version that is pinned: for a tool whose findings depend on
+        its version."""
+        path = shutil.which(tool.name, path=self.outer_path())
+        if path is None:
+            return None
+        wanted = version_in(self.pin(tool).version)
+        version = version_in(output_of([path, *ask]) or "")
+        if version == wanted:
+            self.have.append(f"{tool.name} v{dotted(version)} (found on PATH)")
+            return path
+        has = f"v{dotted(version)}" if version else "of unknown version"
+        say(f"{tool.name}: the one on PATH ({path}, {has}) is not v{dotted(wanted)}, which is pinned: not used")
+        return None
+
     def outer_path(self) -> str:
         """PATH without our own folder."""
         entries = os.environ.get("PATH", os.defpath).split(os.pathsep)
         return os.pathsep.join(entry for entry in entries if entry and Path(entry) != self.state.bin)
 
     # ---- Go -------------------------------------------------------------------------------------------------------
+    def pin(self, tool: GoTool) -> Pin:
+        """What pins a Go program."""
+        return parse_pin((self.state.root / "tools" / "go" / tool.folder / "go.mod").read_text())
+
     def go_tool(self, tool: GoTool) -> str:
         """Path of a Go program in ``.state/bin``, built if it is not there or its pins have changed.
 
         Safe to interrupt: the build goes to another name, and the stamp that vouches for the program comes last.
         """
         module = self.state.root / "tools" / "go" / tool.folder
-        pin = parse_pin((module / "go.mod").read_text())
+        pin = self.pin(tool)
         wanted = f"{pin.version} {pins_digest(module)}\n"
         program = self.state.bin / tool.name
         stamp = self.state.bin / f".{tool.name}.pin"
@@ -243,8 +266,8 @@ class Installer:
         say(f"{name}: installed from its Python package in {elapsed(started)}")
         return str(program)
 
-    def packages(self, uv: str) -> None:
-        """Installs the Python packages of pyproject.toml into ``.venv``."""
+    def packages(self, uv: str, group: str = "") -> None:
+        """Installs the Python packages of pyproject.toml into ``.venv``, with those of a group that is left out elsewhere."""
         started = time.monotonic()
         fresh = not (self.state.root / ".venv").exists()
         if fresh:
@@ -254,7 +277,8 @@ class Installer:
         env.setdefault("UV_CACHE_DIR", str(self.state.folder / "uv"))
         if self.ca_bundle:
             env["SSL_CERT_FILE"] = self.ca_bundle
-        run("Python packages", [uv, "sync"], self.state.log / "packages.log", env=env, cwd=self.state.root)
+        more = ["--group", group] if group else []
+        run("Python packages", [uv, "sync", *more], self.state.log / "packages.log", env=env, cwd=self.state.root)
         if fresh:
             say(f"Python packages: installed into .venv in {elapsed(started)}")
 
@@ -305,5 +329,6 @@ def version_flag(pin: Pin) -> str:
     places = {
         "github.com/docker/buildx/cmd/buildx": "github.com/docker/buildx/version.Version",
         "github.com/moby/buildkit/cmd/buildkitd": "github.com/moby/buildkit/version.Version",
+        "github.com/aquasecurity/trivy/cmd/trivy": "github.com/aquasecurity/trivy/pkg/version/app.ver",
     }
     return f"-X {places[pin.package]}={pin.version}" if pin.package in places else ""

@@ -16,6 +16,7 @@ from machine.console import Failure
 
 HUB_API = "https://registry-1.docker.io/v2/"
 HUB_SECONDS = 5.0
+CERTIFICATES = "/etc/docker/certs.d"
 CA_VARIABLES = ("ROSML_CA_BUNDLE", "SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE")
 
 
@@ -32,6 +33,29 @@ def ca_bundle(env: Mapping[str, str]) -> str:
         if path and variable == "ROSML_CA_BUNDLE":
             raise Failure(f"ROSML_CA_BUNDLE={path}: no such file", "set it to a file of PEM certificates, or unset it")
     return ""
+
+
+def registry_certificates(env: Mapping[str, str]) -> dict[str, list[str]]:
+    """Files with the authorities that are trusted for registries, by host, where Docker looks for them.
+
+    rosml/certificates.py, which speaks to registries later, looks likewise.
+    """
+    own = env.get("DOCKER_CONFIG") or os.path.join(os.path.expanduser("~"), ".docker")
+    found: dict[str, list[str]] = {}
+    for folder in (CERTIFICATES, os.path.join(os.path.abspath(own), "certs.d")):
+        for host in listing(folder):
+            files = [os.path.join(folder, host, name) for name in listing(os.path.join(folder, host))]
+            if files := [file for file in files if file.endswith(".crt") and os.access(file, os.R_OK)]:
+                found.setdefault(host, []).extend(files)
+    return found
+
+
+def listing(folder: str) -> list[str]:
+    """What is in a folder, sorted; nothing where it is none, or not this user's to read."""
+    try:
+        return sorted(os.listdir(folder))
+    except OSError:
+        return []
 
 
 def docker_hub_answers(env: Mapping[str, str], bundle: str) -> bool:

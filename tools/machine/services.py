@@ -18,7 +18,7 @@ from typing import Any
 
 from machine import mounts, network
 from machine.console import Failure, elapsed, run, say, tail
-from machine.daemon import Daemon, processes, wait_until
+from machine.daemon import Daemon, fingerprint, processes, wait_until
 from machine.install import output_of
 from machine.state import State, read_json, write_atomically
 
@@ -124,13 +124,19 @@ def registry_settled(daemon: Daemon, port: int) -> bool:
 
 
 # ---- builder --------------------------------------------------------------------------------------------------------
-def buildkit_config(registry: str, mirror: bool, own: Mapping[str, str] | None = None) -> str:
+def buildkit_config(
+    registry: str,
+    mirror: bool,
+    own: Mapping[str, str] | None = None,
+    certificates: Mapping[str, Sequence[str]] | None = None,
+) -> str:
     """buildkitd.toml.
 
     Args:
         registry: address of the local registry.
         mirror: the local registry stands in for Docker Hub.
         own: ``root``, ``socket``, ``otel`` and ``runc`` of a buildkitd of our own; nothing for one in a container.
+        certificates: files with the authorities that are trusted for registries, by host.
     """
     q = json.dumps  # a JSON string is a TOML basic string
     lines: list[str] = []
@@ -145,6 +151,11 @@ def buildkit_config(registry: str, mirror: bool, own: Mapping[str, str] | None =
     lines += ["[[worker.oci.gcpolicy]]", "  all = true"]
     lines += [f"  maxUsedSpace = {q(CACHE_BYTES)}", f"  minFreeSpace = {q(FREE_BYTES)}"]
     lines += [f"[registry.{q(registry)}]", "  http = true", "  insecure = true"]
+    for host, files in sorted((certificates or {}).items()):
+        if host not in (registry, "docker.io"):
+            # The digest is for a builder in Docker, which gets copies: a renewed file makes another configuration.
+            lines += [f"# {fingerprint(Path(file))}" for file in files]
+            lines += [f"[registry.{q(host)}]", "  http = false", f"  ca = [{', '.join(map(q, files))}]"]
     if mirror:
         lines += ['[registry."docker.io"]', f"  mirrors = [{q(registry)}]"]
     return "\n".join(lines) + "\n"
@@ -238,7 +249,8 @@ def docker_builder_options(config: Path, image: str) -> list[str]:
 def up_docker_builder(state: State, tools: Tools, registry: str, mirror: bool, image: str) -> None:
     """A builder in a container of the user's Docker. buildx copies the configuration when it makes the container."""
     config = state.run / "buildkitd-docker.toml"
-    text = f"# {image}\n{buildkit_config(registry, mirror)}"
+    trusted = network.registry_certificates(os.environ)
+    text = f"# {image}\n{buildkit_config(registry, mirror, certificates=trusted)}"
     started = time.monotonic()
     if not (config.exists() and config.read_text() == text and known(state, tools)):
         say("builder: making one in your Docker")
@@ -277,7 +289,8 @@ def up_own_builder(state: State, tools: Tools, registry: str, mirror: bool) -> N
         "otel": str(address.with_name("otel.sock")),
         "runc": tools.runc,
     }
-    write_atomically(daemon.config, buildkit_config(registry, mirror, own))
+    trusted = network.registry_certificates(os.environ)
+    write_atomically(daemon.config, buildkit_config(registry, mirror, own, trusted))
     record = ["--driver", "remote", f"unix://{address}"]
     if daemon.pid() and daemon.current():
         if not known(state, tools):
@@ -289,6 +302,8 @@ def up_own_builder(state: State, tools: Tools, registry: str, mirror: bool) -> N
     elif daemon.pid():
         say("builder: buildkitd has an old configuration; restarting it")
     daemon.stop()
+    if network.socket_answers(str(address)):  # its record is lost, or names another place: it is not ours to cut off
+        raise Failure(f"another buildkitd answers at {address}", "end it (pkill buildkitd), then run 'make up' again")
     tidy_builder(root)
     started = time.monotonic()
     address.unlink(missing_ok=True)
@@ -344,15 +359,29 @@ def describe(state: State, tools: Tools, registry: str, hub: bool, mirror: bool,
     }
 
 
+def regctl_config(registry: str, certificates: Mapping[str, Sequence[str]]) -> str:
+    """regctl's config.json. The registry speaks plain http, and its port may have changed since regctl was told.
+
+    Args:
+        registry: address of the local registry.
+        certificates: files with the authorities that are trusted for registries, by host; regctl takes their text.
+    """
+    hosts = {
+        host: {"tls": "enabled", "hostname": host, "regcert": "".join(Path(file).read_text() for file in files)}
+        for host, files in certificates.items()
+    }
+    hosts[registry] = {"tls": "disabled", "hostname": registry}
+    return json.dumps({"hosts": hosts}, indent=2) + "\n"
+
+
 def up(state: State, tools: Tools, hub: bool, bundle: str, image: str) -> dict[str, Any]:
     """Starts what does not run and writes services.json. ``image``: BuildKit's, for a builder in Docker."""
     mirror = not hub
     registry = up_registry(state, tools.registry)
     up_builder(state, tools, registry, mirror, image)
     facts = describe(state, tools, registry, hub, mirror, bundle)
-    # The registry speaks plain http, and its port may have changed since regctl was told.
-    regctl = {"hosts": {facts["registry"]: {"tls": "disabled", "hostname": facts["registry"]}}}
-    write_atomically(state.folder / "regctl" / "config.json", json.dumps(regctl, indent=2) + "\n")
+    text = regctl_config(facts["registry"], network.registry_certificates(os.environ))
+    write_atomically(state.folder / "regctl" / "config.json", text)
     write_atomically(state.services, json.dumps(facts, indent=2) + "\n")
     return facts
 

@@ -51,6 +51,16 @@ class State:
         return self.folder / "services.json"
 
     @property
+    def scanner(self) -> Path:
+        """Where trivy is, which is installed only when something is scanned."""
+        return self.folder / "scanner.json"
+
+    @property
+    def signer(self) -> Path:
+        """Where cosign is, which is installed only when something is signed."""
+        return self.folder / "signer.json"
+
+    @property
     def buildx_config(self) -> Path:
         return self.folder / "buildx"
 
@@ -78,6 +88,10 @@ class State:
             probe = self.run / f".write-{os.getpid()}"
             probe.write_bytes(b"")
             probe.unlink()
+        except (FileExistsError, NotADirectoryError):
+            parts = (self.folder, self.bin, self.log, self.run)
+            culprit = next((part for part in parts if part.exists() and not part.is_dir()), self.folder)
+            raise Failure(f"{culprit} is in the way: a folder is needed there", "move it away") from None
         except OSError as error:
             raise Failure(
                 f"cannot write to {self.folder}: {error.strerror}",

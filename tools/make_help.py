@@ -1,0 +1,80 @@
+"""What `make` prints: its commands in groups, with an example each; and for a command that there is not, which was meant.
+
+Needs nothing but Python 3.9, since it is the first thing that a newcomer calls."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+MAKEFILE = Path(__file__).resolve().parent.parent / "Makefile"
+
+GROUPS = {
+    "Images": ("image", "list", "explain"),
+    "Change": ("generate", "locks", "diff", "plan", "docs"),
+    "Check": ("lint", "unit", "test", "test-arm64", "page", "bench"),
+    "Publish": ("publish", "standing", "catalogue"),
+    "This machine": ("up", "status", "down", "clean", "emulation", "scanner", "signer", "room"),
+}
+REST = "More"
+"""The group of what is in no other."""
+
+
+def commands(text: str) -> dict[str, tuple[str, str]]:
+    """Every command that people are told of, with what it does and an example, which may be empty."""
+    found = {}
+    for name, words in re.findall(r"^([a-z0-9-]+):.*?## (.*)$", text, re.MULTILINE):
+        what, colon, example = words.partition(": make ")
+        found[name] = (what, f"make {example}" if colon else "")
+    return found
+
+
+def grouped(found: dict[str, tuple[str, str]]) -> dict[str, list[str]]:
+    """The commands by group; those of no group last."""
+    groups = {title: [name for name in names if name in found] for title, names in GROUPS.items()}
+    known = {name for names in groups.values() for name in names}
+    return {**groups, REST: [name for name in found if name not in known]}
+
+
+def lines(found: dict[str, tuple[str, str]], colour: bool) -> Iterator[str]:
+    """What `make` prints."""
+    bold, dim, end = ("\x1b[1m", "\x1b[2m", "\x1b[0m") if colour else ("", "", "")
+    for title, names in grouped(found).items():
+        if not names:
+            continue
+        yield f"{bold}{title}{end}"
+        for name in names:
+            what, example = found[name]
+            yield f"  make {name:<11} {what}"
+            if example:
+                yield f"{'':<19}{dim}{example}{end}"
+
+
+def unknown(name: str, found: dict[str, tuple[str, str]]) -> str:
+    """What to say of a command that there is not."""
+    near = difflib.get_close_matches(name, found, n=3, cutoff=0.5)
+    guess = f"; did you mean {' or '.join(f'make {other}' for other in near)}?" if near else ""
+    return f"error: make has no command '{name}'{guess}\nremedy: see all with: make"
+
+
+def coloured(stream_is_terminal: bool) -> bool:
+    """Whether to colour: on a terminal that can, unless somebody does not want it (https://no-color.org)."""
+    return stream_is_terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+
+
+def main(arguments: list[str]) -> int:
+    """Prints the list; or says that there is no such command, and gives 2."""
+    found = commands(MAKEFILE.read_text(encoding="utf-8"))
+    if arguments:
+        print(unknown(arguments[0], found), file=sys.stderr)
+        return 2
+    print("\n".join(lines(found, coloured(sys.stdout.isatty()))))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
