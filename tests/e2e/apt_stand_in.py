@@ -11,13 +11,17 @@ import gzip
 import hashlib
 import http.server
 import os
+import re
 import shutil
 import socket
 import subprocess
 import threading
 import urllib.parse
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from pathlib import Path
+
+import yaml
 
 from rosml import ROOT
 from tests.e2e.conftest import Run
@@ -29,14 +33,32 @@ PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 PACKAGES = {
     "ros-{distro}-ros-workspace": "",
     "ros-{distro}-ros2cli": "ros-{distro}-ros-workspace",
-    "ros-{distro}-ros-core": "ros-{distro}-ros2cli, ros-{distro}-ros-workspace",
-    "ros-{distro}-ros-base": "ros-{distro}-ros-core",
+    "ros-{distro}-rclpy": "ros-{distro}-ros-workspace",
+    "ros-{distro}-ros-core": "ros-{distro}-ros2cli, ros-{distro}-rclpy, ros-{distro}-ros-workspace",
+    "ros-{distro}-tf2-ros": "ros-{distro}-ros-workspace",
+    "ros-{distro}-rosbag2": "ros-{distro}-ros-workspace",
+    "ros-{distro}-ros-base": "ros-{distro}-ros-core, ros-{distro}-tf2-ros, ros-{distro}-rosbag2",
+    "ros-{distro}-robot": "ros-{distro}-ros-base",
+    "ros-{distro}-image-transport": "",
+    "ros-{distro}-vision-opencv": "",
+    "ros-{distro}-perception-pcl": "",
+    "ros-{distro}-perception": (
+        "ros-{distro}-ros-base, ros-{distro}-image-transport, ros-{distro}-vision-opencv, ros-{distro}-perception-pcl"
+    ),
+    "ros-{distro}-rviz2": "",
+    "ros-{distro}-rqt": "",
+    "ros-{distro}-desktop": "ros-{distro}-ros-base, ros-{distro}-rviz2, ros-{distro}-rqt",
+    "ros-{distro}-simulation": "ros-{distro}-ros-base",
+    "ros-{distro}-desktop-full": "ros-{distro}-desktop, ros-{distro}-perception, ros-{distro}-simulation",
+    "ros-{distro}-demo-nodes-py": "ros-{distro}-rclpy",
     "ros-{distro}-broken": "ros-{distro}-nowhere",
     "python3-colcon-common-extensions": "",
     "python3-rosdep": "",
     "python3-vcstool": "",
 }
-"""Packages of a repository with what they depend on."""
+"""Packages of a repository with what they depend on, as REP 2001 has the variants."""
+
+PROGRAMS = ROOT / "tests/e2e/ros_stand_in"
 
 
 # ---- Keys ------------------------------------------------------------------------------------------------------------
@@ -90,7 +112,7 @@ def package(
             file.symlink_to(text.removeprefix("->"))
         else:
             file.write_text(text)
-            file.chmod(0o755 if "/bin/" in path else 0o644)
+            file.chmod(0o755 if text.startswith("#!") else 0o644)
     deb = folder / f"{name}_{version}_all.deb"
     argv = ["dpkg-deb", "--root-owner-group", "-Zgzip", "-z1", "--build", str(tree), str(deb)]
     subprocess.run(argv, check=True, capture_output=True)
@@ -114,16 +136,59 @@ def apt_source(folder: Path, generation: str, codename: str, key: str) -> Path:
     return package(folder, f"{generation}-apt-source", "", files, f"1.2.0~{codename}")
 
 
-def ros_packages(folder: Path, distro: str) -> list[Path]:
-    """The packages of a distribution: its components, and a command `ros2` that needs its setup.bash."""
+SETUP = """\
+export ROS_DISTRO={distro} PATH=/{opt}/bin:$PATH PYTHONPATH=/{opt}/lib/python${{PYTHONPATH:+:$PYTHONPATH}}
+"""
+TALKER = """\
+#!/usr/bin/env python3
+import rclpy
+rclpy.init()
+print("[INFO] [talker]: Publishing: Hello World")
+"""
+
+
+def contents(distro: str) -> dict[str, dict[str, str]]:
+    """Files of packages: what the structure tests call, in the place where ROS has it."""
+
+    def program(name: str) -> str:
+        return (PROGRAMS / name).read_text(encoding="utf-8")
+
+    def said(words: str, code: int = 0) -> str:
+        return f"#!/bin/sh\necho '{words}'\nexit {code}\n"
+
     opt = f"opt/ros/{distro}"
-    command = '#!/bin/sh\n[ -n "$ROS_DISTRO" ] && echo "usage: ros2, of $ROS_DISTRO"\n'
-    files = {
-        f"ros-{distro}-ros-workspace": {f"{opt}/setup.bash": f"export ROS_DISTRO={distro} PATH=/{opt}/bin:$PATH\n"},
-        f"ros-{distro}-ros2cli": {f"{opt}/bin/ros2": command},
+    transforms = {
+        f"{opt}/lib/tf2_ros/{name}": program(f"{name}.sh") for name in ("static_transform_publisher", "tf2_echo")
     }
+    messages = "from rclpy import Message\n\n\nclass String(Message):\n    pass\n"
+    ros = {
+        "ros-workspace": {f"{opt}/setup.bash": SETUP.format(distro=distro, opt=opt)},
+        "ros2cli": {f"{opt}/bin/ros2": program("ros2.sh")},
+        "rclpy": {f"{opt}/lib/python/rclpy.py": program("rclpy.py"), f"{opt}/lib/python/std_msgs/msg.py": messages},
+        "tf2-ros": transforms,
+        "rosbag2": {f"{opt}/share/rosbag2/package.xml": "<package/>"},
+        "image-transport": {
+            f"{opt}/lib/image_transport/list_transports": said("Declared transports:\nimage_transport/raw")
+        },
+        "vision-opencv": {f"{opt}/lib/python/{name}.py": "" for name in ("cv_bridge", "image_geometry")},
+        "perception-pcl": {f"{opt}/share/pcl_conversions/package.xml": "<package/>"},
+        "rviz2": {f"{opt}/bin/rviz2": said("rviz2 options:\n  -d, --display-config <arg>", 1)},
+        "rqt": {f"{opt}/bin/rqt": said("usage: rqt [-h] [-p PERSPECTIVE]\n  -p, --perspective PERSPECTIVE")},
+        "demo-nodes-py": {f"{opt}/lib/demo_nodes_py/talker": TALKER},
+    }
+    return {
+        **{f"ros-{distro}-{name}": files for name, files in ros.items()},
+        "python3-colcon-common-extensions": {"usr/local/bin/colcon": program("colcon.sh")},
+        "python3-rosdep": {"usr/local/bin/rosdep": program("rosdep.sh")},
+    }
+
+
+def ros_packages(folder: Path, distro: str) -> list[Path]:
+    """The packages of a distribution: its components, and what they need."""
+    files = contents(distro)
     folder.mkdir(parents=True, exist_ok=True)
     filled = {name.format(distro=distro): depends.format(distro=distro) for name, depends in PACKAGES.items()}
+    assert files.keys() <= filled.keys()
     return [package(folder, name, depends, files.get(name)) for name, depends in filled.items()]
 
 
@@ -232,15 +297,27 @@ DIRECTORIES = (
     "etc/apt/preferences.d",
     "etc/apt/sources.list.d",
     "etc/apt/trusted.gpg.d",
+    "etc/sudoers.d",
     "run/components",
     "run/secrets",
     "var/lib/dpkg/info",
     "var/lib/dpkg/triggers",
     "var/lib/dpkg/updates",
+    "usr/local/bin",
     "usr/local/sbin",
     "var/cache/apt/archives/partial",
     "var/log/apt",
 )
+
+PASSWD = """\
+root:x:0:0:root:/root:/bin/bash
+daemon:x:1:1:daemon:/usr/sbin:/usr/sbin/nologin
+_apt:x:42:65534::/nonexistent:/usr/sbin/nologin
+nobody:x:65534:65534:nobody:/nonexistent:/usr/sbin/nologin
+ubuntu:x:1000:1000:Ubuntu:/home/ubuntu:/bin/bash
+"""
+GROUP = "root:x:0:\ndaemon:x:1:\nsudo:x:27:ubuntu\nvideo:x:44:ubuntu\nnogroup:x:65534:\nubuntu:x:1000:\n"
+"""Ubuntu's own image has a user since 24.04."""
 
 ENTER = """\
 set -e
@@ -274,7 +351,18 @@ class Image:
         self.write("usr/lib/os-release", f'NAME="Ubuntu"\nID=ubuntu\nVERSION_CODENAME={codename}\n')
         # The pauses between two tries are for mirrors; nobody has to wait for this one.
         self.write("usr/local/sbin/sleep", "#!/bin/sh\n").chmod(0o755)
+        # This machine's own files, which lie below, are no part of the image.
+        own = " ".join(f"/{name}" for name in ("etc", "opt", "root", "usr/local", "var/cache", "var/lib/dpkg"))
+        narrow = f'#!/bin/sh\nif [ "$1" = / ]; then shift; set -- {own} "$@"; fi\nexec /usr/bin/find "$@"\n'
+        self.write("usr/local/sbin/find", narrow).chmod(0o755)
+        self.write("usr/local/bin/cmake", "#!/bin/sh\necho cmake version 3.28.3\n").chmod(0o755)
         self.write("etc/apt/apt.conf.d/no-delay", 'Acquire::Retries::Delay "false";\n')
+        self.write("etc/passwd", PASSWD)
+        self.write("etc/group", GROUP)
+        self.write("etc/shadow", "root:*:20000:0:99999:7:::\nubuntu:!:20000:0:99999:7:::\n").chmod(0o640)
+        self.write("etc/gshadow", "root:*::\nsudo:*::ubuntu\nvideo:*::\nubuntu:!::\n").chmod(0o640)
+        for path in (self.write("home/ubuntu/.profile", ""), self.upper / "home/ubuntu"):
+            os.chown(path, 1000, 1000)
         self.write("etc/dpkg/dpkg.cfg.d/docker-apt-speedup", "force-unsafe-io\n")  # as in Ubuntu's own image
 
     def write(self, path: str, text: str) -> Path:
@@ -288,9 +376,28 @@ class Image:
         """A file that a step wrote."""
         return (self.upper / path).read_text()
 
-    def run(self, *command: str, env: dict[str, str] | None = None, mirror: str = "") -> Run:
-        """Runs a command in it, as the builder does: only the arguments are in its environment."""
-        secret = self.write("run/secrets/ros-apt-mirror", mirror)
+    def put_tests(self) -> None:
+        """The structure tests, where a build mounts them."""
+        shutil.copytree(ROOT / "tests/structure", self.upper / "run/tests", dirs_exist_ok=True)
+
+    def failures(self, file: str, env: dict[str, str], leave: Collection[str] = ()) -> list[str]:
+        """What a file of structure tests finds wrong, but for tests that are left out."""
+        tests = yaml.safe_load((ROOT / "tests/structure" / f"{file}.yaml").read_text())["commandTests"]
+        assert set(leave) <= {test["name"] for test in tests}
+        wrong = []
+        for test in tests:
+            given = {item["key"]: item["value"] for item in test.get("envVars", ())}
+            if test["name"] in leave:
+                continue
+            done = self.run(test["command"], *map(str, test.get("args", ())), env={**env, **given})
+            expected = test.get("expectedOutput", ())
+            if done.code != test.get("exitCode", 0) or not all(re.search(words, done.out) for words in expected):
+                wrong.append(f"{file}: {test['name']}: {done}")
+        return wrong
+
+    def run(self, *command: str, env: dict[str, str] | None = None, **secrets: str) -> Run:
+        """Runs a command in it, as the builder does: only the arguments are in its environment, secrets are files."""
+        files = [self.write(f"run/secrets/{name.replace('_', '-')}", text) for name, text in secrets.items()]
         # What ends the namespaces' first process ends the mounts with it.
         namespaces = ["unshare", "--mount", "--pid", "--fork", "--kill-child"]
         enter = ["bash", "-c", ENTER, "enter", str(self.folder), str(self.components)]
@@ -304,5 +411,6 @@ class Image:
             timeout=120,
             check=False,
         )
-        secret.unlink()
+        for file in files:
+            file.unlink()
         return Run(done.returncode, done.stdout, done.stderr)

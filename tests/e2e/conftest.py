@@ -40,9 +40,16 @@ CHECKOUT = (
 )
 
 
+LONGEST_FIRST = ("images", "tensorflow", "contract", "ros", "publisher", "documentation", "compose", "attached")
+"""Test files that are begun before the others. Two run side by side (`--dist=loadfile`): what one waits for, such as a
+download or a registry, the other one computes in. Nothing long is left to run alone at the end."""
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    rank = {f"test_{name}": number for number, name in enumerate(LONGEST_FIRST)}
+    items.sort(key=lambda item: rank.get(item.path.stem, len(rank)))
     for item in items:
-        if Path(str(item.fspath)).parent == Path(__file__).parent:
+        if item.path.parent == Path(__file__).parent:
             item.add_marker(pytest.mark.e2e)
 
 

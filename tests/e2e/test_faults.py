@@ -54,6 +54,42 @@ def test_a_failing_structure_test_leaves_every_tag(
         assert registry.digest(services, tag) == before.result["digest"]
 
 
+BROKEN = {
+    "useradd --uid 1000 somebody": "contract: nobody has uid 1000",
+    "rm /usr/bin/colcon": "missing: colcon",
+    "rm /usr/bin/rosrun": "ros1: rosrun finds and starts a node",
+    "groupdel video": "contract: entrypoint becomes the user DOCKER_UID:DOCKER_GID",  # judged by what user.sh prints
+    "mkdir -p /var/lib/apt/lists && touch /var/lib/apt/lists/lock": "no package lists are left",
+    "echo 0123456789abcdef >/etc/machine-id": "contract: no identity of a machine is left",
+    "install --mode=4755 /bin/true /opt/tool": "4755 /opt/tool",
+    "rm /etc/ros/rosdep/sources.list.d/20-default.list": "rosdep is not initialised",
+    "sed -i '/^Package: ros-core$/,/^$/s/ok installed/ok unpacked/' /var/lib/dpkg/status": "ros-core: unpacked",
+    # pip_install.py: numpy is no longer kept to its range
+    "sed -i '/constraint/d' /etc/pip.conf": "AssertionError: 999.0",
+    "echo index-url = http://index.example.org >>/etc/pip.conf": "install.index-url='http://index.example.org'",
+}
+"""What breaks a whole image, and what names it. Checks of single files: tests/unit/test_checks.py."""
+
+
+def test_each_thing_that_is_broken_in_an_image_is_named(
+    published: Callable[[str], Published], services: Services, checkout: Path
+) -> None:
+    """All of them at once, in one copy of the image."""
+    before = published(TARGET)
+    (checkout / "tests/structure/break.sh").write_text("\n".join(["set -e", *BROKEN, ""]))
+    dockerfile = checkout / "Dockerfile"
+    stage = "FROM image AS test-run\n"
+    text = dockerfile.read_text()
+    assert text.count(stage) == 1
+    step = "RUN --mount=type=bind,source=tests/structure,target=/run/tests bash /run/tests/break.sh\n"
+    dockerfile.write_text(text.replace(stage, stage + step))
+    outcome = publish(TARGET, root=checkout)
+    assert outcome.code == 1
+    assert [words for words in BROKEN.values() if words not in outcome.err] == [], outcome.err
+    for tag in before.result["tags"]:
+        assert registry.digest(services, tag) == before.result["digest"]
+
+
 def test_a_failure_is_not_taken_from_the_cache(published: Callable[[str], Published], checkout: Path) -> None:
     """A structure test that failed runs again: what made it fail may be gone."""
     published(TARGET)

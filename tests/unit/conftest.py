@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import sys
 from collections.abc import Callable, Iterator
@@ -26,8 +27,8 @@ registry: localhost:5000
 source: https://example.org/images
 default: {{target: alpha-core-torch-cu1, group: [alpha-core]}}
 architectures:
-  amd64: {{platform: linux/amd64, wheels: x86_64-manylinux_2_28, triplet: x86_64-linux-gnu, runner: amd}}
-  arm64: {{platform: linux/arm64, wheels: aarch64-manylinux_2_28, triplet: aarch64-linux-gnu, runner: arm}}
+  amd64: {{platform: linux/amd64, wheels: x86_64-manylinux_2_28, runner: amd}}
+  arm64: {{platform: linux/arm64, wheels: aarch64-manylinux_2_28, runner: arm}}
 operating_systems:
   ubuntu-24.04:
     image: docker.io/library/ubuntu:24.04
@@ -112,6 +113,26 @@ PINS = "".join(
     for package in ("torch==2.10.0", "tensorflow==2.20.0", "tensorflow-cpu==2.20.0")
 )
 
+WHEELS = SMALL.replace(
+    "\ndisk:\n",
+    """
+  sigma:
+    os: ubuntu-24.04
+    ros: 2
+    ros_distro: alpha
+    wheels: ["ros-alpha-rclpy[fastrtps]==7.1.6", ros-std-msgs==5.3.6]
+    tools: colcon python3-numpy
+    architectures: [amd64]
+    components: [core]
+    default_stack: cu1
+    eol: 2040-01-01
+    lts: true
+    experimental: true
+disk:
+""",
+)
+"""The small matrix and a distribution that comes from wheels, for fewer architectures than its operating system."""
+
 Parse = Callable[[str], expand.Catalogue]
 
 
@@ -127,6 +148,12 @@ def write_locks(root: Path, catalogue: expand.Catalogue) -> None:
             head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
             (root / lock).parent.mkdir(parents=True, exist_ok=True)
             (root / lock).write_text(f"{head}\n{PINS}")
+    for item in catalogue.wheels:
+        names_alone = [re.sub(r"\[.*\]", "", pin) for pin in item.requirements]
+        pins = "".join(f"{pin} \\\n    --hash=sha256:{'0' * 64}\n" for pin in names_alone)
+        for architecture, lock in zip(item.architectures, item.locks, strict=True):
+            (root / lock).parent.mkdir(parents=True, exist_ok=True)
+            (root / lock).write_text(f"{names.wheels_head(item.distribution, architecture, item.python)}\n{pins}")
 
 
 def changed(old: str, new: str, text: str = SMALL) -> str:

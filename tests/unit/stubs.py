@@ -2,15 +2,34 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import os
+import pty
+import subprocess
+import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
 from rosml.services import Services
+
+
+def on_a_terminal(code: str, *arguments: str, env: Mapping[str, str]) -> tuple[int, bytes]:
+    """Runs Python's code on a terminal of Python's own making: its exit code, and what the terminal gets to see."""
+    main, other = pty.openpty()
+    with subprocess.Popen([sys.executable, "-c", code, *arguments], env=env, stdout=other, stderr=other) as process:
+        os.close(other)
+        told = b""
+        with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
+            while part := os.read(main, 1000):
+                told += part
+    os.close(main)
+    return process.returncode, told
+
 
 BUILDX = """\
 here='{folder}'

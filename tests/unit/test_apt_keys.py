@@ -41,7 +41,7 @@ def keys_in(file: Path, home: Path) -> dict[str, datetime.datetime | None]:
         fields = line.split(":")
         if fields[0] in ("pub", "sub"):
             primary = fields[0] == "pub"
-            expires = datetime.datetime.fromtimestamp(int(fields[6]), datetime.timezone.utc) if fields[6] else None
+            expires = datetime.datetime.fromtimestamp(int(fields[6]), datetime.UTC) if fields[6] else None
         elif fields[0] == "fpr" and primary:
             found[fields[9]] = expires
     return found
@@ -67,7 +67,7 @@ def test_the_keys_are_the_pinned_ones(tmp_path: Path) -> None:
 
 
 def test_no_key_expires_soon(tmp_path: Path) -> None:
-    assert complaints(KEYS, tmp_path / "gnupg", datetime.datetime.now(datetime.timezone.utc)) == []
+    assert complaints(KEYS, tmp_path / "gnupg", datetime.datetime.now(datetime.UTC)) == []
 
 
 @pytest.mark.parametrize(("days", "left"), [(1, 0), (90, 89), (92, None), (0, None)])
@@ -80,7 +80,7 @@ def test_a_key_that_expires_soon_is_found(days: int, left: int | None, tmp_path:
     finally:
         subprocess.run(["gpgconf", "--homedir", str(home), "--kill", "all"], check=False)
     file.write_text(gpg(home, "--armor", "--export"))
-    found = complaints(tmp_path, home, datetime.datetime.now(datetime.timezone.utc))
+    found = complaints(tmp_path, home, datetime.datetime.now(datetime.UTC))
     if left is None:
         assert found == []
     else:

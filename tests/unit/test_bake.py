@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import ROOT, SMALL, parse
+from conftest import ROOT, SMALL, changed, parse
 
-from rosml import bake, command, expand, files, hcl, model, schema, source, synthetic
+from rosml import bake, command, expand, files, hcl, labels, model, schema, source, synthetic
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from scripts import generate_bake
@@ -206,7 +206,10 @@ def test_exit_codes(name: str, small_file: Path, capsys: pytest.CaptureFixture[s
     assert command.run(generate_bake.main, arguments=arguments) == code
     done = capsys.readouterr()
     assert text in (done.err if code else done.out)
-    assert (done.out if code else done.err) == ""
+    if "--json" in words and code:
+        assert text in json.loads(done.out)["error"]
+    else:
+        assert (done.out if code else done.err) == ""
 
 
 def test_wrong_matrix(small_file: Path) -> None:
@@ -265,7 +268,8 @@ def small_bake(small: Catalogue, tmp_path: Path) -> Path:
 
 def printed(*targets: str, file: Path = ROOT / "docker-bake.hcl", **env: str) -> dict[str, Any]:
     """What buildx makes of the bake file."""
-    clean = {key: value for key, value in os.environ.items() if not key.upper().endswith("_PROXY")}
+    shells = {key for key in os.environ if key.upper().endswith("_PROXY")} | {"REGISTRY", "PLATFORM"}  # the user's own
+    clean = {key: value for key, value in os.environ.items() if key not in shells}
     done = subprocess.run(
         [*buildx(), "bake", "--print", "--file", str(file), *targets],
         cwd=ROOT,
@@ -295,6 +299,39 @@ def test_every_target_prints(real: Catalogue) -> None:
         assert test["args"]["TESTS"].split() == list(image.tests)
     for payload in real.payloads:
         assert targets[payload.target]["tags"] == [f"{real.matrix.registry}/payload:{payload.name}"]
+
+
+def test_a_payload_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
+    """Who has the registry alone can put it together with others."""
+    names = ("payload-cuda-cu1", "payload-common-cpu-py312", "payload-torch-cu1-py312", "payload-tensorflow-cc-cu1")
+    found = {name: target["labels"] for name, target in printed(*names, file=small_bake).items()}
+    parts = "cuda,common,torch,tensorflow-cc,tensorflow"
+    both = f"torch=cuda,common,torch ml={parts}"
+    assert found["payload-torch-cu1-py312"] == {
+        "org.opencontainers.image.title": "torch-cu1-py312",
+        "org.opencontainers.image.description": "part torch of stack cu1, for Python 3.12",
+        "io.rosml.part": "torch",
+        "io.rosml.stack": "cu1",
+        "io.rosml.python": "3.12",
+        "io.rosml.torch": "2.10.0",
+        "io.rosml.parts": parts,
+        "io.rosml.frameworks": both,
+    }
+    cuda = found["payload-cuda-cu1"]
+    assert (cuda["io.rosml.python"], cuda["io.rosml.cuda"], cuda["io.rosml.frameworks"]) == (
+        "any",
+        "12.8.90",
+        f"cuda=cuda {both}",
+    )
+    assert found["payload-common-cpu-py312"].keys().isdisjoint({"io.rosml.torch", "io.rosml.tensorflow"})
+    assert found["payload-tensorflow-cc-cu1"]["io.rosml.tensorflow"] == "2.20.0"
+    assert labels.frameworks(both) == {"torch": ("cuda", "common", "torch"), "ml": tuple(parts.split(","))}
+
+
+def test_frameworks_that_do_not_go_together_are_not_named(real: Catalogue) -> None:
+    assert "ml=" in bake.targets(real)["payload-common-cpu-py311"]["labels"]["io.rosml.frameworks"]
+    apart = bake.targets(real)["payload-common-cpu38-py38"]["labels"]["io.rosml.frameworks"]
+    assert apart == "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow"
 
 
 def test_default_group(small_bake: Path) -> None:
@@ -368,10 +405,43 @@ def test_variables(small_bake: Path) -> None:
     assert "org.opencontainers.image.revision" not in plain["labels"]
 
 
+def test_when_the_image_was_made_is_the_time_of_its_files(small_bake: Path) -> None:
+    core = printed("alpha-core", file=small_bake, SOURCE_DATE_EPOCH="86400")["alpha-core"]
+    assert core["labels"]["org.opencontainers.image.created"] == "1970-01-02T00:00:00Z"
+
+
+def test_the_state_of_ros_repository_is_an_argument_and_a_label(small_bake: Path) -> None:
+    """Of those who have one, and where the caller knows it."""
+    dates = '{"alpha": "2026-11-20T21:14:09Z"}'
+    for name, expected in (("alpha-core", "2026-11-20T21:14:09Z"), ("omega-core", "")):
+        target = printed(name, file=small_bake, ROS_SYNC_DATES=dates)[name]
+        assert target["args"]["ROS_SYNC_DATE"] == expected
+        assert target["labels"].get("io.rosml.ros.sync", "") == expected
+    assert printed("alpha-core", file=small_bake)["alpha-core"]["args"]["ROS_SYNC_DATE"] == ""
+
+
+def test_another_channel_for_once(small_bake: Path) -> None:
+    plain = printed("omega-core", file=small_bake)["omega-core"]["args"]
+    assert (plain["ROS_CHANNEL"], plain["ROS_SNAPSHOT"]) == ("snapshot", "2026-11-01")
+    other = printed("omega-core", file=small_bake, ROS_CHANNEL="final")["omega-core"]["args"]
+    assert other["ROS_CHANNEL"] == "final"
+
+
+def test_more_rmw_implementations() -> None:
+    """They come with the lowest component, and the tests are told."""
+    catalogue = parse(changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp]"))
+    targets = bake.targets(catalogue)
+    assert targets["alpha-core"]["args"]["ROS_TOOLS"].endswith(" ros-alpha-rmw-cyclonedds-cpp")
+    assert "ROS_TOOLS" not in targets["alpha-base"]["args"]
+    assert " rmw=rmw_cyclonedds_cpp " in targets["alpha-base-test"]["args"]["EXPECT"]
+
+
 def test_a_mirror_is_a_secret(small_bake: Path) -> None:
     mirrored = printed("alpha-core", file=small_bake, ROS_APT_MIRROR="http://mirror:1")["alpha-core"]
     assert mirrored["secret"] == [{"id": "ros-apt-mirror", "env": "ROS_APT_MIRROR"}]
     assert "http://mirror:1" not in str(mirrored)
+    both = printed("alpha-core", file=small_bake, ROS_APT_MIRROR="http://m:1", OS_APT_MIRROR="http://m:2")["alpha-core"]
+    assert both["secret"][1:] == [{"id": "os-apt-mirror", "env": "OS_APT_MIRROR"}] and "http://m:2" not in str(both)
 
 
 def test_a_matrix_with_every_axis_prints(small: Catalogue, small_bake: Path) -> None:
@@ -389,7 +459,7 @@ def test_where_packages_come_from(real: Catalogue) -> None:
         if distribution.apt is None:
             assert "ROS_CHANNEL" not in args
             continue
-        assert args["ROS_CHANNEL"] == distribution.apt.channel
+        assert args["ROS_CHANNEL"].fact == distribution.apt.channel
         assert args["ROS_CODENAME"] == real.matrix.operating_systems[distribution.os].codename
         pinned = re.fullmatch(r"[0-9.]+@sha256:[0-9a-f]{64}", args.get("ROS_APT_SOURCE", ""))
-        assert bool(pinned) == (distribution.apt.channel == "live")
+        assert pinned or distribution.apt.channel != "live"

@@ -6,6 +6,7 @@ import gzip
 import hashlib
 import json
 import os
+import tarfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -142,7 +143,7 @@ def test_no_mmdebstrap(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_push_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    fake_mmdebstrap(tmp_path, 'echo content >"${@: -1}"', monkeypatch)
+    fake_mmdebstrap(tmp_path, 'tar --create --file "${@: -1}" --files-from /dev/null', monkeypatch)
     regctl = tmp_path / "regctl"
     regctl.write_text("#!/bin/sh\n[ $1 = registry ] || { echo refused >&2; exit 1; }\n")
     regctl.chmod(0o755)
@@ -162,3 +163,15 @@ def test_files_are_the_same_under_any_umask(tmp_path: Path) -> None:
     assert modes["files/usr/sbin"] == 0o755
     assert modes["files/usr/sbin/policy-rc.d"] == 0o755
     assert modes["files/etc/apt/apt.conf.d/docker-clean"] == 0o644
+
+
+def test_folders_that_are_left_out(tmp_path: Path) -> None:
+    """With a fixed time; what is there stays."""
+    tar = tmp_path / "root.tar"
+    with tarfile.open(tar, "w") as archive:
+        archive.addfile(tarfile.TarInfo("./etc"))
+    base_images.add_folders(tar)
+    with tarfile.open(tar) as archive:
+        found = {entry.name: (entry.isdir(), entry.mode, entry.mtime) for entry in archive}
+    assert list(found) == ["./etc", "./dev"]
+    assert found["./dev"] == (True, 0o755, base_images.EPOCH)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import time
+from pathlib import Path
 
 import pytest
 from conftest import parse
@@ -61,8 +62,9 @@ def test_a_limit_is_missed(real: float, sizes: list[Measured], message: str) -> 
 
 
 @pytest.fixture
-def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A bench of a moment."""
+    monkeypatch.setattr(bench, "REPORT", tmp_path / "report")
     monkeypatch.setattr(bench, "SIZES", (96, 192))
     monkeypatch.setattr(bench, "ROUNDS", 1)
     monkeypatch.setattr(bench, "RUNS", 1)
@@ -71,13 +73,16 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("quick")
-def test_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(bench.main, arguments=["--generator", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    assert found.keys() == {"real_seconds", "sizes", "growth"}
+    assert found.keys() == {"machine", "real_seconds", "sizes", "growth"}
     assert [size["images"] for size in found["sizes"]] == [96, 192]
     assert command.run(bench.main, arguments=["--generator"]) == 0
-    assert "192 images" in capsys.readouterr().out
+    said = capsys.readouterr()
+    assert "192 images" in said.out
+    assert said.err == f"with charts: {tmp_path / 'report/report.md'}\n"
+    assert (tmp_path / "report/generator.svg").is_file()
 
 
 @pytest.mark.usefixtures("quick")
@@ -86,7 +91,7 @@ def test_too_slow(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
     assert command.run(bench.main, arguments=["--generator"]) == 0
     first = capsys.readouterr()
     assert "192 images" in first.out
-    assert first.err.startswith("192 images take 0.")
+    assert "\n192 images take 0." in first.err
     assert first.err.endswith(" s; the limit of 0.0 s holds for an idle machine\n")
     assert command.run(bench.main, arguments=["--generator", "--check"]) == 1
     done = capsys.readouterr()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import fcntl
 import http.server
 import json
@@ -104,6 +105,56 @@ def test_a_tool_on_path_is_used_if_it_is_new_enough(state: State, monkeypatch: p
     assert installer.found("regctl", ["version"], (0, 11)) == str(mine)
     assert installer.found("regctl", ["version"], (0, 12)) is None
     assert installer.have == ["regctl v0.11.9 (found on PATH)"]
+
+
+@pytest.mark.parametrize("name", ["trivy", "cosign"])
+@pytest.mark.parametrize(("version", "used"), [("0.65.0", True), ("0.64.9", False), ("0.66.0", False), ("dev", False)])
+def test_a_scanner_or_signer_on_path_is_used_if_it_is_the_pinned_one(
+    state: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    version: str,
+    used: bool,
+    name: str,
+) -> None:
+    """Neither older nor newer: what is found must not depend on the machine."""
+    module = state.root / "tools" / "go" / name
+    module.mkdir(parents=True)
+    (module / "go.mod").write_text(f"tool example.org/{name}/cmd/{name}\nrequire example.org/{name} v0.65.0\n")
+    (module / "go.sum").write_text("")
+    mine = program(state.root / "mine", name, f"echo Version: {version}; echo Vulnerability DB:; echo Version: 2")
+    go = program(
+        state.root / "go-bin",
+        "go",
+        """case $1 in
+  version) echo go version go1.26.8 linux/amd64 ;;
+  build) while [ "$1" != -o ]; do shift; done; echo built >"$2" ;;
+esac""",
+    )
+    monkeypatch.setenv("PATH", f"{mine.parent}:{go.parent}:/usr/bin:/bin")
+    {"trivy": commands.scanner, "cosign": commands.signer}[name](state)
+    found = read_json({"trivy": state.scanner, "cosign": state.signer}[name])
+    assert found == {name: str(mine if used else state.bin / name)}
+    assert ("is not v0.65.0, which is pinned: not used" in capsys.readouterr().out) is not used
+
+
+def test_set_up_does_not_build_the_scanner_and_the_signer(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each takes ten minutes or more; most who build an image never scan or sign one."""
+    built: list[str] = []
+
+    def go_tool(self: install.Installer, tool: install.GoTool) -> str:
+        built.append(tool.name)
+        return tool.name
+
+    monkeypatch.setattr(install.Installer, "go_tool", go_tool)
+    for name in ("debian_packages", "packages"):
+        monkeypatch.setattr(install.Installer, name, lambda self, wanted: None)
+    monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "uv")
+    monkeypatch.setattr(commands, "choose_builder", lambda installer, hub: ("buildkitd", "rosml"))
+    monkeypatch.setenv("PATH", "/nowhere")
+    commands.install_tools(state, hub=True, bundle="")
+    assert "regctl" in built
+    assert not {"trivy", "cosign"} & set(built)
 
 
 def test_our_own_folder_does_not_count_as_the_machines(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -215,6 +266,67 @@ def test_no_package_is_installed_without_need(state: State, monkeypatch: pytest.
     assert list(commands.missing_packages("docker", hub=True)) == []
     monkeypatch.setattr(commands, "which_system", lambda name: name if name == "crun" else None)
     assert list(commands.missing_packages("buildkitd", hub=True)) == []
+
+
+@pytest.mark.parametrize(
+    ("answers", "there", "root", "asked", "said"),
+    [
+        (True, ["apt-get"], True, [], ""),
+        (False, ["dockerd", "apt-get"], True, [], ""),
+        (False, ["apt-get"], True, ["docker.io"], ""),
+        (False, ["apt-get"], False, [], "will be skipped, and say so"),
+        (False, [], True, [], "will be skipped, and say so"),
+    ],
+)
+def test_an_engine_for_the_tests_of_the_contract(
+    state: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    answers: bool,
+    there: list[str],
+    root: bool,
+    asked: list[str],
+    said: str,
+) -> None:
+    """Installed only where no Docker answers and it can be; no reason to stop otherwise."""
+    packages: list[str] = []
+    monkeypatch.setattr(commands, "docker_is_there", lambda installer: answers)
+    monkeypatch.setattr(commands, "which_system", lambda name: name if name in there else None)
+    monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
+    monkeypatch.setattr(install.Installer, "debian_packages", lambda self, wanted: packages.extend(wanted))
+    commands.engine(state)
+    assert packages == asked
+    assert said in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("there", "root", "asked", "said"),
+    [
+        (["google-chrome", "apt-get"], True, [], ""),
+        (["apt-get"], True, ["chromium"], ""),
+        (["apt-get"], False, [], "will be skipped, and say so"),
+        ([], True, [], "will be skipped, and say so"),
+    ],
+)
+def test_a_browser_for_the_tests_of_the_page(
+    state: State,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    there: list[str],
+    root: bool,
+    asked: list[str],
+    said: str,
+) -> None:
+    packages: list[str] = []
+    groups: list[str] = []
+    monkeypatch.setattr(commands, "which_system", lambda name: name if name in there else None)
+    monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
+    monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "uv")
+    monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="": groups.append(group))
+    monkeypatch.setattr(install.Installer, "debian_packages", lambda self, wanted: packages.extend(wanted))
+    commands.browser(state)
+    assert (packages, groups) == (asked, ["page"])
+    assert said in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -353,13 +465,6 @@ def test_socket_folder_of_somebody_else(tmp_path: Path, monkeypatch: pytest.Monk
         state.prepare_socket(folder / "s")
 
 
-def test_state_that_cannot_be_written(tmp_path: Path) -> None:
-    (tmp_path / ".state").write_text("a file")
-    with pytest.raises(Failure, match="cannot write to") as caught:
-        State(tmp_path).prepare()
-    assert caught.value.remedy
-
-
 def test_the_second_set_up_waits(state: State, capsys: pytest.CaptureFixture[str]) -> None:
     with (state.run / "lock").open("a") as held:
         fcntl.flock(held, fcntl.LOCK_EX)
@@ -466,15 +571,29 @@ def test_registry_environment(state: State, monkeypatch: pytest.MonkeyPatch) -> 
     assert "REGISTRY_HTTP_ADDR" not in env
 
 
-def test_buildkit_config() -> None:
+def test_buildkit_config(tmp_path: Path) -> None:
     own = {"root": '/r "x"', "socket": "/s", "otel": "/o", "runc": "/usr/sbin/runc"}
     text = services.buildkit_config("127.0.0.1:5001", True, own)
-    toml = pytest.importorskip("tomllib", reason="Python 3.10 cannot read TOML").loads(text)
+    tomllib = pytest.importorskip("tomllib", reason="Python 3.10 cannot read TOML")
+    toml = tomllib.loads(text)
     assert toml["root"] == '/r "x"'
     assert toml["grpc"]["address"] == ["unix:///s"]
     assert toml["registry"]["docker.io"]["mirrors"] == ["127.0.0.1:5001"]
     assert toml["registry"]["127.0.0.1:5001"] == {"http": True, "insecure": True}
     assert toml["worker"]["oci"]["gcpolicy"] == [{"all": True, "maxUsedSpace": "30GB", "minFreeSpace": "12GB"}]
+    certificate = tmp_path / "ca.crt"
+    certificate.write_text("one")
+    trusted = {"reg.example:5000": [str(certificate)], "127.0.0.1:5001": ["ours"], "docker.io": ["a mirror's"]}
+    text = services.buildkit_config("127.0.0.1:5001", False, None, trusted)
+    assert tomllib.loads(text)["registry"] == {
+        "127.0.0.1:5001": {"http": True, "insecure": True},
+        "reg.example:5000": {"http": False, "ca": [str(certificate)]},
+    }
+    certificate.write_text("another")
+    assert services.buildkit_config("127.0.0.1:5001", False, None, trusted) != text, "a builder in Docker has copies"
+    hosts = json.loads(services.regctl_config("127.0.0.1:5001", {"reg.example:5000": [str(certificate)] * 2}))["hosts"]
+    assert hosts["reg.example:5000"]["regcert"] == "anotheranother" and hosts["reg.example:5000"]["tls"] == "enabled"
+    assert hosts["127.0.0.1:5001"]["tls"] == "disabled"
     in_docker = services.buildkit_config("127.0.0.1:5001", False)
     assert "docker.io" not in in_docker
     assert "root" not in in_docker
@@ -533,6 +652,21 @@ def test_builder_of_the_user(state: State, buildx: Path, monkeypatch: pytest.Mon
     with pytest.raises(Failure, match="BUILDX_BUILDER=rosml") as caught:
         services.up_builder(state, user, "127.0.0.1:5001", False, "")
     assert "unset BUILDX_BUILDER" in caught.value.remedy
+
+
+def test_a_builder_that_answers_is_not_cut_off(tmp_path: Path) -> None:
+    """Its record is lost, or tells of another folder: somebody may be building with it."""
+    state = State(tmp_path / ".state")
+    address = state.socket("buildkitd.sock")
+    state.prepare_socket(address)
+    state.run.mkdir(parents=True, exist_ok=True)
+    with socket.socket(socket.AF_UNIX) as server:
+        server.bind(str(address))
+        server.listen()
+        with pytest.raises(Failure, match="another buildkitd answers") as caught:
+            services.up_builder(state, tools("buildkitd"), "127.0.0.1:1", True, "")
+        assert "pkill buildkitd" in caught.value.remedy
+        assert address.exists()
 
 
 def test_own_builder_in_a_path_that_overlays_cannot_have(tmp_path: Path) -> None:
@@ -671,7 +805,7 @@ def test_failure_is_told_without_a_traceback(tmp_path: Path) -> None:
     (tmp_path / ".state").write_text("a file")
     done = bootstrap(tmp_path, "up")
     assert done.returncode == 1
-    assert done.stderr.startswith("error: cannot write to ")
+    assert done.stderr.startswith(f"error: {tmp_path}/.state is in the way")
     assert "remedy: " in done.stderr
     assert "Traceback" not in done.stderr
 
@@ -680,3 +814,46 @@ def test_mount_points_are_read_as_the_kernel_writes_them(monkeypatch: pytest.Mon
     text = "overlay /a\\040b/.state/buildkit/x overlay rw 0 0\nproc /proc proc rw 0 0\n"
     monkeypatch.setattr(Path, "read_text", lambda self: text)
     assert mounts.mounted_below(Path("/a b/.state")) == ["/a b/.state/buildkit/x"]
+
+
+# ---- CI -------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("where", ["", "self-hosted", "github-hosted"])
+def test_room_is_made_on_githubs_machines_only(
+    state: State, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
+) -> None:
+    big = tmp_path / "android"
+    (big / "sdk").mkdir(parents=True)
+    program(tmp_path / "bin", "sudo", 'exec "$@"')
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"), prepend=os.pathsep)
+    monkeypatch.setenv("RUNNER_ENVIRONMENT", where)
+    monkeypatch.setattr(commands, "PREINSTALLED", (str(big), str(tmp_path / "nowhere")))
+    commands.room(state)
+    assert big.exists() == (where != "github-hosted")
+
+
+def test_later_steps_of_a_job_find_the_tools(state: State, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("GITHUB_PATH", raising=False)
+    commands.offer_path(state)
+    monkeypatch.setenv("GITHUB_PATH", str(tmp_path / "path"))
+    commands.offer_path(state)
+    assert (tmp_path / "path").read_text() == f"{state.bin}\n"
+
+
+@pytest.mark.parametrize("name", [".state", ".state/log"])
+def test_a_file_in_a_folders_place_is_named(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    (tmp_path / name).write_text("")
+    with pytest.raises(Failure) as caught:
+        State(tmp_path).prepare()
+    assert caught.value.message == f"{tmp_path / name} is in the way: a folder is needed there"
+    assert caught.value.remedy
+
+
+def test_state_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(*_: object) -> None:
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr(Path, "write_bytes", refused)
+    with pytest.raises(Failure, match=r"cannot write to .*: Permission denied") as caught:
+        State(tmp_path).prepare()
+    assert caught.value.remedy

@@ -5,8 +5,11 @@ CMake configures, nothing is compiled: whether programs build and run is tested 
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import importlib.metadata
 import os
+import runpy
 import shutil
 import subprocess
 import sys
@@ -23,6 +26,17 @@ SCOPE = "_ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx1112basic_stringIcSt11cha
 SESSION = "_ZN10tensorflow13ClientSessionC1ERKNS_5ScopeE@@tensorflow"
 
 
+OWN_SESSION = ("ClientSession(tensorflow::Scope const&)", "Run(std::vector<int>*) const")
+"""What the stand-in for the compiler makes of client_session.cc."""
+
+SESSION_HEADER = """\
+class ClientSession {
+ public:
+  explicit ClientSession(const Scope& scope);
+  absl::Status Run(std::vector<int>* outputs) const;
+};
+"""
+
 EMPTY = "sha256=47DEQpj8HBSa-_TImW-5JCeuQeRkm5NMpJWZG3hSuFU,0"
 """An empty file in a RECORD."""
 
@@ -37,7 +51,9 @@ def assemble(root: Path, part: str, *symbols: str) -> None:
     """Runs a part's files.sh with a compiler that makes empty files and a library that exports these symbols."""
     programs = root / "programs"
     programs.mkdir()
-    executable(programs / f"{TRIPLET}-nm", "".join(f"echo '0 T {symbol}'\n" for symbol in symbols))
+    own = "".join(f"echo '0 T tensorflow::ClientSession::{name}'\n" for name in OWN_SESSION)
+    listed = "".join(f"echo '0 T {symbol}'\n" for symbol in symbols)
+    executable(programs / f"{TRIPLET}-nm", f"case $* in *--demangle*)\n{own};; *) :\n{listed};; esac")
     executable(programs / f"{TRIPLET}-strip", ":")
     executable(programs / f"{TRIPLET}-g++", 'while [ "$1" != -o ]; do shift; done; : >"$2"')
     (root / "usr/lib" / TRIPLET).mkdir(parents=True)
@@ -71,16 +87,24 @@ def torch(tmp_path: Path) -> Path:
     return root
 
 
-def tensorflow(folder: Path, version: str, *symbols: str, beside: str = "tensorflow_estimator-2.13.0") -> Path:
+def tensorflow(
+    folder: Path, version: str, *symbols: str, beside: str = "tensorflow_estimator-2.13.0", header: str = SESSION_HEADER
+) -> Path:
     root = folder / "tensorflow root"
     site = root / SITE
     files(site, *(f"tensorflow/libtensorflow_{x}.so.2" for x in ("cc", "framework")))
     files(site, f"{beside}.dist-info/RECORD", f"tensorflow_cpu-{version}.dist-info/RECORD")
-    header = "release_version.h" if version != "2.13.1" else "version.h"
-    shared = ("tensorflow/libtensorflow_cc.so.2", f"tensorflow/include/tensorflow/core/public/{header}")
+    release = "release_version.h" if version != "2.13.1" else "version.h"
+    shared = ("tensorflow/libtensorflow_cc.so.2", f"tensorflow/include/tensorflow/core/public/{release}")
     files(site, shared[1])
     files(root / "usr/local/lib/rosml/tensorflow-cc", *shared)
-    (site / f"tensorflow_cpu-{version}.dist-info/RECORD").write_text("".join(f"{file},{EMPTY}\n" for file in shared))
+    session = "tensorflow/include/tensorflow/cc/client/client_session.h"
+    for folder in (site, root / "usr/local/lib/rosml/tensorflow-cc"):
+        files(folder, session)
+        (folder / session).write_text(header)
+    digest = base64.urlsafe_b64encode(hashlib.sha256(header.encode()).digest()).decode().rstrip("=")
+    rows = [*(f"{file},{EMPTY}" for file in shared), f"{session},sha256={digest},{len(header)}"]
+    (site / f"tensorflow_cpu-{version}.dist-info/RECORD").write_text("\n".join(rows) + "\n")
     assemble(root, "tensorflow", SCOPE, *symbols)
     return root
 
@@ -146,6 +170,22 @@ def test_variables_are_there_in_every_scope_and_after_every_call(
         f"-DTF_PATCH_VERSION=0 -DTF_VERSION_SUFFIX= {root / SITE}/tensorflow/include",
     }
     assert lines[0].startswith(wanted[package])
+
+
+LINKED = {"Torch": "torch_library", "TensorFlow": "TensorFlow::tensorflow_cc"}
+
+
+@pytest.mark.parametrize("package", LINKED)
+def test_the_standard_comes_with_the_target(package: str, tmp_path: Path, request: pytest.FixtureRequest) -> None:
+    """C++17, whatever the compiler does by itself and the project asks for; a project without C++ has none to ask for."""
+    root: Path = request.getfixturevalue({"Torch": "torch", "TensorFlow": "newer"}[package])
+    text = (
+        "set(CMAKE_CXX_COMPILER_LOADED 1)\n"
+        f"find_package({package} REQUIRED)\n"
+        f"get_target_property(features {LINKED[package]} INTERFACE_COMPILE_FEATURES)\n"
+        'message(STATUS "= ${features}")'
+    )
+    assert found(configure(tmp_path, root, text)) == ["cxx_std_17"]
 
 
 # ---- Versions --------------------------------------------------------------------------------------------------------
@@ -245,6 +285,54 @@ def test_a_client_session_is_built_where_the_wheel_has_none(tmp_path: Path, newe
     )
     (line,) = found(configure(tmp_path, newer, text))
     assert line.endswith(",--pop-state;TensorFlow::tensorflow_framework;TensorFlow::tensorflow_client_session")
+
+
+def test_a_newer_header_with_a_function_that_we_do_not_define(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """It would be told by nobody but the linker of whoever calls it."""
+    newer = SESSION_HEADER.replace("};", "  absl::Status Close();\n  absl::Status Run() const;\n};")
+    with pytest.raises(subprocess.CalledProcessError):
+        tensorflow(tmp_path, "2.20.0", header=newer)
+    said = capfd.readouterr().err
+    assert "client_session.cc does not define: Close (1 declared, 0 defined), Run (2 declared, 1 defined)" in said
+
+
+HEADERS = {
+    "as it is": (SESSION_HEADER, {"ClientSession": 1, "Run": 1}),
+    "a macro before the name, comments, types": (
+        """\
+class TF_EXPORT ClientSession {  // Run()
+ public:
+  typedef std::map<int, Run(int)> Feeds;
+  using Other = Run(*)(int);
+  class Options;
+  /* Stop(); */
+  ~ClientSession();
+  ClientSession(const ClientSession&) = delete;
+  int size() const { return size_(); }
+  Status Run(const thread::Options& options =
+                 thread::Options(1)) const;
+  static bool Has(Options = {});
+
+ private:
+  class Impl;
+  Impl* impl() { return impl_.get(); }
+  void Hidden();
+ public:
+  void Close();
+};
+""",
+        {"~ClientSession": 1, "Run": 1, "Has": 1, "Close": 1},
+    ),
+}
+
+
+@pytest.mark.parametrize("name", HEADERS)
+def test_what_a_header_declares(name: str) -> None:
+    header, wanted = HEADERS[name]
+    declared = runpy.run_path(str(ROOT / "components/tensorflow/client_session/complete.py"))["declared"]
+    assert dict(declared(header)) == wanted
 
 
 def test_nothing_is_built_where_the_wheel_has_one(tmp_path: Path) -> None:

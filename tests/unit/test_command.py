@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import errno
+import json
 import os
 import re
+import shlex
 import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from importlib import import_module
 from pathlib import Path
 
 import click
 import pytest
 from conftest import ROOT
+from stubs import on_a_terminal
+from test_workflows import accepted
 
 from rosml import command, environment
 from rosml.errors import RosmlError
@@ -56,8 +61,12 @@ def test_success(capsys: pytest.CaptureFixture[str]) -> None:
         (click.ClickException("odd"), 1, "Error: odd\n"),
         (KeyboardInterrupt(), 130, "what was finished is kept\n"),
         (click.Abort(), 130, "what was finished is kept\n"),
-        (PermissionError(errno.EACCES, "Permission denied", "/x"), 1, "error: [Errno 13] Permission denied: '/x'\n"),
-        (OSError(errno.ENOSPC, "No space left on device"), 1, "error: [Errno 28] No space left on device\n"),
+        (
+            PermissionError(errno.EACCES, "Permission denied", "/x"),
+            1,
+            "error: /x: Permission denied\nremedy: run it as the user who may, or let this one\n",
+        ),
+        (OSError(errno.EIO, "Input/output error"), 1, "error: Input/output error\n"),
     ],
 )
 def test_failures(error: BaseException, code: int, says: str, capsys: pytest.CaptureFixture[str]) -> None:
@@ -91,8 +100,63 @@ def test_outside_of_the_virtual_environment(script: str) -> None:
     """Without any packages: before the first of them is imported, wherever that is."""
     argv = [sys.executable, "-S", str(ROOT / f"scripts/{script}.py"), "--help"]
     done = subprocess.run(argv, capture_output=True, text=True, check=False)
-    told = f"run it with: uv run scripts/{script}.py (click, pydantic, rich, yaml, zstandard: not installed)\n"
+    told = f"run it with: uv run scripts/{script}.py ({', '.join(environment.REQUIRED)}: not installed)\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
+
+
+def all_commands(command: click.Command, name: str) -> Iterator[tuple[str, click.Command]]:
+    """A command and those below it, by what people type."""
+    yield name, command
+    for inner, found in command.commands.items() if isinstance(command, click.Group) else ():
+        yield from all_commands(found, f"{name} {inner}")
+
+
+SCRIPTS = {file.name: import_module(f"scripts.{file.stem}") for file in (ROOT / "scripts").glob("*.py")}
+COMMANDS = {
+    name: found
+    for file, module in sorted(SCRIPTS.items())
+    if file != "bootstrap.py"
+    for name, found in all_commands(getattr(module, "cli", None) or module.main, file)
+}
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_has_an_example(name: str) -> None:
+    """One that the command's own parser reads."""
+    told = COMMANDS[name].get_help(click.Context(COMMANDS[name], info_name=name))
+    _, found, examples = told.partition("Example")
+    assert found, told
+    lines = examples.partition("\n\n")[0].replace("\\\n", " ").splitlines()[1:]
+    shown = [line.strip() for line in lines if ".py" in line]
+    assert shown
+    for line in shown:
+        script, _, rest = line.removeprefix("uv run scripts/").partition(" ")
+        words = shlex.split(re.split(r"  +", rest)[0])
+        accepted(COMMANDS[script], words)
+
+
+@pytest.mark.parametrize("name", [name for name in COMMANDS if isinstance(COMMANDS[name], click.Group)])
+def test_a_command_that_is_mistyped(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    for wrong, meant in (("imge", "image"), ("promot", "promote")):
+        assert command.run(COMMANDS[name], arguments=[wrong]) == 2
+        assert f"Did you mean '{meant}'?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
+def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
+    """And not where somebody does not want it. The terminal is one of Python's own making."""
+    code = (
+        "import sys, click; from rosml import command; from rosml.errors import RosmlError\n"
+        "def fail() -> None:\n"
+        "    click.echo(click.style('==> work', bold=True))\n"
+        "    raise RosmlError('no room', 'make some')\n"
+        "sys.exit(command.run(click.Command('x', callback=fail), arguments=[]))"
+    )
+    env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": no_color, "TERM": "xterm"}
+    returned, told = on_a_terminal(code, env=env)
+    assert returned == 1
+    assert b"==> work" in told and b"no room" in told
+    assert (b"\x1b[" in told) == coloured
 
 
 def test_every_command_looks_for_its_packages() -> None:
@@ -101,8 +165,8 @@ def test_every_command_looks_for_its_packages() -> None:
 
 
 def test_what_is_looked_for_is_what_the_project_asks_for() -> None:
-    asked = re.findall(r"^dependencies = \[(.*)\]", (ROOT / "pyproject.toml").read_text(), re.M)[0]
-    names = {word.partition("==")[0].strip(' "').lower() for word in asked.split(",")}
+    asked = re.findall(r"^dependencies = \[(.*?)\]", (ROOT / "pyproject.toml").read_text(), re.M | re.S)[0]
+    names = {name.lower() for name in re.findall('"(.*?)==', asked)}
     assert {name.replace("pyyaml", "yaml") for name in names} == set(environment.REQUIRED)
 
 
@@ -148,3 +212,70 @@ def test_a_command_that_works_says_that_its_reader_is_gone() -> None:
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, check=False)
     assert (done.returncode, done.stderr) == (141, b"")
+
+
+@pytest.mark.parametrize(
+    ("error", "says", "remedy"),
+    [
+        (RosmlError("no room", "make some"), "no room", "make some"),
+        (RosmlError("no image 'x'", exit_code=2), "no image 'x'", ""),
+        (InputError("m.yaml", [Problem(4, 2, "a.b", "no 'c'")]), "m.yaml:4:2: a.b: no 'c'", ""),
+        (click.UsageError("no such thing"), "no such thing", "see --help"),
+        (KeyboardInterrupt(), "interrupted", "what was finished is kept"),
+        (OSError(errno.EIO, "Input/output error"), "Input/output error", ""),
+        (UnicodeDecodeError("utf-8", b"abc\xff", 3, 4, "x"), "a file is not UTF-8, after 'abc'", ""),
+    ],
+)
+def test_an_error_is_an_object_where_json_is_asked_for(
+    error: BaseException, says: str, remedy: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    failing = raising(error)
+    plain = command.run(failing, "what was finished is kept", [])
+    capsys.readouterr()
+    failing.params.append(click.Option(["--json"], is_flag=True, expose_value=False))
+    assert command.run(failing, "what was finished is kept", ["--json"]) == plain
+    done = capsys.readouterr()
+    assert json.loads(done.out) == {"error": says, "remedy": remedy}
+    assert (remedy if isinstance(error, KeyboardInterrupt) else says) in done.err, "people read it as well"
+
+
+@pytest.mark.parametrize(
+    "script", ["publish.py status", "publish.py all", "publish.py prune", "compose.py a b --tag c"]
+)
+def test_commands_print_an_object_for_an_error(script: str, tmp_path: Path) -> None:
+    name, *arguments = script.split()
+    more = ["--registry", "nowhere"] if name == "publish.py" else []
+    argv = [sys.executable, str(ROOT / "scripts" / name), *arguments, *more, "--json"]
+    done = subprocess.run(argv, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert done.returncode in (1, 2)
+    assert json.loads(done.stdout)["error"] in done.stderr
+
+
+def made(folder: Path, name: str) -> None:
+    (folder / "a").write_text("a file")
+    (folder / "b").mkdir()
+    works: dict[str, Callable[[], object]] = {
+        "mkdir": (folder / "a").mkdir,
+        "parents": lambda: (folder / "a/x/y").mkdir(parents=True),
+        "below": lambda: (folder / "a/x").write_text("x"),
+        "folder": lambda: (folder / "b").write_text("x"),
+        "read": (folder / "c").read_text,
+    }
+    works[name]()
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("mkdir", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
+        ("parents", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
+        ("below", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
+        ("folder", "{}/b is in the way: it is a folder, and a file is needed there\nremedy: move it away"),
+        ("read", "{}/c: No such file or directory\n"),
+    ],
+)
+def test_what_is_in_the_way_is_named(name: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """As where `.state/log` is a file."""
+    assert command.run(ending(lambda: made(tmp_path, name)), arguments=[]) == 1
+    err = capsys.readouterr().err
+    assert err.startswith("error: " + says.format(tmp_path)) and "Errno" not in err

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -12,10 +13,12 @@ import pytest
 from conftest import write_locks
 from stubs import buildx, calls, executable, services
 
-from rosml import command, comparison, expand
+from rosml import command, comparison, expand, growth
 from rosml.comparison import Comparison, Side
 from rosml.errors import RosmlError
+from rosml.growth import Grown, Growth
 from rosml.publish import COMPRESSION, Publisher
+from rosml.second_run import SecondRun
 from scripts import bench
 
 TARGET = "alpha-base-torch-cu1"
@@ -24,7 +27,7 @@ REPOSITORY = "/bench/ros-torch@sha256:"
 BAKE = """
 case $1 in prune) exit 0 ;; esac
 [ "$target" != "$(cat "$here/broken" 2>/dev/null)" ] || exit 1
-if [ -n "$report" ]; then mkdir -p "$report" && cp "$here/${target##*-}.json" "$report/import.json"; exit; fi
+if [ -n "$report" ]; then mkdir -p "$report" && cp "$here/${target##*-}.json" "$report/result.json"; exit; fi
 echo "$target" >>"$here/pushed"
 printf '{"%s": {"containerimage.digest": "sha256:%s"}}' "$target" "$(grep -c . "$here/pushed")" >"$metadata"
 cat "$here/progress" >&2
@@ -84,7 +87,17 @@ class Stage:
 
     def imports(self, number: int, seconds: float, version: str = "2.10.0") -> None:
         """What imports of a round say."""
-        self.write(f"{number}.json", json.dumps({"seconds": seconds, "versions": {"torch": version}}))
+        self.write(
+            f"{number}.json",
+            json.dumps(
+                {
+                    "import_seconds": seconds,
+                    "shell_seconds": seconds / 4,
+                    "start_seconds": seconds / 200,
+                    "versions": {"torch": version},
+                }
+            ),
+        )
 
     def compare(self, target: str = TARGET) -> Comparison:
         return comparison.compare(self.publisher, target)
@@ -125,6 +138,8 @@ def test_bytes(stage: Stage) -> None:
 def test_seconds(stage: Stage) -> None:
     found = stage.compare()
     assert found.ours.import_seconds == found.usual.import_seconds == 2.0
+    assert found.ours.shell_seconds == found.usual.shell_seconds == 0.5
+    assert found.ours.start_seconds == 0.01
     assert found.usual.install_seconds == pytest.approx(3.0)
     assert 0 < found.ours.build_and_push_seconds < 60
     assert 0 < found.usual.first_image_seconds < 60
@@ -207,7 +222,7 @@ def test_other_versions_are_no_comparison(stage: Stage) -> None:
         stage.compare()
 
 
-@pytest.mark.parametrize("text", ["", "[]", '{"seconds": "soon", "versions": {}}', '{"seconds": 1}'])
+@pytest.mark.parametrize("text", ["", "[]", '{"import_seconds": "soon", "versions": {}}', '{"import_seconds": 1}'])
 def test_an_import_without_a_result(stage: Stage, text: str) -> None:
     stage.write("1.json", text)
     with pytest.raises(RosmlError, match="gave no result"):
@@ -304,16 +319,30 @@ def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pyte
     monkeypatch.setattr(bench, "ROUNDS", 1)
     monkeypatch.setattr(bench, "RUNS", 1)
     monkeypatch.setattr(bench, "TARGET", TARGET)
+    monkeypatch.setattr(bench, "REPORT", stage.folder / "report")
     monkeypatch.setattr(bench, "bench_publisher", lambda target: stage.publisher)
+
+    def grown(_publisher: object, target: str, usual: Comparison) -> Grown:
+        assert target == TARGET and usual.usual.registry_new_bytes
+        return Grown((Growth(10, 2.5, 70_000, 600.0, 10_000_000_000),), SecondRun(843, 2967, 6.5, 0, 0))
+
+    monkeypatch.setattr(growth, "measure", grown)
     assert command.run(bench.main, arguments=["--target="]) == 0
     out = capsys.readouterr().out
     assert "192 images" in out
     assert "RUN pip install" in out
+    assert re.search(r"10 +2\.5 s +70\.0 kB +10 min 0 s +10\.00 GB +0\.25 s", out)
+    assert (
+        "nothing changed: 843 images and payloads on their architectures, 2967 tags, 6.5 s, 0 B uploaded"
+        in " ".join(out.split())
+    )
     (stage.folder / "pushed").unlink()
     assert command.run(bench.main, arguments=["--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["comparison"]["target"] == TARGET
     assert found["real_seconds"] > 0
+    assert found["growth_of_tags"]["rows"][0]["tags"] == 10
+    assert json.loads((stage.folder / "report/report.json").read_text()) == found
 
 
 @pytest.mark.parametrize(

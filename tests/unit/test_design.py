@@ -13,11 +13,11 @@ from rosml.explain import why_not
 def test_every_axis(real: Catalogue) -> None:
     """The axes of the design, and as many images as it asks for."""
     ubuntu = ["noetic", "foxy", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling"]
-    assert list(real.matrix.distributions) == [*ubuntu, "bookworm", "trixie"]
+    assert list(real.matrix.distributions) == [*ubuntu, "bookworm", "trixie", "jazzy-wheels"]
     assert list(real.matrix.components) == ["core", "base", "robot", "perception", "desktop", "desktop-full"]
     assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
     assert list(real.matrix.stacks) == ["cu128", "cu130", "cu121", "cpu", "cpu38"]
-    assert len(real.images) == 485
+    assert len(real.images) == 496
     both = [image for image in real.images if len(image.platforms) == 2]
     assert len([tag for image in both for tag in image.tags]) > 300
 
@@ -29,7 +29,7 @@ def test_every_distribution_has_every_framework_that_its_facts_allow(real: Catal
     cuda = {"none", "cuda-cu121", "cuda-cu128", "cuda-cu130"}
     torch = cuda | {"torch-cu128", "torch-cu130", "torch-cpu"}
     ml = torch | {"tensorflow-cu128", "tensorflow-cpu", "ml-cu128", "ml-cpu"}
-    for name in ("humble", "iron", "jazzy", "kilted", "bookworm", "trixie"):
+    for name in ("humble", "iron", "jazzy", "kilted", "bookworm", "trixie", "jazzy-wheels"):
         assert kinds[name] == ml
     for name in ("lyrical", "rolling"):  # no TensorFlow for Python 3.14
         assert kinds[name] == torch
@@ -47,8 +47,7 @@ def test_latest_is_the_newest_long_term_release(real: Catalogue) -> None:
 
 
 def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catalogue) -> None:
-    wanted = {lock for payload in real.payloads for lock in payload.locks}
-    assert {lock for lock in wanted if not (ROOT / lock).is_file()} == {
+    assert {lock for lock in real.locks if not (ROOT / lock).is_file()} == {
         "locks/cpu/amd64/3.11/torch.txt",
         "locks/cpu/amd64/3.14/common.txt",
         "locks/cpu/amd64/3.14/torch.txt",
@@ -57,8 +56,21 @@ def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catal
 
 
 def test_every_lock_is_used(real: Catalogue) -> None:
-    wanted = {lock for payload in real.payloads for lock in payload.locks}
-    assert names.locks(ROOT) - wanted == set()
+    assert names.locks(ROOT) - real.locks == set()
+
+
+def test_what_is_experimental(real: Catalogue) -> None:
+    """ROS 2 from wheels: one component, for the one architecture that they are for."""
+    rows = real.matrix.distributions.items()
+    assert (
+        [name for name, row in rows if row.experimental]
+        == [name for name, row in rows if row.wheels]
+        == ["jazzy-wheels"]
+    )
+    images = [image for image in real.images if image.distribution == "jazzy-wheels"]
+    assert {image.platforms for image in images} == {("linux/amd64",)}
+    assert {image.component for image in images} == {"core"}
+    assert real.image("jazzy-wheels-core").tags == ("ros:jazzy-wheels-core",)
 
 
 def test_distributions_past_their_end_of_life_come_from_the_last_snapshot(real: Catalogue) -> None:
@@ -86,4 +98,35 @@ def test_payloads_are_assembled_for_the_architectures_that_locks_are_made_for(re
     """assemble.sh runs where matrix.yaml is not at hand."""
     script = (ROOT / "components/payload/assemble.sh").read_text()
     for name, facts in real.matrix.architectures.items():
-        assert f"  {name}) platform={facts.wheels} TRIPLET={facts.triplet} ;;" in script
+        machine = facts.wheels.partition("-")[0]
+        assert f"  {name}) platform={facts.wheels} TRIPLET={machine}-linux-gnu ;;" in script
+
+
+GLIBC = {"bookworm": 36, "trixie": 41, "ubuntu-20.04": 31, "ubuntu-22.04": 35, "ubuntu-24.04": 39, "ubuntu-26.04": 42}
+"""The second number of the glibc 2.x that an operating system has, at least."""
+
+
+def test_every_operating_system_takes_every_payload_for_its_python(real: Catalogue) -> None:
+    """Of Debian's family, with a glibc as new as the wheels ask for: so compose need not tell systems apart."""
+    asked = {int(facts.wheels.rpartition("_")[2]) for facts in real.matrix.architectures.values()}
+    for name, system in real.matrix.operating_systems.items():
+        assert system.image.startswith(("docker.io/library/debian:", "docker.io/library/ubuntu:")), name
+        assert name in GLIBC, f"{name} is new: look up its glibc"
+        assert GLIBC[name] >= max(asked), f"{name} has glibc 2.{GLIBC[name]}, and wheels ask for 2.{max(asked)}"
+
+
+def test_a_workspace_is_built_with_every_framework_of_every_stack(real: Catalogue) -> None:
+    """In images with both, where such can be built; cu130 has PyTorch alone, and the wheel tensorflow-cpu is in no image
+    with both on bookworm as long as PyTorch's for the CPU of amd64 has no lock."""
+    has = {image.target for image in real.images if "ros1-workspace" in image.tests}
+    assert {"bookworm-core", "bookworm-core-ml-cu128", "bookworm-core-torch-cu130"} <= has
+    assert {"bookworm-core-tensorflow-cpu", "bookworm-desktop-full-tensorflow-cpu"} <= has
+    assert not {"bookworm-core-torch-cu128", "bookworm-core-tensorflow-cu128", "trixie-core-tensorflow-cpu"} & has
+    long = {1: {"ros1-workspace", "ros1-components", "pip"}, 2: {"ros2-workspace", "ros2-components", "pip"}}
+    for image in real.images:
+        if image.distribution == "jazzy-wheels":
+            assert "pip" in image.tests and "ros2-workspace" not in image.tests
+        elif not long[image.ros] <= set(image.tests):
+            (both,) = [real.by_target[name] for name in image.covered]
+            assert set(image.parts) < set(both.parts) and long[image.ros] <= set(both.tests)
+            assert both.locked and set(image.architectures) <= set(both.architectures)

@@ -37,6 +37,7 @@ def test_image_facts(small: Catalogue) -> None:
         "groups": ["alpha", "base", "ml", "cu1", "all"],
         "parent": "alpha-base",
         "packages": [],
+        "wheels": [],
         "parts": ["cuda-cu1", "common-cu1-py312", "torch-cu1-py312", "tensorflow-cc-cu1", "tensorflow-cu1-py312"],
         "locks": [
             "locks/cu1/amd64/any/cuda.txt",
@@ -45,7 +46,19 @@ def test_image_facts(small: Catalogue) -> None:
             "locks/cu1/amd64/any/tensorflow-cc.txt",
             "locks/cu1/amd64/3.12/tensorflow.txt",
         ],
-        "tests": ["contract", "ros2", "ros2-core", "ros2-base", "cuda", "torch", "tensorflow", "ml"],
+        "tests": [
+            "contract",
+            "ros2",
+            "ros2-core",
+            "ros2-base",
+            "cuda",
+            "torch",
+            "tensorflow",
+            "ml",
+            "ros2-workspace",
+            "ros2-components",
+            "pip",
+        ],
         "locked": True,
         "disk": {"unpacked": 100 + 2 * 20 + 1000 + 300 + 2000 + 1500, "compressed": 10 + 2 * 2 + 100 + 30 + 200 + 150},
     }
@@ -64,10 +77,40 @@ def test_where_packages_come_from(channel: str) -> None:
     assert CHANNELS[channel] in explain(catalogue, "alpha-core")
 
 
+DAY = {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"}
+
+
+@pytest.mark.parametrize("target", ["jazzy-core", "jazzy-base-torch-cu128"])
+def test_where_packages_come_from_this_time(real: Catalogue, target: str) -> None:
+    told = (
+        "this time, packages come from ROS's apt snapshot: of 2026-08-07; "
+        "without CHANNEL and SNAPSHOT, from ROS's live apt repository, set up by ros2-apt-source 1.2.0"
+    )
+    assert f"\n  - {told}\n" in explain(real, target, DAY)
+
+
+def test_a_live_repository_that_is_not_pinned(real: Catalogue) -> None:
+    assert "live apt repository, whose setup is not pinned here" in explain(real, "foxy-core", {"ROS_CHANNEL": "live"})
+
+
+def test_what_no_channel_can_change(real: Catalogue) -> None:
+    with pytest.raises(RosmlError, match="the ROS packages of bookworm are bookworm's own"):
+        explain(real, "bookworm-core", DAY)
+
+
 def test_chain_skips_components_that_a_distribution_lacks(small: Catalogue) -> None:
     image = small.image("alpha-desktop")  # desktop builds on robot, which ROS 2 does not have
     assert image.parent == "alpha-base"
-    assert image.tests == ("contract", "ros2", "ros2-core", "ros2-base", "ros2-desktop")
+    assert image.tests == (
+        "contract",
+        "ros2",
+        "ros2-core",
+        "ros2-base",
+        "ros2-desktop",
+        "ros2-workspace",
+        "ros2-components",
+        "pip",
+    )
     assert image.packages == "ros-alpha-desktop"
     assert small.image("alpha-core").parent == "_os-ubuntu-24-04"
 
@@ -211,6 +254,29 @@ def test_images_without_a_lock_are_in_no_group(small: Catalogue) -> None:
     assert with_locks(small, locks) == small
 
 
+def test_what_takes_long_is_tested_where_it_can_be_built(small: Catalogue) -> None:
+    """In an image with both frameworks, unless that one has no lock, or is not for all architectures."""
+    locks = {lock for payload in small.payloads for lock in payload.locks}
+    long = {"ros2-workspace", "ros2-components", "pip"}
+
+    def tested(catalogue: Catalogue, target: str) -> bool:
+        found = long.intersection(catalogue.image(target).tests)
+        assert found in (set(), long)
+        return bool(found)
+
+    without = with_locks(small, locks - {"locks/cu1/amd64/any/tensorflow-cc.txt"})
+    for catalogue, alone in ((small, False), (with_locks(small, locks), False), (without, True)):
+        assert tested(catalogue, "alpha-core-ml-cu1")
+        assert tested(catalogue, "alpha-core-torch-cu1") == alone
+    torch_alone = changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")
+    tensorflow = '["3.12"], wheels: {cu1: [amd64], cpu: [amd64, arm64]}'
+    assert tensorflow in torch_alone
+    wider = parse(torch_alone.replace(tensorflow, '["3.12"], wheels: {cu1: [amd64], cpu: [arm64]}'))
+    for catalogue, alone in ((small, False), (wider, True)):
+        assert catalogue.image("alpha-core-ml-cpu").architectures == ("arm64",)
+        assert tested(catalogue, "alpha-core-torch-cpu") == alone
+
+
 def test_a_lock_of_another_release_is_none(small: Catalogue, tmp_path: Path) -> None:
     (tmp_path / "matrix.yaml").write_text(SMALL)
     write_locks(tmp_path, small)
@@ -336,6 +402,12 @@ def test_an_older_release_that_would_do() -> None:
     )
 
 
+def test_older_releases_that_would_do() -> None:
+    lines = "".join(f'    {version}: {{python: ["3.14"], wheels: {{}}}}\n' for version in ("2.8.0", "2.9.0"))
+    small = parse(changed("  tensorflow:\n    2.20.0", f"  tensorflow:\n{lines}    2.20.0"))
+    assert (why_not(small, "omega-core-ml-cu1") or "").endswith("ubuntu-26.04 (2.8.0 and 2.9.0 have).")
+
+
 def test_why_an_image_exists(small: Catalogue) -> None:
     text = explain(small, "alpha-core-torch-cu1")
     assert "not for arm64: torch 2.10.0 has cu1 wheels for amd64 only" in text
@@ -375,18 +447,9 @@ def test_asking_for_what_cannot_be_gives_the_reason(small: Catalogue) -> None:
         small.image("alpha-robot")
 
 
-def test_select(small: Catalogue) -> None:
-    assert [image.target for image in small.select("alpha-core")] == ["alpha-core"]
-    assert [image.target for image in small.select("default")] == ["alpha-core"]
-    assert len(small.select("all")) == len(small.images)
-    assert {image.component for image in small.select("desktop")} == {"desktop"}
-    with pytest.raises(RosmlError):
-        small.select("tests")
-
-
 def test_architecture_reasons(small: Catalogue) -> None:
     matrix = small.matrix
-    assert rules.architecture_reason(matrix, "ubuntu-24.04", "torch", "cu1", "amd64") is None
-    assert rules.architecture_reason(matrix, "ubuntu-24.04", "torch", "cu1", "s390x") == (
+    assert rules.architecture_reason(matrix, "alpha", "torch", "cu1", "amd64") is None
+    assert rules.architecture_reason(matrix, "alpha", "torch", "cu1", "s390x") == (
         "images of ubuntu-24.04 are built for amd64 and arm64 only"
     )

@@ -42,7 +42,7 @@ def test_lost_locks_name_their_images(elsewhere: Catalogue) -> None:
     assert one is not None
     assert one.message == (
         "6 images cannot be built (alpha-core-torch-cu1, alpha-base-torch-cu1, alpha-desktop-torch-cu1, "
-        f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing, or not of the stack's release"
+        f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing, or not of the release that matrix.yaml names"
     )
     assert one.remedy == "run 'make locks'; if they were there and got lost: git checkout locks"
     two = missing.lost(without(elsewhere, TORCH, COMMON))

@@ -12,7 +12,7 @@ import pytest
 from conftest import changed, parse, write_locks
 from stubs import buildx, calls, executable, services
 
-from rosml import base_images, command, expand, payloads
+from rosml import base_images, command, expand, filelist, payloads
 from rosml.errors import RosmlError
 from scripts import publish as script
 
@@ -43,6 +43,7 @@ class Stage:
 
     def __init__(self, folder: Path, registry: str, catalogue: expand.Catalogue) -> None:
         self.folder, self.catalogue, self.said = folder, catalogue, list[str]()
+        self.listed: list[tuple[str, str]] = []
         self.facts: dict[str, Any] = {
             "registry": registry,
             "buildx": buildx(folder, BAKE),
@@ -67,7 +68,9 @@ class Stage:
 @pytest.fixture
 def stage(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> Stage:
     monkeypatch.setattr(payloads, "VERSIONS", str(tmp_path / "versions"))
-    return Stage(tmp_path, registry, parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")))
+    found = Stage(tmp_path, registry, parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")))
+    monkeypatch.setattr(filelist, "attach_files", lambda *facts: found.listed.append(facts[3:5]))
+    return found
 
 
 def baked(stage: Stage) -> str:
@@ -210,6 +213,7 @@ def test_several_at_once(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: 
     assert ["platform=linux/amd64,linux/arm64" in call for call in bakes] == [True, True]
     assert len([call for call in calls(stage.folder) if call.startswith("regctl image copy")]) == 2
     assert f"  linux/arm64  {LAYER}  2.5 MB" in capsys.readouterr().out
+    assert stage.listed == [("rosml/payload", INDEX)] * 2, "their files are listed, for whoever composes images of them"
 
 
 def test_results_for_machines(
@@ -221,6 +225,10 @@ def test_results_for_machines(
     assert run(stage, monkeypatch, "common-cpu-py312", "--json", "--markdown") == 2
     assert run(stage, monkeypatch) == 0
     assert "common-cpu-py312  linux/amd64, linux/arm64" in capsys.readouterr().out
+    assert run(stage, monkeypatch, "--json") == 0
+    listed = json.loads(capsys.readouterr().out)
+    assert [item["name"] for item in listed] == [item.name for item in stage.catalogue.payloads]
+    assert {"name": "common-cpu-py312", "platforms": ["linux/amd64", "linux/arm64"]} in listed
 
 
 @pytest.mark.parametrize("namespace", ["", "a,dest=x B/../", "Team", "a//b"])

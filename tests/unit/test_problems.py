@@ -320,6 +320,21 @@ WRONG = {
         "",
         "55:5: distributions.alpha.lts: a long-term release has an end of life; add 'eol: …'",
     ),
+    "no RMW implementation": (
+        "    apt: {channel: live}",
+        "    apt: {channel: live}\n    rmw: [cyclonedds]",
+        "58:11: distributions.alpha.rmw[0]: expected an RMW implementation, such as rmw_cyclonedds_cpp, found 'cyclonedds'",
+    ),
+    "an RMW implementation twice": (
+        "    apt: {channel: live}",
+        "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp, rmw_zenoh_cpp, rmw_cyclonedds_cpp]",
+        "58:46: distributions.alpha.rmw[2]: 'rmw_cyclonedds_cpp' is there twice; keep one",
+    ),
+    "RMW implementations of ROS 1": (
+        "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]",
+        "    ros: 1\n    rmw: [rmw_cyclonedds_cpp]\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]",
+        "61:5: distributions.omega.rmw: ROS 1 has no RMW implementations; they are ROS 2's",
+    ),
     "snapshot without a day": (
         ", date: 2026-11-01",
         "",
@@ -508,8 +523,8 @@ def test_message(name: str) -> None:
 
 
 CONTENT = {
-    "empty": (b"", "matrix.yaml:1:1: the file is empty; a matrix needs at least 'version: 1'"),
-    "comments only": (b"# nothing\n", "matrix.yaml:1:1: the file is empty; a matrix needs at least 'version: 1'"),
+    "empty": (b"", "matrix.yaml:1:1: the file is empty; it needs at least 'version: 1'"),
+    "comments only": (b"# nothing\n", "matrix.yaml:1:1: the file is empty; it needs at least 'version: 1'"),
     "text": (b"hello", "matrix.yaml:1:1: expected keys and values, found 'hello'"),
     "list": (b"- 1\n- 2\n", "matrix.yaml:1:1: expected keys and values, found a list"),
     "null": (b"~", "matrix.yaml:1:1: expected keys and values, found nothing"),
@@ -594,7 +609,7 @@ def test_too_many_components_on_one_another() -> None:
 
 
 def test_too_many_architectures() -> None:
-    rows = "".join(f"  a{n}: {{platform: linux/a{n}, wheels: x, triplet: x}}\n" for n in range(15))
+    rows = "".join(f"  a{n}: {{platform: linux/a{n}, wheels: x}}\n" for n in range(15))
     with pytest.raises(InputError) as caught:
         parse(changed("\narchitectures:\n", f"\narchitectures:\n{rows}"))
     assert str(caught.value) == "matrix.yaml:5:1: architectures: 17, more than 16; remove some"

@@ -76,6 +76,11 @@ def build() -> Build:
     ("name", "label", "phase"),
     [
         (ROS, "[bookworm-core ros 1/2] /run/components/ros/install.sh ros-core", "install ROS packages"),
+        (
+            ROS.replace(" ros ", " ros-wheels "),
+            "[bookworm-core ros-wheels 1/2] /run/components/ros/install.sh ros-core",
+            "install ROS packages",
+        ),
         (ESSENTIALS, "[_os-bookworm base 1/4] /x/install.sh", "install essentials"),
         (TORCH, "assemble payload part 'torch' from its lock", "assemble payloads"),
         (JOIN, "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /", "join payloads"),

@@ -17,8 +17,10 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse, write_locks
 from stubs import buildx, calls, executable, services
 
-from rosml import base_images, command, expand, summary
+from rosml import base_images, command, expand, ledger, summary, sync
 from rosml.errors import RosmlError
+from rosml.inputs import Inputs
+from rosml.ledger import Entry
 from rosml.publish import Publisher, Result, TestsFailed, require_buildable
 from scripts import publish as script
 
@@ -58,6 +60,7 @@ def line(name: str, **facts: Any) -> str:
     return json.dumps({"vertexes": [step]}) + "\n"
 
 
+SYNC = "2026-11-20T21:14:09Z"
 ENDED = {"completed": "2026-11-21T11:03:13.123456789Z"}
 BUILD = (
     line("[_files-torch x 2/2] RUN --mount=type=bind,source=components/torch,target=/run/components/part x", **ENDED)
@@ -95,7 +98,8 @@ class Stage:
         self.write("progress-cu1", BUILD)
         self.write("progress-test", TEST)
         self.write("manifest.json", '{"layers": [{"digest": "x", "size": 30}, {"digest": "y", "size": 12}]}')
-        self.write("config.json", '{"config": {"Labels": {"io.rosml.torch": "2.10.0"}}}')
+        labels = {"io.rosml.torch": "2.10.0", "org.opencontainers.image.version": "1"}
+        self.write("config.json", json.dumps({"config": {"Labels": labels}}))
         for name in FILES:
             self.write(f"report/{name}.json", results(one=True, two=True))
         self.write("report/unpacked", "4 /")
@@ -129,6 +133,7 @@ class Stage:
 def stage(tmp_path: Path, registry: str, small: expand.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
     free(monkeypatch, 1_000_000)
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
+    monkeypatch.setattr(sync, "published", lambda source: SYNC)
     return Stage(tmp_path, registry, small)
 
 
@@ -157,6 +162,7 @@ def test_publish(stage: Stage) -> None:
     assert json.loads((stage.folder / f".state/results/rosml/{TARGET}.json").read_text()) == result.to_json()
     assert stage.said == [
         "base image",
+        f"ROS's apt repository http://packages.ros.org/ros2/ubuntu, published {SYNC}",
         f"build {TARGET} and push it by digest",
         "structure tests, inside the image",
         "index and tags",
@@ -178,12 +184,33 @@ def test_order_of_the_work(stage: Stage) -> None:
     assert found[1].endswith(f"--platform linux/amd64 {repository}@{MANIFEST}")
     assert f"{TARGET}-test.target=test-report" in found[2]
     assert f"--ref {repository}@{MANIFEST}" in found[3]
+    assert "--annotation org.opencontainers.image.version=1" in found[3] and "io.rosml" not in found[3]
     assert found[4] == f"regctl image copy {repository}@{INDEX} {repository}:alpha-base-cu1"
+
+
+def test_the_builder_is_told_of_when_ros_repository_is(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A new state is a new argument; where nobody can be asked, what is known of last time keeps the builder's cache."""
+    stage.write("buildx", (stage.folder / "buildx").read_text().replace("case $1", 'env >"$here/env-$1"\ncase $1', 1))
+
+    def silent(source: sync.Source) -> str:
+        raise RosmlError("nobody answers", "wait")
+
+    monkeypatch.setattr(sync, "published", silent)
+    stage.publish()
+    assert 'ROS_SYNC_DATES={"alpha": ""}\n' in (stage.folder / "env-bake").read_text()
+    assert "nobody answers; taken for as it was last time: never asked" in stage.said
+    monkeypatch.setattr(sync, "published", lambda source: SYNC)
+    stage.publish()
+    monkeypatch.setattr(sync, "published", silent)
+    stage.publish()
+    assert f'ROS_SYNC_DATES={{"alpha": "{SYNC}"}}\n' in (stage.folder / "env-bake").read_text()
 
 
 def test_base_images_of_parts_and_tools(stage: Stage) -> None:
     """Of the image itself, and of what payloads and tests are assembled on."""
     stage.write("buildx", (stage.folder / "buildx").read_text().replace("case $1", 'env >"$here/env-$1"\ncase $1', 1))
+    for name in ("ros2-workspace", "ros2-components", "pip"):  # omega has no image with both frameworks
+        stage.write(f"report/{name}.json", results(one=True))
     result = stage.publish("omega-base-torch-cu1")
     env = (stage.folder / "env-bake").read_text()
     assert f"OS_UBUNTU_24_04=docker-image://docker.io/library/ubuntu:24.04@sha256:{'1' * 64}\n" in env
@@ -220,7 +247,7 @@ def test_another_architecture_is_built_and_tested_and_gets_no_tag(stage: Stage) 
     assert caught.value.remedy == "run 'make emulation'"
     stage.write("status", "Status: running\nPlatforms: linux/amd64, linux/arm64*\n")
     stage.write("progress-cpu", "")
-    for name in ("ros2-core", "tensorflow", "torch", "ml"):
+    for name in ("ros2-core", "ros2-workspace", "ros2-components", "tensorflow", "torch", "ml", "pip"):
         stage.write(f"report/{name}.json", results(one=True))
     result = stage.publish(target, architecture="arm64")
     assert stage.untouched()
@@ -242,6 +269,14 @@ def test_one_architecture_needs_no_lock_of_another(stage: Stage) -> None:
     for architecture in ("", "amd64"):
         with pytest.raises(RosmlError, match="cannot be built yet"):
             require_buildable(image, architecture)
+
+
+def test_another_channel_is_checked_before_anything_happens(
+    checkout: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROS_CHANNEL", "fina")
+    assert run(checkout, TARGET, "--check") == 2
+    assert "no channel 'fina'" in capsys.readouterr().err
 
 
 def test_a_platform_that_nothing_has(checkout: Stage, capsys: pytest.CaptureFixture[str]) -> None:
@@ -392,6 +427,17 @@ def checkout(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Stage:
     return stage
 
 
+@pytest.fixture(autouse=True)
+def attached(monkeypatch: pytest.MonkeyPatch) -> list[tuple[str, Entry]]:
+    """What the command attaches to images: repository and facts. The stand-in for the registry has no manifests."""
+    found: list[tuple[str, Entry]] = []
+    monkeypatch.setattr(
+        ledger.Ledger, "attach", lambda book, entry, _: found.append((book.path(entry.repository), entry))
+    )
+    monkeypatch.setattr(Inputs, "digest", lambda self, target, architecture: f"inputs of {target}")
+    return found
+
+
 def run(stage: Stage, *arguments: str) -> int:
     return command.run(script.cli, arguments=["image", "--matrix", str(stage.folder / "matrix.yaml"), *arguments])
 
@@ -414,6 +460,18 @@ def test_command_with_another_matrix_leaves_the_bake_file_alone(checkout: Stage)
     assert command.run(script.cli, arguments=arguments) == 0
     assert not (checkout.folder / "docker-bake.hcl").exists()
     assert f"--file {checkout.folder}/.state/bake/{TARGET}.hcl" in checkout.calls("buildx bake")[0]
+
+
+def test_what_was_found_out_is_attached_to_the_image(
+    checkout: Stage, capsys: pytest.CaptureFixture[str], attached: list[tuple[str, Entry]]
+) -> None:
+    assert run(checkout, "--json", "--namespace", "try", TARGET) == 0
+    result = json.loads(capsys.readouterr().out)
+    ((repository, entry),) = attached
+    assert repository == "try/ros-torch"
+    assert (entry.target, entry.digest, entry.inputs) == (TARGET, result["manifest"], f"inputs of {TARGET}")
+    assert (entry.passed, entry.versions) == (result["passed"], result["versions"]) and entry.passed
+    assert (entry.size, entry.unpacked) == (result["compressed"], result["unpacked"])
 
 
 def test_command_json(checkout: Stage, capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,4 +6,4 @@ mapfile -t files < <(grep --files-with-matches -R -E '(packages|snapshots)\.ros\
   { echo "apt sources of ROS 2: ${files[*]:-none}" >&2; exit 1; }
 source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
 grep -q -x -F "URIs: $source" "${files[0]}" || { echo "${files[0]} does not name $source" >&2; exit 1; }
-grep -q -E '^ros-sync 20[0-9-]{8}T[0-9:]{8}Z$' /usr/local/share/rosml/versions.d/ros
+[[ $ROS_SYNC_DATE =~ ^(20[0-9-]{8}T[0-9:]{8}Z)?$ ]] || { echo "ROS_SYNC_DATE=$ROS_SYNC_DATE" >&2; exit 1; }

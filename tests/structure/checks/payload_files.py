@@ -12,7 +12,9 @@ import os
 import sys
 from pathlib import Path
 
-sites = [*Path("/usr/local/lib").glob("python3*/dist-packages"), *Path("/usr/local/lib/rosml").glob("*")]
+LOCAL = Path(os.environ.get("CHECK_ROOT", "/"), "usr/local")
+
+sites = [*LOCAL.glob("lib/python3*/dist-packages"), *LOCAL.glob("lib/rosml/*")]
 wrong: list[str] = []
 checked = 0
 for record in (record for site in sites for record in site.glob("*.dist-info/RECORD")):
@@ -30,10 +32,10 @@ for record in (record for site in sites for record in site.glob("*.dist-info/REC
                 wrong.append(f"{path} has {found} bytes, {size} are on record")
 # What one part takes another's files to be, when the two were assembled apart (records.py link): the library and headers
 # of the wheel for this Python are byte for byte those of the wheel that the other part was taken from.
-for expected in Path("/usr/local/share/rosml/expected.d").glob("*"):
+for expected in LOCAL.glob("share/rosml/expected.d/*"):
     rows = [
         row
-        for record in Path("/usr/local/lib/rosml", expected.name).glob("*.dist-info/RECORD")
+        for record in LOCAL.glob(f"lib/rosml/{expected.name}/*.dist-info/RECORD")
         for row in csv.reader(record.open(newline=""))
         if ".dist-info/" not in row[0]
     ]

@@ -12,7 +12,6 @@ Nothing is downloaded: the packages are made here, newer than anything that exis
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 import re
@@ -71,9 +70,6 @@ def versions() -> dict[str, str]:
     return dict(json.loads(subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, check=True).stdout))
 
 
-# Files of tests run side by side: nobody looks at Python's packages while they change.
-lock = open("/tmp/rosml-python-packages.lock", "w")  # noqa: SIM115 (held until this process ends)
-fcntl.flock(lock, fcntl.LOCK_EX)
 before = versions()
 for name in ("numpy", "cffi", "torch", "tensorflow"):
     wheel(name, FAR)

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""A payload replaces no file of the distribution's or ROS's packages, and shadows no Python package that their tools
-import, but for those that are named here with the reason."""
+"""A payload replaces no file of the distribution's or ROS's packages, and neither shadows nor is shadowed by a Python
+package of theirs, but for those that are named here with the reason; it hides no command of theirs, but for those that
+such a package brings."""
 
 from __future__ import annotations
 
-import fcntl
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -38,18 +39,22 @@ SHADOWED = {
 NEVER = {"setuptools", "pkg_resources", "em", "empy", "yaml", "packaging", "catkin_pkg", "lark", "six", "wheel", "pip"}
 """What ROS's own tools import."""
 
+ROOT = Path(os.environ.get("CHECK_ROOT", "/"))
+LOCAL = ROOT / "usr/local"
+OF_THE_SYSTEM = ("usr/bin", "usr/sbin", "bin", "sbin", "opt/ros/*/bin")
+
 
 def of_packages() -> set[str]:
     """Files of all Debian packages."""
-    listings = Path("/var/lib/dpkg/info").glob("*.list")
+    listings = (ROOT / "var/lib/dpkg/info").glob("*.list")
     return {line for listing in listings for line in listing.read_text().splitlines()}
 
 
 def replaced() -> list[str]:
     """Files of packages that a payload replaced: it has links to its own below /usr/local, and nothing else elsewhere."""
-    return sorted(
-        path for path in of_packages() if os.path.islink(path) and "/usr/local/lib/" in os.path.realpath(path)
-    )
+    places = {path: ROOT / path.lstrip("/") for path in of_packages()}
+    own = f"{LOCAL.resolve()}/lib/"
+    return sorted(path for path, file in places.items() if file.is_symlink() and os.path.realpath(file).startswith(own))
 
 
 def modules(folder: Path) -> set[str]:
@@ -57,18 +62,33 @@ def modules(folder: Path) -> set[str]:
     names = {entry.name for entry in folder.iterdir()} if folder.is_dir() else set()
     return {
         name.split(".")[0].lower() for name in names if not name.endswith((".dist-info", ".egg-info", ".pth", ".libs"))
+    } - {"__pycache__"}
+
+
+def hidden_commands() -> dict[str, set[str]]:
+    """Commands of the payload that come before others of the same name, with the modules that they import."""
+    folders = [folder for pattern in OF_THE_SYSTEM for folder in ROOT.glob(pattern)]
+    return {
+        command.name: {
+            name.lower() for name in re.findall(r"^(?:from|import) (\w+)", command.read_text(errors="replace"), re.M)
+        }
+        for command in LOCAL.glob("bin/*")
+        if any((folder / command.name).exists() for folder in folders)
     }
 
 
-# Not while pip_install.py changes Python's packages.
-lock = open("/tmp/rosml-python-packages.lock", "w")  # noqa: SIM115 (held until this process ends)
-fcntl.flock(lock, fcntl.LOCK_EX)
-sites = [site for site in Path("/usr/local/lib").glob("python3*/dist-packages") if any(site.glob("*.dist-info"))]
+sites = [site for site in LOCAL.glob("lib/python3*/dist-packages") if any(site.glob("*.dist-info"))]
 assert sites, "no payload is here"
-shadowed: set[str] = set()
-for site in sites:
-    shadowed |= modules(site) & (modules(Path("/usr/lib/python3/dist-packages")) | NEVER)
-unexplained = sorted(shadowed - SHADOWED.keys() - {"__pycache__"})
+# Debian's own, and ROS's, which the entrypoint puts before all others.
+theirs = [ROOT / "usr/lib/python3/dist-packages", *ROOT.glob("opt/ros/*/lib/python3*/*-packages")]
+theirs += ROOT.glob("opt/ros/*/local/lib/python3*/*-packages")
+wanted = NEVER.union(*map(modules, theirs))
+shadowed = {name for site in sites for name in modules(site) & wanted}
+unexplained = sorted(shadowed - SHADOWED.keys())
+hidden = {name: imports for name, imports in hidden_commands().items() if not imports & SHADOWED.keys()}
 print("shadowed:", *sorted(shadowed))
-if replaced() or unexplained or shadowed & NEVER:
-    sys.exit(f"replaced: {replaced()}\nshadowed without a reason: {unexplained}\nnever: {sorted(shadowed & NEVER)}")
+if replaced() or unexplained or shadowed & NEVER or hidden:
+    sys.exit(
+        f"replaced: {replaced()}\nshadowed without a reason: {unexplained}\nnever: {sorted(shadowed & NEVER)}\n"
+        f"commands hidden: {sorted(hidden)}"
+    )

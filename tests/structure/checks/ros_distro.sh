@@ -5,7 +5,7 @@ set -euo pipefail
   { echo "ROS_DISTRO=$ROS_DISTRO ROS_VERSION=$ROS_VERSION, expected $EXPECT_ROS_DISTRO and $EXPECT_ROS" >&2; exit 1; }
 
 # Debian's catkin sets ROS_DISTRO itself, and stops builds that come with another.
-hook=/etc/catkin/profile.d/1.ros_distro.sh
+hook=${CHECK_ROOT:-}/etc/catkin/profile.d/1.ros_distro.sh
 if [[ -r $hook ]]; then
   # shellcheck disable=SC1090  # a file of the image
   complaint=$(source "$hook")

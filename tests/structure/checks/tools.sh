@@ -3,8 +3,9 @@
 set -euo pipefail
 
 tools=(
-  awk sed find lsb_release openssl useradd groupadd sudo git git-lfs gcc g++ make cmake gdb curl wget nano vim less
+  awk sed find lsb_release openssl useradd groupadd sudo git git-lfs gcc g++ make cmake ninja gdb curl wget nano vim less
   python python3 pip tini gosu colcon rosdep vcs xeyes
+  locale-gen
 )
 missing=()
 for tool in "${tools[@]}"; do
@@ -12,5 +13,10 @@ for tool in "${tools[@]}"; do
 done
 [[ ${#missing[@]} -eq 0 ]] || { echo "missing: ${missing[*]}" >&2; exit 1; }
 
-getent group sudo video
-grep -q CODENAME= /etc/os-release
+# Of packages that are no programs: completion in shells, time zones.
+for file in /usr/share/bash-completion/bash_completion /usr/share/zoneinfo/Europe/Berlin; do
+  [[ -s ${CHECK_ROOT:-}$file ]] || { echo "missing: $file" >&2; exit 1; }
+done
+
+getent group sudo video || { echo "the groups sudo and video are not both there" >&2; exit 1; }
+grep -q CODENAME= "${CHECK_ROOT:-}/etc/os-release" || { echo "no CODENAME in /etc/os-release" >&2; exit 1; }

@@ -4,12 +4,15 @@
 #include <tensorflow/cc/ops/array_ops.h>
 #include <tensorflow/cc/ops/math_ops.h>
 #include <tensorflow/cc/saved_model/loader.h>
+#include <tensorflow/core/public/session.h>
 #include <tensorflow/core/public/version.h>
 #if __has_include(<tensorflow/core/public/release_version.h>)  // where newer releases have their version
 #include <tensorflow/core/public/release_version.h>
 #endif
 
+#include <atomic>
 #include <cstdlib>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -25,6 +28,19 @@ void same(const A& value, const B& wanted, int line) {
 }
 #define SAME(value, wanted) same(value, wanted, __LINE__)
 #define OK(call) same((call).ToString(), "OK", __LINE__)
+
+// A thread pool of the caller's: it works at once, and counts.
+class Counting : public tf::thread::ThreadPoolInterface {
+ public:
+  void Schedule(std::function<void()> work) override {
+    ++scheduled;
+    work();
+  }
+  int NumThreads() const override { return 1; }
+  int CurrentThreadId() const override { return -1; }
+
+  std::atomic<int> scheduled{0};
+};
 
 void client_session() {
   const tf::Scope root = tf::Scope::NewRootScope();
@@ -51,6 +67,22 @@ void client_session() {
   OK(session.Run(options, {{a, {{3.f, 4.f}}}}, {product}, {}, &outputs, &metadata));
   SAME(metadata.step_stats().dev_stats_size() > 0, true);
 
+  // The same on threads of the caller's.
+  Counting threads;
+  tf::thread::ThreadPoolOptions pools;
+  pools.inter_op_threadpool = &threads;
+  OK(session.Run(tf::RunOptions(), {{a, {{5.f, 6.f}}}}, {product}, {}, &outputs, nullptr, pools));
+  SAME(outputs.at(0).scalar<float>()(), 17.f);
+  SAME(threads.scheduled > 0, true);
+
+  // With options of the session's own, and with none but its target.
+  tf::SessionOptions own;
+  own.config.set_inter_op_parallelism_threads(1);
+  for (const tf::ClientSession& another : {tf::ClientSession(root, own), tf::ClientSession(root, "")}) {
+    OK(another.Run({constant}, &outputs));
+    SAME(outputs.at(0).scalar<int>()(), 42);
+  }
+
   tf::CallableOptions wanted;
   wanted.add_feed("a:0");
   wanted.add_fetch("product:0");
@@ -60,6 +92,11 @@ void client_session() {
   fed.flat<float>().setConstant(5.f);
   OK(session.RunCallable(callable, {fed}, &outputs, nullptr));
   SAME(outputs.at(0).scalar<float>()(), 15.f);
+  fed.flat<float>().setConstant(6.f);
+  const int before = threads.scheduled;
+  OK(session.RunCallable(callable, {fed}, &outputs, nullptr, pools));
+  SAME(outputs.at(0).scalar<float>()(), 18.f);
+  SAME(threads.scheduled > before, true);
   OK(session.ReleaseCallable(callable));
   SAME(session.RunCallable(callable, {fed}, &outputs, nullptr).ok(), false);
 
@@ -79,6 +116,8 @@ void client_session() {
   SAME(outputs.at(0).scalar<int>()(), 43);
   fault(session.Run({product}, nullptr), "`outputs` is null");
   fault(tf::ClientSession(root, "nowhere://").Run({constant}, &outputs), "nowhere");
+  own.target = "elsewhere://";
+  fault(tf::ClientSession(root, own).Run({constant}, &outputs), "elsewhere");
 #endif
 }
 

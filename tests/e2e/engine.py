@@ -1,0 +1,137 @@
+"""A container engine for the tests of the runtime contract: the machine's Docker, or dockerd started for them.
+
+`docker run` is what users type; BuildKit's build steps have neither an init process, nor a user's terminal, nor mounts
+of theirs.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import select
+import shutil
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosml import builder
+from rosml.services import Services
+from tests.e2e.conftest import Run
+
+START_SECONDS = 60.0
+DAEMONS = ("/usr/sbin/dockerd", "/usr/bin/dockerd", "/usr/local/bin/dockerd")
+
+
+def daemon() -> str | None:
+    """dockerd, where Debian's docker.io or Docker itself put it."""
+    return next((path for path in DAEMONS if os.access(path, os.X_OK)), None)
+
+
+def answers() -> bool:
+    """Whether the machine's own Docker does."""
+    docker = shutil.which("docker")
+    return docker is not None and subprocess.run([docker, "info"], capture_output=True, check=False).returncode == 0
+
+
+def missing() -> str:
+    """Why there is no engine; empty if there is one."""
+    if answers():
+        return ""
+    if shutil.which("docker") is None or daemon() is None:
+        return "no Docker answers, and dockerd is not installed (apt-get install docker.io)"
+    return "" if os.geteuid() == 0 else "no Docker answers, and starting dockerd needs root"
+
+
+@dataclass(frozen=True)
+class Engine:
+    """A Docker daemon; no container that is run here has a network."""
+
+    host: str = ""
+
+    def docker(self, *arguments: str, timeout: float = 120.0) -> Run:
+        """A command of its client."""
+        done = subprocess.run(self.command(*arguments), capture_output=True, text=True, timeout=timeout, check=False)
+        return Run(done.returncode, done.stdout, done.stderr)
+
+    def command(self, *arguments: str) -> list[str]:
+        """The command line."""
+        return ["docker", *(["--host", self.host] if self.host else []), *arguments]
+
+    def run(self, image: str, *command: str, options: tuple[str, ...] = ()) -> Run:
+        """`docker run --rm`, without a terminal."""
+        return self.docker("run", "--rm", "--network", "none", *options, image, *command)
+
+    def talk(self, arguments: tuple[str, ...], typed: str = "", seconds: float = 60.0) -> str:
+        """All that a command of the client says on a terminal, into which something is typed."""
+        master, slave = pty.openpty()
+        process = subprocess.Popen(self.command(*arguments), stdin=slave, stdout=slave, stderr=slave, close_fds=True)
+        os.close(slave)
+        os.write(master, typed.encode())
+        said, end = b"", time.monotonic() + seconds
+        try:
+            while time.monotonic() < end:
+                if select.select([master], [], [], 0.2)[0]:
+                    with suppress(OSError):  # the other end was closed
+                        if data := os.read(master, 65536):
+                            said += data
+                            continue
+                    break
+                if process.poll() is not None:
+                    break
+        finally:
+            process.kill()
+            process.wait()
+            os.close(master)
+        return said.decode(errors="replace").replace("\r", "")
+
+    def load(self, services: Services, bake_file: Path, target: str, variables: dict[str, str], folder: Path) -> str:
+        """Builds a target into the engine; returns its name there. Debian's docker.io knows no zstd."""
+        archive = folder / f"{target}.tar"
+        name = f"rosml-contract:{target}"
+        output = (
+            f"{target}.output=type=docker,dest={archive},name={name},compression=uncompressed,force-compression=true"
+        )
+        sets = (output, f"{target}.tags=")
+        builder.run(services, builder.Bake(target, f"load-{target}", bake_file, sets, variables))
+        done = self.docker("load", "--input", str(archive), timeout=600.0)
+        archive.unlink()
+        assert done.code == 0, done.err
+        return name
+
+
+@contextmanager
+def running() -> Iterator[Engine]:
+    """The machine's own Docker, or a daemon that lives as long as this."""
+    if answers():
+        yield Engine()
+        return
+    program = daemon()
+    assert program, missing()
+    folder = Path(tempfile.mkdtemp(prefix="dockerd-"))  # short: sockets are in it
+    config = folder / "daemon.json"
+    config.write_text(json.dumps({"bridge": "none", "iptables": False, "ip6tables": False, "ip-masq": False}))
+    host = f"unix://{folder}/socket"
+    places = ["--data-root", f"{folder}/data", "--exec-root", f"{folder}/exec", "--pidfile", f"{folder}/pid"]
+    log = (folder / "log").open("w")
+    process = subprocess.Popen(
+        [program, "--host", host, "--config-file", str(config), *places], stdout=log, stderr=log, start_new_session=True
+    )
+    engine = Engine(host)
+    try:
+        end = time.monotonic() + START_SECONDS
+        while engine.docker("info").code != 0:
+            assert process.poll() is None and time.monotonic() < end, (folder / "log").read_text()[-3000:]
+            time.sleep(0.3)
+        yield engine
+    finally:
+        process.terminate()
+        with suppress(subprocess.TimeoutExpired):
+            process.wait(30)
+        process.kill()
+        log.close()
+        shutil.rmtree(folder, ignore_errors=True)

@@ -1,0 +1,268 @@
+"""A checkout whose images are small: the real Dockerfile, builder, registry and test runner, with scripts that install
+next to nothing. A publishing run of six images takes seconds, so that it can be broken many times."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import uuid
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rosml import ROOT, agenda, expand, oci, pipeline
+from rosml.expand import Catalogue
+from rosml.ledger import ARTIFACT, INDEX, Ledger
+from rosml.promote import UNDO
+from rosml.services import Services
+from tests.e2e.conftest import CHECKOUT, Run, run
+
+ROS = """\
+#!/usr/bin/env bash
+set -euo pipefail
+source "$(dirname "$0")/../build/network.sh"
+mkdir -p /opt/mini /usr/local/share/rosml/versions.d
+echo "ros-distro $ROS_DISTRO" >/usr/local/share/rosml/versions.d/ros
+for package in $ROS_PACKAGES; do echo {mark} >"/opt/mini/$package"; done
+"$(dirname "$0")/../build/clean.sh"
+"""
+
+PAYLOAD = """\
+#!/usr/bin/env bash
+set -euo pipefail
+mkdir -p /out/opt/mini-payload
+echo "$PART $STACK $PYTHON {mark}" >"/out/opt/mini-payload/$PART"
+find /out -exec touch --no-dereference --date=@"${{SOURCE_DATE_EPOCH:-0}}" {{}} +
+"""
+
+TEST = """\
+schemaVersion: 2.0.0
+commandTests:
+  - {{name: it works, command: cat, args: [{path}]}}
+"""
+
+
+@dataclass
+class Mini:
+    """A small project and a place in the registry.
+
+    Attributes:
+        folder: the checkout. services: registry and builder. prefix: path of its repositories.
+    """
+
+    folder: Path
+    services: Services
+    prefix: str
+
+    @property
+    def registry(self) -> str:
+        """For --registry."""
+        return f"{self.services.registry}/{self.prefix}"
+
+    def elsewhere(self) -> Mini:
+        """The same project with an empty place."""
+        return Mini(self.folder, self.services, f"rosml-test/{uuid.uuid4().hex[:12]}")
+
+    @property
+    def catalogue(self) -> Catalogue:
+        """All that its matrix describes."""
+        return expand.load(self.folder / "matrix.yaml", self.folder)
+
+    def command(self, *arguments: str) -> list[str]:
+        """A call of its publish.py."""
+        return [sys.executable, str(self.folder / "scripts/publish.py"), *arguments]
+
+    def publish(self, *arguments: str, env: dict[str, str] | None = None) -> Run:
+        """`publish.py` with its place."""
+        return run(*self.command(*arguments, "--registry", self.registry), cwd=self.folder, env=env)
+
+    def all(self, *arguments: str, env: dict[str, str] | None = None) -> dict[str, Any]:
+        """A whole publishing run that succeeds; what it says."""
+        outcome = self.publish("all", "--serve", "amd64", "--json", *arguments, env=env)
+        assert outcome.code == 0, outcome.err + outcome.out
+        content = json.loads(outcome.out)
+        assert isinstance(content, dict)
+        return content
+
+    def start(
+        self, *arguments: str, env: dict[str, str] | None = None, log: Path = Path(os.devnull)
+    ) -> subprocess.Popen[bytes]:
+        """A publishing run that somebody ends; what it says goes into a file."""
+        command = self.command("all", "--serve", "amd64", "--registry", self.registry, *arguments)
+        with log.open("wb") as said:
+            return subprocess.Popen(
+                command,
+                cwd=self.folder,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=said,
+                env={**os.environ, **(env or {})},
+            )
+
+    def recorded(self, date: str) -> set[tuple[str, str]]:
+        """The work of a run, by its date, whose result the ledger has: step and target."""
+        book = Ledger(self.client(), self.prefix)
+        names = [name for name in book.registry.tags(book.repository) if not name.startswith(("sha256-", UNDO))]
+        entries = [book.read(*name.rpartition(".")[::2]) for name in names if not name.endswith(f".{INDEX}")]
+        found = set[tuple[str, str]]()
+        for entry in entries:
+            if entry and entry.digest and entry.date == date and not entry.failed:
+                found.add(("compose" if entry.repository == "ros-tf" else "build", entry.target))
+                found |= {("test", entry.target)} if entry.passed else set()
+        return found
+
+    def put_arm64(self, target: str = "bookworm-core", **labels: str) -> str:
+        """Puts what a native runner for arm64 would have left: an image, here of amd64's layers, and its entry, with tests
+        that passed. Gives its digest.
+
+        Args:
+            target: a ROS image that stands on no other one, and is there for amd64. labels: that it has to itself.
+        """
+        client = self.client()
+        book, here = Ledger(client, self.prefix), Services.load(self.folder)
+        plan = agenda.survey(here, self.catalogue, client, self.prefix, [target], ["arm64"])
+        item, other = plan.by_key[target, "arm64"], book.read(target, "amd64")
+        assert other and not item.needs
+        path = book.path(item.repository)
+        manifest = client.manifest(path, other.digest)
+        assert manifest
+        config = client.json_blob(path, manifest.content["config"]["digest"])
+        config["architecture"] = "arm64"
+        config["config"]["Labels"] |= {f"io.rosml.{name}": value for name, value in labels.items()}
+        data = oci.encoded(config)
+        client.put_blob(path, data)
+        content = manifest.content | {"config": oci.descriptor(oci.CONFIG, data)}
+        digest = client.put_manifest(path, "", content)
+        known = book.read(*item.key)
+        before = (*known.superseded, known.digest) if known else ()
+        own = {"inputs": plan.inputs.digest(*item.key), "tested": plan.tests(item), "digest": digest}
+        book.write(replace(other, architecture="arm64", superseded=before, **own), plan.inputs.of(*item.key))  # type: ignore[arg-type]
+        return digest
+
+    def mark(self, ros: str = "1", payload: str = "1") -> None:
+        """Changes what ROS images, or payloads, hold."""
+        for name, text in {
+            "components/ros/install.sh": ROS.format(mark=ros),
+            "components/payload/assemble.sh": PAYLOAD.format(mark=payload),
+        }.items():
+            (self.folder / name).write_text(text)
+            (self.folder / name).chmod(0o755)
+
+    def poison(self, name: str = "ros1-base", poisoned: bool = True) -> None:
+        """Has a test of some images fail, or succeed again."""
+        path = "/nowhere" if poisoned else "/etc/os-release"
+        (self.folder / f"tests/structure/{name}.yaml").write_text(TEST.format(path=path))
+
+    def client(self) -> oci.Registry:
+        """The registry."""
+        return oci.Registry(self.services.registry)
+
+    def tags(self) -> dict[str, str]:
+        """Every tag of every image and payload, and where it points."""
+        client = self.client()
+        found = {}
+        for repository in ("ros", "ros-tf", "payload"):
+            path = f"{self.prefix}/{repository}"
+            for tag in client.tags(path):
+                if not tag.startswith("sha256-"):
+                    found[f"{repository}:{tag}"] = client.head(path, tag)
+        return found
+
+    def check(self) -> None:
+        """What must hold at any time: a tag points at a whole index of images that passed their tests."""
+        client = self.client()
+        book = Ledger(client, self.prefix)
+        names = [name for name in client.tags(book.repository) if not name.startswith(("sha256-", UNDO))]
+        entries = [book.read(*name.rpartition(".")[::2]) for name in names]
+        passed = {entry.digest for entry in entries if entry and entry.passed and not entry.failures}
+        passed |= {old for entry in entries if entry for old in entry.superseded}
+        for tag, digest in self.tags().items():
+            repository = f"{self.prefix}/{tag.split(':')[0]}"
+            index = client.manifest(repository, digest)
+            assert index and index.content.get("manifests"), f"{tag} points at no index"
+            if not tag.startswith("payload:"):
+                require_oci_set(index.content["annotations"], tag)
+            assert pipeline.DATE in index.content["annotations"], f"{tag} was not made by a run"
+            for name in (digest, *(member["digest"] for member in index.content["manifests"])):
+                assert client.referrers(repository, name, ARTIFACT), f"{tag}: its entry is not attached"
+            for member in index.content["manifests"]:
+                manifest = client.manifest(repository, member["digest"])
+                assert manifest, f"{tag} is partial"
+                if not tag.startswith("payload:"):
+                    assert member["digest"] in passed, f"{tag} points at an untested image"
+                    config = client.json_blob(repository, manifest.content["config"]["digest"])
+                    require_oci_set(config["config"]["Labels"], tag)
+                for layer in (manifest.content["config"], *manifest.content["layers"]):
+                    assert client.has_blob(repository, layer["digest"]), f"{tag} lacks a layer"
+
+
+SOURCE = "https://example.org/images"
+"""Where the small project says that it lives."""
+
+OCI = {
+    "title": r"bookworm-(core|base)(-tensorflow-cpu)?",
+    "description": r"ROS 1 (core|base) \(bookworm\)(, TensorFlow 2\.20\.0)?",
+    "version": r"bookworm-(core|base)(-cpu-tf2\.20\.0)?",
+    "created": r"2026-01-01T00:00:00Z",
+    "licenses": r"Apache-2\.0",
+    "base.name": r"\S*debian:bookworm",
+    "base.digest": r"sha256:[0-9a-f]{64}",
+    "source": re.escape(SOURCE),
+}
+"""What every image of the small project says of itself, but for the revision: an index has that where the checkout is one
+of git, and no image has it. Expressions for the whole of each."""
+
+
+def require_oci_set(said: Mapping[str, str], tag: str) -> None:
+    """That labels, or annotations, hold the whole set that the OCI names."""
+    prefix = "org.opencontainers.image."
+    found = {name.removeprefix(prefix): text for name, text in said.items() if name.startswith(prefix)}
+    found.pop("revision", "")
+    assert found.keys() == OCI.keys(), f"{tag}: {sorted(found)}"
+    for name, pattern in OCI.items():
+        assert re.fullmatch(pattern, found[name]), f"{tag}: {name} is {found[name]!r}"
+
+
+def begun(said: str) -> set[tuple[str, str]]:
+    """The work that a run began, by what it said: step and target."""
+    return {(step, target) for step, target in re.findall(r"^==> (build|compose|test) (\S+) for ", said, re.M)}
+
+
+def make(folder: Path, services: Services) -> Mini:
+    """A small checkout in a folder, with a place of its own in the registry."""
+    for name in CHECKOUT:
+        if (ROOT / name).is_dir():
+            shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+        else:
+            shutil.copy(ROOT / name, folder / name)
+    shutil.copytree(ROOT / "tests" / "structure", folder / "tests" / "structure")
+    for file in (folder / "tests/structure").glob("*.yaml"):
+        file.write_text(TEST.format(path="/etc/os-release"))
+    matrix = yaml.safe_load((ROOT / "matrix.yaml").read_text())
+    matrix["distributions"] = {"bookworm": matrix["distributions"]["bookworm"] | {"components": ["core", "base"]}}
+    matrix["distributions"]["bookworm"]["default_stack"] = "cpu"
+    matrix["operating_systems"] = {"bookworm": matrix["operating_systems"]["bookworm"]}
+    matrix["frameworks"] = {name: matrix["frameworks"][name] for name in ("none", "tensorflow")}
+    matrix["stacks"] = {"cpu": {k: v for k, v in matrix["stacks"]["cpu"].items() if k != "torch"}}
+    matrix["releases"] = {"tensorflow": {"2.20.0": matrix["releases"]["tensorflow"]["2.20.0"]}, "torch": {}}
+    matrix["releases"]["tensorflow"]["2.20.0"]["wheels"] = {"cpu": ["amd64", "arm64"]}
+    parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name != "torch"}
+    matrix["disk"] |= {"parts": {"cpu": parts}, "budgets": {}}
+    matrix["source"] = SOURCE
+    matrix["default"] = {"target": "bookworm-core", "group": ["bookworm-core"]}
+    (folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
+    (folder / ".state").mkdir()
+    for name in ("registry", "base", "regctl", "bin"):
+        if (ROOT / ".state" / name).exists():
+            (folder / ".state" / name).symlink_to(ROOT / ".state" / name)
+    shutil.copy(ROOT / ".state" / "services.json", folder / ".state" / "services.json")
+    found = Mini(folder, services, "").elsewhere()
+    found.mark()
+    return found

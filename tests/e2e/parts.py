@@ -1,0 +1,140 @@
+"""Images of a few bytes with the labels of real ones: ROS images and payloads, put into a registry without a builder."""
+
+from __future__ import annotations
+
+import gzip
+import io
+import json
+import tarfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from rosml import filelist, labels, oci
+from rosml.model import ANY_PYTHON, FOR_ANY_PYTHON, PARTS, Part
+from rosml.oci import Registry
+
+CREATED = "2026-01-01T00:00:00Z"
+PLATFORMS = ("linux/amd64",)
+FRAMEWORKS = {
+    "cuda": ("cuda",),
+    "torch": ("cuda", "common", "torch"),
+    "tensorflow": ("cuda", "common", "tensorflow-cc", "tensorflow"),
+    "ml": PARTS,
+}
+VERSIONS = {"cuda": "12.8.90", "cudnn": "9.10.2.21", "torch": "2.10.0", "tensorflow": "2.20.0"}
+
+
+@dataclass(frozen=True)
+class Tiny:
+    """An image to be put into a registry.
+
+    Attributes:
+        labels: of its config. files: what its one layer holds.
+        listed: the list of its files; the same as `files` if None. unlisted: without a list.
+        environment: beside PATH. salt: makes another image of the same.
+    """
+
+    labels: Mapping[str, str]
+    files: Sequence[str] = ()
+    listed: Sequence[str] | None = None
+    unlisted: bool = False
+    environment: Sequence[str] = ()
+    salt: str = ""
+    config: Mapping[str, object] = field(default_factory=dict)
+
+    def put(self, registry: Registry, repository: str, tag: str, platforms: Sequence[str] = PLATFORMS) -> str:
+        """Puts it under a tag, for some platforms; gives its reference."""
+        entries = []
+        for platform in platforms:
+            digest, size = self.put_manifest(registry, repository, platform)
+            os, architecture = platform.split("/")
+            place = {"os": os, "architecture": architecture}
+            entries.append({"mediaType": oci.IMAGE, "digest": digest, "size": size, "platform": place})
+        registry.put_manifest(
+            repository, tag, {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}, oci.INDEX
+        )
+        return f"{registry.host}/{repository}:{tag}"
+
+    def put_manifest(self, registry: Registry, repository: str, platform: str = PLATFORMS[0]) -> tuple[str, int]:
+        """Puts it for one platform, by its digest alone; gives the manifest's digest and size."""
+        os, architecture = platform.split("/")
+        layer = archive([*self.files, f"made/{self.labels.get(labels.TITLE, 'nothing')}"], f"{platform} {self.salt}")
+        config = {
+            "os": os,
+            "architecture": architecture,
+            "created": CREATED,
+            "config": {
+                "Env": ["PATH=/usr/bin:/bin", *self.environment],
+                "Entrypoint": ["/tini", "--", "/entrypoint.sh"],
+                "Labels": dict(self.labels),
+            },
+            "rootfs": {"type": "layers", "diff_ids": [oci.digest_of(gzip.decompress(layer))]},
+            "history": [{"created": CREATED, "created_by": "COPY / /"}],
+            **self.config,
+        }
+        data = json.dumps(config).encode()
+        for blob in (layer, data):
+            registry.put_blob(repository, blob)
+        manifest = oci.encoded(
+            {
+                "schemaVersion": 2,
+                "mediaType": oci.IMAGE,
+                "config": oci.descriptor(oci.CONFIG, data),
+                "layers": [oci.descriptor("application/vnd.oci.image.layer.v1.tar+gzip", layer)],
+            }
+        )
+        digest = registry.put_manifest(repository, "", manifest)
+        if not self.unlisted:
+            names = sorted(self.files if self.listed is None else self.listed)
+            text = "".join(f"{name}\n" for name in names).encode()
+            subject = oci.descriptor(oci.IMAGE, manifest)
+            registry.attach(repository, subject, filelist.ARTIFACT, gzip.compress(text, mtime=0), filelist.MEDIA_TYPE)
+        return digest, len(manifest)
+
+
+def archive(files: Sequence[str], content: str) -> bytes:
+    """A layer with some files, all with the same content; the same bytes for the same files."""
+    stream = io.BytesIO()
+    with tarfile.open(fileobj=stream, mode="w") as tar:
+        for name in files:
+            entry = tarfile.TarInfo(name)
+            entry.size = len(content.encode())
+            tar.addfile(entry, io.BytesIO(content.encode()))
+    return gzip.compress(stream.getvalue(), mtime=0)
+
+
+def ros(distribution: str = "bookworm", component: str = "core", python: str = "3.11", **more: object) -> Tiny:
+    """A ROS image. `more`: what else `Tiny` has."""
+    said = {
+        **labels.named(distribution, component, "1", "none", None, {}),
+        "org.opencontainers.image.licenses": "Apache-2.0",
+        "io.rosml.distribution": distribution,
+        "io.rosml.framework": "none",
+        "io.rosml.os": "bookworm",
+        "io.rosml.python": python,
+        "io.rosml.ros": "1",
+    }
+    facts = {"files": ("usr/bin/env", "bin", "lib", "opt/ros/setup.bash"), **more}
+    return Tiny(said, **facts)  # type: ignore[arg-type]
+
+
+def payload(
+    part: Part,
+    stack: str = "cu128",
+    python: str = "3.11",
+    versions: Mapping[str, str] = VERSIONS,
+    frameworks: Mapping[str, Sequence[str]] | None = None,
+    **more: object,
+) -> Tiny:
+    """A payload of a stack with CUDA, or of one whose name begins with `cpu`. `more`: what else `Tiny` has."""
+    own = {name: tuple(p for p in parts if p != "cuda" or not stack.startswith("cpu")) for name, parts in
+           (frameworks or FRAMEWORKS).items()}  # fmt: skip
+    taking = {name: parts for name, parts in own.items() if part in parts}
+    python = ANY_PYTHON if part in FOR_ANY_PYTHON else python
+    said = labels.of_payload(part, stack, python, versions, taking)
+    return Tiny(said, **{"files": (f"usr/local/share/{part}",), **more})  # type: ignore[arg-type]
+
+
+def stack(registry: Registry, repository: str, parts: Sequence[Part], name: str = "cu128", **more: object) -> list[str]:
+    """Puts payloads of a stack into a repository; gives their references. `more`: what else `payload` has."""
+    return [payload(part, name, **more).put(registry, repository, f"{part}-{name}") for part in parts]  # type: ignore[arg-type]

@@ -1,0 +1,193 @@
+"""A registry as companies have them: TLS with a certificate of their own authority, and users with passwords, who are asked
+for them by the registry itself or by a server that issues tokens."""
+
+from __future__ import annotations
+
+import base64
+import datetime
+import json
+import os
+import re
+import socket
+import ssl
+import subprocess
+import threading
+import time
+import uuid
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from urllib.parse import parse_qs, urlsplit
+
+import bcrypt
+import jwt
+import trustme
+
+from machine import network
+from rosml import ROOT
+
+NAME, PASSWORD = "robot+ci", "p4ss:wörd/with=odd&letters"
+ISSUER, SERVICE = "a test", "a registry"
+
+
+def own_address() -> str:
+    """An address of this machine that is not loopback, where plain http would do; loopback on a machine without one."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(("192.0.2.1", 9))  # sends nothing
+        except OSError:
+            return "127.0.0.1"
+        return str(probe.getsockname()[0])
+
+
+def encoded(name: str, password: str) -> str:
+    """As Docker's config file and the header have them."""
+    return base64.b64encode(f"{name}:{password}".encode()).decode()
+
+
+@dataclass
+class Secure:
+    """A running registry.
+
+    Attributes:
+        host: its address. authority: who signed its certificate. storage: its folder. log: its log.
+        scopes: those of the tokens that were issued.
+    """
+
+    host: str
+    authority: trustme.CA
+    storage: Path
+    log: Path
+    scopes: list[str] = field(default_factory=list)
+
+    @property
+    def repositories(self) -> list[str]:
+        """All that have anything."""
+        root = self.storage / "docker/registry/v2/repositories"
+        return sorted(str(path.parent.relative_to(root)) for path in root.rglob("_manifests"))
+
+    def docker_config(self, folder: Path, config: Mapping[str, object], trust: bool = True) -> None:
+        """Writes what `docker login` leaves, and the authority's certificate where it is looked for."""
+        folder.mkdir(parents=True)
+        (folder / "config.json").write_text(json.dumps(config))
+        if trust:
+            place = folder / "certs.d" / self.host
+            place.mkdir(parents=True)
+            self.authority.cert_pem.write_to_path(str(place / "ca.crt"))
+
+
+@contextmanager
+def registry(folder: Path, expired: bool = False, users: Mapping[str, str] | None = None) -> Iterator[Secure]:
+    """Starts one.
+
+    Args:
+        expired: its certificate has expired.
+        users: what they may do, `pull` or `pull,push`, for one that wants tokens; without, it wants the password itself.
+    """
+    folder.mkdir()
+    address = own_address()
+    authority = trustme.CA()
+    now = datetime.datetime.now(datetime.UTC)
+    valid = (now - datetime.timedelta(days=2), now + datetime.timedelta(days=-1 if expired else 1))
+    leaf = authority.issue_cert(address, not_before=valid[0], not_after=valid[1])
+    leaf.private_key_pem.write_to_path(str(folder / "key.pem"))
+    (folder / "chain.pem").write_bytes(b"".join(pem.bytes() for pem in leaf.cert_chain_pems))
+    authority.cert_pem.write_to_path(str(folder / "authority.pem"))
+    found = Secure(f"{address}:{network.free_port()}", authority, folder / "storage", folder / "log")
+    if users is None:
+        hashed = bcrypt.hashpw(PASSWORD.encode(), bcrypt.gensalt(4)).decode()
+        (folder / "htpasswd").write_text(f"{NAME}:{hashed}\n")
+        with running(folder, found, {"htpasswd": {"realm": "a test", "path": str(folder / "htpasswd")}}):
+            yield found
+        return
+    with tokens(folder, found, leaf, users) as realm:
+        token = {"realm": realm, "service": SERVICE, "issuer": ISSUER, "rootcertbundle": str(folder / "authority.pem")}
+        with running(folder, found, {"token": token}):
+            yield found
+
+
+@contextmanager
+def running(folder: Path, found: Secure, auth: Mapping[str, object]) -> Iterator[None]:
+    """Runs the registry's program."""
+    config = {
+        "version": 0.1,
+        "log": {"level": "info"},
+        "storage": {"filesystem": {"rootdirectory": str(found.storage)}, "delete": {"enabled": True}},
+        "http": {
+            "addr": found.host,
+            "tls": {"certificate": str(folder / "chain.pem"), "key": str(folder / "key.pem")},
+        },
+        "auth": auth,
+    }
+    (folder / "config.json").write_text(json.dumps(config))
+    env = {name: value for name, value in os.environ.items() if not name.startswith(("REGISTRY_", "OTEL_"))}
+    env["OTEL_TRACES_EXPORTER"] = "none"
+    command = [str(ROOT / ".state/bin/registry"), "serve", str(folder / "config.json")]
+    with found.log.open("wb") as log:
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=env)
+    try:
+        host, _, port = found.host.rpartition(":")
+        deadline = time.monotonic() + 20
+        while True:
+            assert process.poll() is None and time.monotonic() < deadline, found.log.read_text()[-2000:]
+            with socket.socket() as probe:
+                if probe.connect_ex((host, int(port))) == 0:
+                    break
+            time.sleep(0.05)
+        yield
+    finally:
+        process.terminate()
+        process.wait(timeout=20)
+
+
+@contextmanager
+def tokens(folder: Path, found: Secure, leaf: trustme.LeafCert, users: Mapping[str, str]) -> Iterator[str]:
+    """A server that issues tokens, signed by the registry's authority; gives its address."""
+    key = leaf.private_key_pem.bytes().decode()
+    chain = [base64.b64encode(ssl.PEM_cert_to_DER_cert(pem.bytes().decode())).decode() for pem in leaf.cert_chain_pems]
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            header = self.headers.get("Authorization", "")
+            name = next((name for name in users if header == f"Basic {encoded(name, PASSWORD)}"), "")
+            if header and not name:
+                self.answer(401, {"details": "unknown user or wrong password"})
+                return
+            asked = " ".join(parse_qs(urlsplit(self.path).query).get("scope", [])).split()
+            found.scopes.extend(asked)
+            access = []
+            for scope in asked:
+                kind, repository, wanted = re.fullmatch(r"(\w+):(.+):([^:]*)", scope).groups()  # type: ignore[union-attr]
+                allowed = [action for action in wanted.split(",") if action in users.get(name, "").split(",")]
+                access.append({"type": kind, "name": repository, "actions": allowed})
+            now = int(time.time())
+            claims = {"iss": ISSUER, "sub": name, "aud": SERVICE, "exp": now + 300, "nbf": now - 10, "iat": now}
+            claims |= {"jti": uuid.uuid4().hex, "access": access}
+            token = jwt.encode(claims, key, algorithm="ES256", headers={"x5c": chain})
+            self.answer(200, {"token": token, "expires_in": 300})
+
+        def do_POST(self) -> None:  # the newer way, which not all servers know
+            self.rfile.read(int(self.headers.get("Content-Length") or 0))
+            self.answer(405, {})
+
+        def answer(self, code: int, content: Mapping[str, object]) -> None:
+            data = json.dumps(content).encode()
+            self.send_response(code)
+            self.send_header("Content-Length", str(len(data)))
+            self.end_headers()
+            self.wfile.write(data)
+
+        def log_message(self, format: str, *args: object) -> None:
+            pass
+
+    address = found.host.rpartition(":")[0]
+    context = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
+    context.load_cert_chain(folder / "chain.pem", folder / "key.pem")
+    with ThreadingHTTPServer((address, 0), Handler) as server:
+        server.daemon_threads = True
+        server.socket = context.wrap_socket(server.socket, server_side=True, do_handshake_on_connect=False)
+        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.05}, daemon=True).start()
+        yield f"https://{address}:{server.server_port}/token"
+        server.shutdown()

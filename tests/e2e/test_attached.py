@@ -1,0 +1,155 @@
+"""What is attached to images of a real run: their entries of the ledger, where they came from, and signatures; that none
+of it is uploaded twice, and none of it is in an image."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from rosml import ROOT, agenda, ledger, oci, provenance
+from rosml.agenda import INDEX
+from rosml.ledger import Ledger
+from rosml.pipeline import Pipeline
+from rosml.services import Services
+from rosml.signer import Signer, SignerFailed
+from tests.e2e import mini as minis
+from tests.e2e.conftest import LOG, run
+from tests.e2e.mini import Mini
+
+ONLY = ("--only", "bookworm-core-tensorflow-cpu")
+
+
+@pytest.fixture(scope="module")
+def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+    return minis.make(tmp_path_factory.mktemp("mini"), services)
+
+
+@pytest.fixture
+def mini(project: Mini) -> Iterator[Mini]:
+    """The small project with an empty place in the registry."""
+    yield project.elsewhere()
+
+
+def entries(mini: Mini) -> dict[tuple[str, str], ledger.Entry]:
+    book = Ledger(mini.client(), mini.prefix)
+    names = [name.rpartition(".")[::2] for name in book.registry.tags(book.repository) if not name.startswith("undo.")]
+    found = {(target, architecture): book.read(target, architecture) for target, architecture in names}
+    return {key: entry for key, entry in found.items() if entry}
+
+
+def test_entries_and_provenance(mini: Mini) -> None:
+    """A second run sends nothing; one whose ledger was lost carries on; another place has the same manifests."""
+    mini.all(*ONLY)
+    client, known = mini.client(), entries(mini)
+    sizes = []
+    for (target, architecture), entry in known.items():
+        path = f"{mini.prefix}/{entry.repository}"
+        found = Ledger(client, mini.prefix).attached(entry.repository, entry.digest)
+        assert found and found[0].facts == entry.facts
+        listed = run(
+            *(mini.services.regctl, "--host", f"reg={mini.services.registry},tls=disabled", "artifact", "list"),
+            *("--format", "{{json .}}", f"{mini.services.registry}/{path}@{entry.digest}"),
+        )
+        kinds = [item["artifactType"] for item in json.loads(listed.out)["descriptors"]]
+        assert kinds.count(ledger.ARTIFACT) == 1
+        assert kinds.count(provenance.MEDIA_TYPE) == (architecture != INDEX), f"{target}: {kinds}"
+        for item in client.referrers(path, entry.digest):
+            content = client.manifest(path, item["digest"])
+            assert content
+            if item["artifactType"] in (ledger.ARTIFACT, provenance.MEDIA_TYPE):
+                sizes.append((item["artifactType"], content.size + content.content["layers"][0]["size"]))
+    for kind in (ledger.ARTIFACT, provenance.MEDIA_TYPE):
+        own = [size for name, size in sizes if name == kind]
+        LOG.info("%s: %d, of %d bytes on average", kind, len(own), sum(own) / len(own))
+
+    with oci.Registry(mini.services.registry) as counting:
+        services = Services.load(mini.folder)
+        plan = agenda.survey(
+            services, mini.catalogue, counting, mini.prefix, [ONLY[1]], ("amd64",), date="2027-01-01T00:00:00Z"
+        )
+        again = Pipeline(plan, counting, services.registry, mini.prefix, LOG.info, ("amd64",))
+        for step in ("build", "compose", "test", "index", "promote"):
+            getattr(again, step)()
+        assert (again.outcomes, counting.uploaded) == ([], 0)
+
+    test = mini.folder / "tests/structure/contract.yaml"
+    test.write_text(test.read_text() + "# another\n")
+    image = known["bookworm-core", "amd64"]
+    where = (f"{mini.prefix}/{image.repository}", image.digest, ledger.ARTIFACT)
+    mini.all(*ONLY)
+    known = entries(mini)
+    assert len(client.referrers(*where)) == 2, "its tests are others"
+    assert mini.publish("prune", "--apply").code == 0
+    (left,) = client.referrers(*where)
+    assert client.manifest(where[0], left["digest"]), "the newest one"
+    found = Ledger(client, mini.prefix).attached(image.repository, image.digest)
+    assert found and found[0].facts == known["bookworm-core", "amd64"].facts
+    assert json.loads(mini.publish("prune", "--json").out)["superseded"] == []
+
+    book = Ledger(client, mini.prefix)
+    for name in client.tags(book.repository):
+        if digest := client.head(book.repository, name):
+            client.delete(book.repository, digest)
+    assert not client.tags(book.repository)
+    assert mini.all(*ONLY)["outcomes"] == []
+    assert {key: entry.facts for key, entry in entries(mini).items()} == {k: entry.facts for k, entry in known.items()}
+
+    other = mini.elsewhere()
+    other.all(*ONLY, "--force")
+    images = {key: entry.digest for key, entry in known.items() if key[1] != INDEX}
+    assert {key: entry.digest for key, entry in entries(other).items() if key[1] != INDEX} == images
+
+
+@pytest.fixture
+def cosign(tmp_path: Path, mini: Mini) -> dict[str, str]:
+    """The environment of a run that signs with a key of its own."""
+    environment = {"COSIGN_KEY": str(tmp_path / "test.key"), "COSIGN_PASSWORD": "only for this test"}
+    note = ROOT / ".state/signer.json"
+    program = json.loads(note.read_text())["cosign"] if note.exists() else shutil.which("cosign")
+    if not program:
+        pytest.skip("cosign is not installed: make signer")
+    made = subprocess.run(
+        [program, "generate-key-pair", "--output-key-prefix", str(tmp_path / "test")],
+        env={**os.environ, **environment},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert made.returncode == 0, made.stderr
+    (mini.folder / ".state/signer.json").write_text(json.dumps({"cosign": program}))
+    return environment
+
+
+def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
+    """By the real cosign: before tags move, once, and only ours count."""
+    refused = mini.publish("all", "--serve", "amd64", "--sign", *ONLY, env=cosign | {"COSIGN_PASSWORD": "wrong"})
+    assert refused.code == 1 and "the signing key cannot be read" in refused.err and "COSIGN_PASSWORD" in refused.err
+    assert mini.tags() == {}, "it is told before anything is built"
+    done = mini.all(*ONLY, "--sign", env=cosign)
+    signed = [item["target"] for item in done["outcomes"] if item["step"] == "sign"]
+    signer = Signer.find(mini.folder, {**os.environ, **cosign})
+    client, known = mini.client(), entries(mini)
+    indexes = {target: entry for (target, architecture), entry in known.items() if architecture == INDEX}
+    assert sorted(signed) == sorted(indexes)
+    for target, entry in indexes.items():
+        reference = f"{mini.services.registry}/{mini.prefix}/{entry.repository}@{entry.digest}"
+        signer.verify(reference)
+        assert signer.identity in entry.signed
+        assert signer.ensure(reference) is False
+        assert Ledger(client, mini.prefix).attached(entry.repository, entry.digest), f"{target}: its entry is gone"
+        kinds = [item["artifactType"] for item in client.referrers(f"{mini.prefix}/{entry.repository}", entry.digest)]
+        assert sum("sigstore" in kind for kind in kinds) == 1, kinds
+    assert mini.all(*ONLY, "--sign", env=cosign)["outcomes"] == []
+
+    image = known["bookworm-core", "amd64"]
+    with pytest.raises(SignerFailed, match="has no signature"):
+        signer.verify(f"{mini.services.registry}/{mini.prefix}/ros@{image.digest}")
+    pruned = json.loads(mini.publish("prune", "--days", "0", "--newest", "0", "--json").out)
+    assert pruned["manifests"] == pruned["superseded"] == [], "signatures of kept indexes stay"

@@ -1,0 +1,217 @@
+"""Images are put together in the registry: the same as a build gives, in next to no time and bytes."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import sys
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosml import ROOT, compose, filelist, oci, registry
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.services import Services
+from tests.e2e import mini as minis
+from tests.e2e.conftest import LOG, NAMESPACE, Published, Run, run
+from tests.e2e.mini import Mini
+from tests.e2e.test_images import build, push_payload
+
+PARTS = ("common-cpu-py311", "tensorflow-cc-cpu", "tensorflow-cpu-py311")
+SECONDS, BYTES = 1.0, 10_000
+"""What composing an image may take."""
+
+
+@pytest.fixture(scope="module")
+def mini(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+    """The small project, published."""
+    found = minis.make(tmp_path_factory.mktemp("mini"), services)
+    found.all()
+    return found
+
+
+def composed(mini: Mini, *arguments: str) -> Run:
+    return run(sys.executable, str(ROOT / "scripts/compose.py"), *arguments, cwd=mini.folder)
+
+
+def parts(mini: Mini) -> list[str]:
+    return [f"{mini.registry}/payload:{name}" for name in PARTS]
+
+
+def config(client: oci.Registry, repository: str, reference: str) -> tuple[list[str], dict[str, Any]]:
+    """Layers and config of an image for one platform, through its index."""
+    found = client.manifest(repository, reference)
+    assert found
+    if found.is_index:
+        found = client.manifest(repository, found.content["manifests"][0]["digest"])
+        assert found
+    layers = [layer["digest"] for layer in found.content["layers"]]
+    return layers, client.json_blob(repository, found.content["config"]["digest"])
+
+
+def test_as_a_build_would_make_it(mini: Mini) -> None:
+    """Layers, environment, entrypoint, labels: a composed image and one of `buildx bake` are the same."""
+    client = mini.client()
+    target = "bookworm-core-tensorflow-cpu"
+    namespace = f"{mini.prefix}/built"
+    outcome = run(*mini.command("image", target, "--namespace", namespace, "--json"), cwd=mini.folder)
+    assert outcome.code in (0, 1), outcome.err  # the budget and labels are the real ones' business
+    built = config(client, f"{namespace}/ros-tf", json.loads(outcome.out)["manifest"] if outcome.code == 0 else "")
+    ours = config(client, f"{mini.prefix}/ros-tf", "bookworm-core-cpu")
+    assert ours[0] == built[0]
+    for name in ("Entrypoint", "Cmd", "WorkingDir", "Labels"):
+        assert ours[1]["config"].get(name) == built[1]["config"].get(name), name
+    assert sorted(ours[1]["config"]["Env"]) == sorted(built[1]["config"]["Env"])
+    assert ours[1]["rootfs"] == built[1]["rootfs"]
+    assert {key: ours[1][key] for key in ("os", "architecture")} == {
+        key: built[1][key] for key in ("os", "architecture")
+    }
+
+
+def test_for_users(mini: Mini) -> None:
+    """Under a second, under ten kilobytes, whatever the order; by a second call nothing at all."""
+    tag = f"{mini.registry}/mine:latest"
+    first = composed(mini, f"{mini.registry}/ros:bookworm-core", *parts(mini), "--tag", tag, "--json")
+    assert first.code == 0, first.err
+    said = json.loads(first.out)
+    assert said["copied"] == 0 and said["mounted"] == said["layers"]
+    assert said["seconds"] < SECONDS and said["uploaded"] < BYTES
+    again = composed(mini, f"{mini.registry}/ros:bookworm-core", *parts(mini)[::-1], "--tag", tag, "--json")
+    assert json.loads(again.out)["digest"] == said["digest"]
+    layers, found = config(mini.client(), f"{mini.prefix}/mine", "latest")
+    assert len(layers) == len(found["rootfs"]["diff_ids"])
+    assert found["config"]["Labels"]["io.rosml.framework"] == "tensorflow"
+    assert "TENSORFLOW_VERSION=2.20.0" in found["config"]["Env"]
+
+
+def test_what_does_not_go_together(mini: Mini) -> None:
+    ros, tag = f"{mini.registry}/ros:bookworm-core", f"{mini.registry}/mine:never"
+    common, cc, tensorflow = parts(mini)
+    for arguments, words in {
+        (ros, tensorflow): "common",
+        (ros, common, cc, tensorflow, tensorflow): "twice",
+        (common, cc): "is a payload",
+        (ros, ros): "is a ROS image",
+        (f"{mini.registry}/ros-tf:bookworm-core-cpu", common): "already",
+        (f"{mini.registry}/ros:bookworm-corn", common): "did you mean 'bookworm-core'",
+    }.items():
+        outcome = composed(mini, *arguments, "--tag", tag)
+        assert outcome.code == 2, (arguments, outcome.err)
+        assert words in outcome.err and "Traceback" not in outcome.err, outcome.err
+    assert mini.client().head(f"{mini.prefix}/mine", "never") == ""
+
+
+def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
+    """Known from the lists that are attached to them; nothing is pulled for it."""
+    client = mini.client()
+    repository = f"{mini.prefix}/payload"
+    index = client.manifest(repository, PARTS[0])
+    assert index
+    manifest = client.manifest(repository, index.content["manifests"][0]["digest"])
+    assert manifest
+    (entry,) = client.referrers(repository, manifest.digest, filelist.ARTIFACT)
+    listed = client.manifest(repository, entry["digest"])
+    assert listed
+    names = filelist.unpacked(client.blob(repository, listed.content["layers"][0]["digest"])).decode().split()
+    assert names == ["opt/mini-payload/common"]
+
+    other = {**manifest.content, "annotations": {"another": "one"}}
+    digest = client.put_manifest(repository, "", oci.encoded(other), oci.IMAGE)
+    changed = client.manifest(repository, digest)
+    assert changed
+    filelist.attach(client, repository, changed, gzip.compress(b"opt/mini-payload/tensorflow-cc\n"))
+    arguments = [f"{mini.registry}/payload@{digest}", *parts(mini)[1:]]
+    outcome = composed(mini, f"{mini.registry}/ros:bookworm-core", *arguments, "--tag", f"{mini.registry}/mine:never")
+    assert outcome.code == 2
+    assert "both carry /opt/mini-payload/tensorflow-cc" in outcome.err
+
+
+def test_two_hundred_images_in_a_minute(mini: Mini) -> None:
+    """Each of a ROS image of its own: a config of its own over layers that are there."""
+    client = mini.client()
+    layers, found = config(client, f"{mini.prefix}/ros", "bookworm-core")
+    index = client.manifest(f"{mini.prefix}/ros", "bookworm-core")
+    assert index
+    manifest = client.manifest(f"{mini.prefix}/ros", index.content["manifests"][0]["digest"])
+    assert manifest and layers
+    images = []
+    for number in range(200):
+        own = {**found, "config": {**found["config"], "Env": [*found["config"]["Env"], f"NUMBER={number}"]}}
+        data = oci.encoded(own)
+        client.put_blob(f"{mini.prefix}/ros", data)
+        content = {**manifest.content, "config": oci.descriptor(oci.CONFIG, data)}
+        images.append(client.put_manifest(f"{mini.prefix}/ros", "", oci.encoded(content), oci.IMAGE))
+    said: list[str] = []
+    with (
+        compose.Composer(lambda _: client, mini.folder / "cache", allow_unlisted=True, say=said.append) as composer,
+        ThreadPoolExecutor(8) as pool,
+    ):
+
+        def one(number: int) -> compose.Composed:
+            target = f"{mini.registry}/many:{number}"
+            return composer.compose(f"{mini.registry}/ros@{images[number]}", parts(mini), target)
+
+        start = time.monotonic()
+        results = list(pool.map(one, range(200)))
+        seconds = time.monotonic() - start
+    assert seconds < 60
+    assert len({result.digest for result in results}) == 200
+    assert max(result.uploaded for result in results) < BYTES
+    assert len(client.tags(f"{mini.prefix}/many")) == 200
+    LOG.info("200 images in %.1f s, %d bytes", seconds, sum(result.uploaded for result in results))
+
+
+def test_a_registry_that_refuses_leaves_no_tag(mini: Mini, monkeypatch: pytest.MonkeyPatch) -> None:
+    client = mini.client()
+    put = oci.Registry.put_manifest
+
+    def refuse(self: oci.Registry, repository: str, reference: str, *rest: Any) -> str:
+        if reference == "broken":
+            raise RosmlError("the connection was dropped", "run it again")
+        return put(self, repository, reference, *rest)
+
+    monkeypatch.setattr(oci.Registry, "put_manifest", refuse)
+    with (
+        compose.Composer(lambda _: client, mini.folder / "cache") as composer,
+        pytest.raises(RosmlError, match="dropped"),
+    ):
+        composer.compose(f"{mini.registry}/ros:bookworm-core", parts(mini), f"{mini.registry}/mine:broken")
+    assert client.head(f"{mini.prefix}/mine", "broken") == ""
+
+
+def test_a_real_one_runs(
+    services: Services, published: Callable[[str], Published], catalogue: Catalogue, tmp_path: Path
+) -> None:
+    """ROS and TensorFlow as they are: the layers of the built image, and a program that uses both."""
+    image, ros = published("bookworm-core-tensorflow-cpu"), published("bookworm-core")
+    client = oci.Registry(services.registry)
+    place = f"{services.registry}/{NAMESPACE}"
+    images = {"ros": ros.result["manifest"]}
+    for name in image.image.parts:
+        push_payload(services, image, catalogue.payload_by_name[name])
+        images[f"payload:{name}"] = client.head(f"{NAMESPACE}/payload", name)
+    for name, digest in images.items():
+        repository = f"{NAMESPACE}/{name.partition(':')[0]}"
+        filelist.attach_files(services, catalogue, client, repository, digest, LOG.info)
+        listed = registry.regctl(services, "artifact", "list", f"{services.registry}/{repository}@{digest}")
+        assert filelist.ARTIFACT in listed, "other tools find the list as well"
+    tag = f"{place}/composed:latest"
+    payloads = [f"{place}/payload:{name}" for name in image.image.parts]
+    command = (sys.executable, str(ROOT / "scripts/compose.py"), f"{place}/ros:bookworm-core", *payloads, "--tag", tag)
+    outcome = run(*command, "--json")
+    assert outcome.code == 0, outcome.err
+    said = json.loads(outcome.out)
+    assert said["seconds"] < SECONDS and said["uploaded"] < BYTES
+    layers, found = config(client, f"{NAMESPACE}/composed", "latest")
+    assert layers == image.layers
+    built = config(client, f"{NAMESPACE}/{image.image.repository}", image.result["manifest"])[1]
+    assert found["config"]["Labels"] == built["config"]["Labels"]
+    assert sorted(found["config"]["Env"]) == sorted(built["config"]["Env"])
+    program = "import rospy, tensorflow as tf; print('sum:', int(tf.reduce_sum([1, 2, 3])))"
+    (tmp_path / "Dockerfile").write_text(f'FROM {tag}\nRUN /entrypoint.sh python3 -c "{program}"\n')
+    assert "sum: 6" in build(services, tmp_path)

@@ -1,0 +1,475 @@
+"""What an image promises at run time, with a real container engine: `docker run` as users type it."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import time
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+
+import pytest
+
+from rosml import publish
+from rosml.expand import Catalogue
+from rosml.services import Services
+from rosml.turn import turn
+from tests.e2e import engine
+from tests.e2e.conftest import NAMESPACE, Published, Run
+
+REASON = engine.missing()
+pytestmark = pytest.mark.skipif(bool(REASON), reason=REASON)
+
+TARGET = "bookworm-core"
+WORKSPACE = "/docker-ros/ws"
+
+Publish = Callable[[str], Published]
+
+
+def env(environment: Mapping[str, str]) -> tuple[str, ...]:
+    """Options of `docker run`."""
+    return tuple(item for name, value in environment.items() for item in ("--env", f"{name}={value}"))
+
+
+class Container:
+    """The image in the engine."""
+
+    def __init__(self, docker: engine.Engine, image: str) -> None:
+        self.docker = docker
+        self.image = image
+
+    def run(self, *command: str, options: tuple[str, ...] = (), **environment: str) -> Run:
+        """`docker run IMAGE COMMAND`, with options and environment."""
+        return self.docker.run(self.image, *command, options=(*options, *env(environment)))
+
+    def bash(self, script: str, options: tuple[str, ...] = (), **environment: str) -> str:
+        """What a script says; it must not fail."""
+        done = self.run("bash", "-euc", script, options=(*options, *env(environment)))
+        assert done.code == 0, done.out + done.err
+        return done.out.strip()
+
+
+@pytest.fixture(scope="module")
+def loaded(
+    services: Services, catalogue: Catalogue, published: Publish, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Callable[[str], Container]]:
+    """Loads a published image into the engine, once."""
+    publisher = publish.Publisher(services, catalogue, print, NAMESPACE)
+    done: dict[str, Container] = {}
+    with engine.running() as docker:
+
+        def load(target: str) -> Container:
+            if target not in done:
+                published(target)
+                variables = publisher.variables(catalogue.image(target), publish.Result(target))
+                folder = tmp_path_factory.mktemp("load")
+                with turn(publish.turn_file(services, target, publisher.architecture), lambda: None):
+                    bake_file = publish.write_excerpt(services, catalogue, target)
+                    done[target] = Container(docker, docker.load(services, bake_file, target, variables, folder))
+            return done[target]
+
+        yield load
+
+
+@pytest.fixture(scope="module")
+def container(loaded: Callable[[str], Container]) -> Container:
+    return loaded(TARGET)
+
+
+def mount(source: Path, target: str) -> tuple[str, str]:
+    source.chmod(0o755)  # pytest's own are nobody else's
+    return "--volume", f"{source}:{target}"
+
+
+# ---- The command -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("options", [(), ("user",), ("user", "--read-only")], ids=["root", "user", "read-only"])
+def test_exit_codes_and_arguments_pass_through(container: Container, options: tuple[str, ...]) -> None:
+    given = tuple(item for option in options for item in (env(USER) if option == "user" else (option,)))
+    assert container.run("bash", "-c", "exit 37", options=given).code == 37
+    done = container.run("printf", "<%s>", "a b", "", 'c"d', "e'f", "$HOME", "*", "-n", options=given)
+    assert done.out == "<a b><><c\"d><e'f><$HOME><*><-n>"
+    assert container.run("no-such-command", options=given).code == 127
+    assert container.run("/etc/passwd", options=given).code == 126
+    for command in (("--help",), ("-c", "env"), ("-l", "bash"), ("A=1", "id")):  # no options of ours, nor of exec
+        done = container.run(*command, options=given)
+        assert (done.code, done.out) == (127, ""), done
+
+
+@pytest.mark.parametrize("environment", [{}, {"DOCKER_UID": "1234", "DOCKER_GID": "1234"}], ids=["root", "user"])
+def test_standard_streams(container: Container, tmp_path: Path, environment: dict[str, str]) -> None:
+    """They can be opened by their names, and what a setup file reads is not the command's."""
+    said = container.run("bash", "-c", "echo out >/dev/stdout; echo err >/dev/stderr", options=env(environment))
+    assert (said.code, said.out, said.err) == (0, "out\n", "err\n")
+    (tmp_path / "setup.bash").write_text("read -r line || true\n")
+    options = ("run", "--rm", "--interactive", "--network", "none", *mount(tmp_path, f"{WORKSPACE}/install"))
+    command = container.docker.command(*options, *env(environment), container.image, "cat")
+    assert subprocess.run(command, input="first\nsecond\n", capture_output=True, text=True).stdout == "first\nsecond\n"
+
+
+@pytest.mark.parametrize("environment", [{}, {"DOCKER_UID": "1234", "DOCKER_GID": "1234"}], ids=["root", "user"])
+def test_signals_reach_the_process(container: Container, environment: dict[str, str]) -> None:
+    """`docker stop` ends what waits for SIGTERM at once and with its own exit code, and an orphan is reaped by tini."""
+    script = "trap 'echo ended; exit 9' TERM; echo ready; while :; do sleep 0.1; done"
+    name = container.docker.docker(
+        "run", "--detach", "--network", "none", *env(environment), container.image, "bash", "-c", script
+    )
+    assert name.code == 0, name.err
+    identity = name.out.strip()
+    try:
+        end = time.monotonic() + 30
+        while "ready" not in container.docker.docker("logs", identity).out:
+            assert time.monotonic() < end, container.docker.docker("logs", identity)
+            time.sleep(0.1)
+        started = time.monotonic()
+        assert container.docker.docker("stop", "--time", "20", identity).code == 0
+        assert time.monotonic() - started < 10
+        assert "ended" in container.docker.docker("logs", identity).out
+        code = container.docker.docker("inspect", "--format", "{{.State.ExitCode}}", identity)
+        assert code.out.strip() == "9"
+        # The same container once more: its user exists already.
+        assert container.docker.docker("start", identity).code == 0
+        assert container.docker.docker("stop", "--time", "20", identity).code == 0
+        assert "entrypoint:" not in container.docker.docker("logs", identity).err
+    finally:
+        container.docker.docker("rm", "--force", identity)
+
+
+# ---- The user --------------------------------------------------------------------------------------------------------
+
+USER = {"DOCKER_UID": "1000", "DOCKER_GID": "1001"}
+
+WHO = 'echo "$(id -u):$(id -g) $(id -un) $(id -Gn) home=$HOME ws=$(readlink ~/ws) pwd=$PWD"; touch ~/mine "$WORKSPACE/mine"'
+
+
+def test_root_by_default(container: Container) -> None:
+    assert container.bash(WHO) == f"0:0 root root home=/root ws= pwd={WORKSPACE}"
+
+
+@pytest.mark.parametrize(
+    ("uid", "gid", "expected"),
+    [
+        ("1", "1000", r"1:1000 daemon dockeruser sudo video home=/home/daemon"),  # whose home is /usr/sbin
+        ("1000", "1000", r"1000:1000 dockeruser dockeruser sudo video home=/home/dockeruser"),
+        ("1234", "2345", r"1234:2345 dockeruser dockeruser sudo video home=/home/dockeruser"),
+        ("01000", "1000", r"1000:1000 dockeruser dockeruser sudo video home=/home/dockeruser"),
+        ("1000", "44", r"1000:44 dockeruser video sudo home=/home/dockeruser"),  # a gid that is taken
+        ("1000", "0", r"1000:0 dockeruser root sudo video home=/home/dockeruser"),
+        ("33", "1000", r"33:1000 www-data dockeruser .*sudo.*video.* home=/\S+"),  # a uid that is taken
+        ("65534", "65534", r"65534:65534 nobody nogroup sudo video home=/home/nobody"),  # and has no home
+        ("4294967294", "4294967294", r"4294967294:4294967294 dockeruser .* home=/home/dockeruser"),
+    ],
+)
+def test_becomes_the_user(container: Container, uid: str, gid: str, expected: str) -> None:
+    said = container.bash(WHO, DOCKER_UID=uid, DOCKER_GID=gid)
+    assert re.fullmatch(rf"{expected} ws={WORKSPACE} pwd={WORKSPACE}", said), said
+
+
+@pytest.mark.parametrize("uid", ["0", "00"])
+def test_uid_0_stays_root(container: Container, uid: str) -> None:
+    assert container.bash("id -u; echo $HOME", DOCKER_UID=uid, DOCKER_GID="1000") == "0\n/root"
+
+
+def test_groups_that_were_added_stay(container: Container) -> None:
+    """For serial ports and GPUs."""
+    for options in ((), ("--read-only",)):
+        done = container.run("id", "-G", options=(*options, "--group-add", "dialout", "--group-add", "992", *env(USER)))
+        assert {"20", "992", "1001"} <= set(done.out.split()) and "0" not in done.out.split(), done
+
+
+def test_setup_files_are_read_as_the_user(container: Container, tmp_path: Path) -> None:
+    """Nothing of a workspace runs as root on the way, and what it says about users changes nothing."""
+    (tmp_path / "setup.bash").write_text(
+        'export WHO="$(id -u) $HOME"; unset DOCKER_UID DOCKER_GID; export DOCKER_UID=0; readonly uid=0 user=root home=/\n'
+    )
+    done = container.run(
+        "bash", "-c", 'echo "$WHO $(id -u)"', options=(*mount(tmp_path, f"{WORKSPACE}/install"), *env(USER))
+    )
+    assert (done.code, done.out, done.err) == (0, "1000 /home/dockeruser 1000\n", "")
+
+
+def test_another_name(container: Container) -> None:
+    assert (
+        container.bash("id -un; echo $HOME", DOCKER_UID="1001", DOCKER_GID="1001", DOCKER_USER="ada")
+        == "ada\n/home/ada"
+    )
+    # The group's name is taken: it gets another one.
+    said = container.bash("id -un; id -gn", DOCKER_UID="1001", DOCKER_GID="1001", DOCKER_USER="nogroup")
+    assert said == "nogroup\nnogroup-1001"
+
+
+@pytest.mark.parametrize(
+    ("environment", "code", "words"),
+    [
+        ({"DOCKER_UID": "abc", "DOCKER_GID": "1"}, 64, "take numbers, not 'abc' and '1'"),
+        ({"DOCKER_UID": "-1", "DOCKER_GID": "1"}, 64, "take numbers"),
+        ({"DOCKER_UID": "1000", "DOCKER_GID": "1 0"}, 64, "take numbers"),
+        ({"DOCKER_UID": "4294967295", "DOCKER_GID": "1"}, 64, "take numbers"),
+        ({"DOCKER_UID": "18446744073709551616", "DOCKER_GID": "1"}, 64, "take numbers"),
+        ({"DOCKER_UID": "1000", "DOCKER_GID": "1000", "DOCKER_USER": "games"}, 64, "the user name games is taken"),
+        *(
+            ({"DOCKER_UID": "1000", "DOCKER_GID": "1000", "DOCKER_USER": name}, 64, "DOCKER_USER is no user name")
+            for name in ("a:b", "1234", "../../etc", "..", "-r", "--help", "a b", "*", "x" * 33)
+        ),
+    ],
+)
+def test_a_user_that_cannot_be_is_no_reason_to_start_as_another(
+    container: Container, environment: dict[str, str], code: int, words: str
+) -> None:
+    done = container.run("echo", "started", options=env(environment))
+    assert (done.code, done.out) == (code, ""), done
+    assert f"entrypoint: {words}" in done.err or words in done.err
+
+
+def test_without_the_capabilities_nobody_is_made(container: Container) -> None:
+    for dropped in ("ALL", "DAC_OVERRIDE", "SETUID"):
+        done = container.run("true", options=("--cap-drop", dropped, *env(USER)))
+        assert done.code == 71, done
+        assert "SETGID and SETUID nobody can become another user; add these capabilities" in done.err
+
+
+def test_one_of_both_is_told_and_changes_nothing(container: Container) -> None:
+    done = container.run("id", "-u", DOCKER_UID="1000")
+    assert (done.code, done.out) == (0, "0\n")
+    assert "only work together; running as root" in done.err
+
+
+def test_sudo_without_a_password_and_no_password_at_all(container: Container) -> None:
+    said = container.bash("sudo -n id -u; sudo -n cat /etc/shadow", DOCKER_UID="1000", DOCKER_GID="1000")
+    assert said.startswith("0\n")
+    fields = [line.split(":")[1] for line in said.splitlines()[1:]]
+    assert len(fields) > 10 and set(fields) <= {"*", "!", "!*", "!!"}
+
+
+@pytest.mark.parametrize("environment", [{}, {"DOCKER_UID": "1000", "DOCKER_GID": "1000"}], ids=["plain", "with uid"])
+def test_an_arbitrary_user(container: Container, environment: dict[str, str]) -> None:
+    """`--user 12345:0`, as OpenShift does: a home that can be written, the workspace too, and ROS runs."""
+    script = f"{WHO.replace('$(id -un) ', '')} 2>&1; roscore --help >/dev/null; timeout 3 roscore >/dev/null 2>&1 || [[ $? == 124 ]]"
+    said = container.bash(script, options=("--user", "12345:0"), **environment)
+    assert said.startswith("12345:0 root home=/tmp ws= pwd=")
+
+
+@pytest.mark.parametrize(
+    ("environment", "expected"),
+    [({}, "0:0 home=/root"), ({"DOCKER_UID": "1000", "DOCKER_GID": "1001"}, "1000:1001 home=/tmp")],
+    ids=["root", "user"],
+)
+def test_a_read_only_root(container: Container, environment: dict[str, str], expected: str) -> None:
+    options = ("--read-only", "--tmpfs", "/tmp", "--tmpfs", "/root")
+    script = 'echo "$(id -u):$(id -g) home=$HOME"; touch ~/mine; timeout 3 roscore >/tmp/log 2>&1 || [[ $? == 124 ]] || { cat /tmp/log; false; }'
+    assert container.bash(script, options=options, **environment) == expected
+
+
+# ---- The workspace ---------------------------------------------------------------------------------------------------
+
+
+def owners(folder: Path) -> set[tuple[int, int]]:
+    return {(path.stat().st_uid, path.stat().st_gid) for path in (folder, *folder.rglob("*"))}
+
+
+@pytest.fixture
+def sources(tmp_path: Path) -> Path:
+    """A folder of a user's, with something of root's in it."""
+    package = tmp_path / "sources" / "package"
+    package.mkdir(parents=True)
+    (package / "package.xml").write_text("<package/>")
+    os.chown(package.parent, 4321, 5432)
+    tmp_path.chmod(0o755)
+    for folder in tmp_path.parents:
+        if folder.name.startswith("pytest-"):
+            folder.chmod(0o755)
+    return package.parent
+
+
+@pytest.mark.parametrize("where", [f"{WORKSPACE}/src", f"{WORKSPACE}/src/mine", WORKSPACE])
+def test_mounted_sources_keep_their_owner(container: Container, sources: Path, where: str) -> None:
+    before = owners(sources)
+    assert len(before) == 2
+    script = f"test -e {where}/package/package.xml; stat --format %u:%g {WORKSPACE}"
+    said = container.bash(script, options=mount(sources, where), DOCKER_UID="1000", DOCKER_GID="1001")
+    assert owners(sources) == before
+    # The workspace around them is the image's own: the user can build in it.
+    assert said == ("4321:5432" if where == WORKSPACE else "1000:1001")
+
+
+@pytest.mark.parametrize(
+    ("where", "workspace"),
+    [
+        ("/docker-ros", WORKSPACE),
+        ("/work", "/work/ws"),
+        (WORKSPACE, f"{WORKSPACE}/"),
+        (WORKSPACE, "."),
+        ("/work/ros ws", "/work/ros ws"),
+        (r"/wo\040rk", r"/wo\040rk"),
+        (f"{WORKSPACE}/src/a*b[x]?", WORKSPACE),
+        ("/etc/mine", "/etc"),
+    ],
+)
+def test_mounts_keep_their_owner_however_the_workspace_is_spelt(
+    container: Container, sources: Path, where: str, workspace: str
+) -> None:
+    (sources / "ws").mkdir()
+    before = owners(sources)
+    options = ("--mount", f"type=bind,source={sources},target={where}", *env({**USER, "WORKSPACE": workspace}))
+    done = container.run("id", "-u", options=options)
+    assert (done.code, done.out, done.err) == (0, "1000\n", "")
+    assert owners(sources) == before
+
+
+def test_a_workspace_behind_a_link_becomes_the_users(container: Container, sources: Path) -> None:
+    script = "mkdir -p /data/ws/src && touch /data/ws/roots && ln -s /data/ws /link"
+    inside = f"{script} && WORKSPACE=/link/ DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh bash -c 'touch /link/mine ~/ws/too'"
+    before = owners(sources)
+    container.bash(f"{inside}; stat --format %u /data/ws/roots", options=mount(sources, "/data/ws/src"))
+    assert owners(sources) == before
+
+
+def test_overlays_are_sourced_in_order(container: Container, tmp_path: Path) -> None:
+    options: list[str] = []
+    for number, where in enumerate(("/opt/ws_base_image/install", f"{WORKSPACE}/devel", f"{WORKSPACE}/install")):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        (folder / "setup.bash").write_text(f'export ORDER="$ORDER {where}"\n')
+        options += mount(folder, where)
+    expected = f"/opt/ws_base_image/install {WORKSPACE}/devel {WORKSPACE}/install"
+    assert container.bash("echo $ORDER", options=tuple(options)) == expected
+    # As a user, and in a shell that came past the entrypoint, as with docker exec.
+    assert container.bash("echo $ORDER", options=tuple(options), DOCKER_UID="1000", DOCKER_GID="1000") == expected
+    past = container.docker.run(
+        container.image, "-ic", "echo order: $ORDER", options=("--entrypoint", "bash", *options)
+    )
+    assert f"order: {expected}\n" in past.out
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "trap '' TERM INT; set -aTE; cd /; exec() { :; }; shopt -s expand_aliases; alias exec=false",
+        "set -- changed",
+        "set -euf; shopt -s nullglob; IFS=x; false || true",
+        "command=x; user=x; home=x",
+    ],
+)
+def test_what_an_overlay_does_to_the_shell_is_not_done_to_the_command(
+    container: Container, tmp_path: Path, text: str
+) -> None:
+    (tmp_path / "setup.bash").write_text(text + "\n")
+    options = mount(tmp_path, f"{WORKSPACE}/install")
+    for environment in ({}, {"DOCKER_UID": "1000", "DOCKER_GID": "1000"}):
+        done = container.run("printf", "<%s>", "a xb", "*", options=(*options, *env(environment)))
+        assert (done.code, done.out, done.err) == (0, "<a xb><*>", "")
+
+
+@pytest.mark.parametrize("text", ["exit 0", "set -e; false", "exit 3"])
+def test_an_overlay_that_ends_the_shell_is_told(container: Container, tmp_path: Path, text: str) -> None:
+    """An exit status of 0 would pass for a command that ran."""
+    (tmp_path / "setup.bash").write_text(text + "\n")
+    done = container.run("echo", "started", options=mount(tmp_path, f"{WORKSPACE}/install"))
+    assert (done.code, done.out) == (70, "")
+    assert f"entrypoint: {WORKSPACE}/install/setup.bash ended the shell" in done.err
+
+
+# ---- Interactive shells ----------------------------------------------------------------------------------------------
+
+BANNER = re.compile(
+    r"ROS +Debian \(ROS 1\)\n +OS +Debian GNU/Linux 12 \(bookworm\), \w+\n +Python +3\.11\.\d+\n +CMake +3"
+)
+
+
+def test_a_banner_in_interactive_shells_alone(container: Container) -> None:
+    docker, image = container.docker, container.image
+    interactive = ("run", "--rm", "--interactive", "--tty", "--network", "none")
+    said = docker.talk((*interactive, image), "bash -i\nexit\nexit\n")
+    assert len(BANNER.findall(said)) == 1, f"once, and not in the shell within the shell:\n{said}"
+    assert re.search(r"GPUs +none", said)
+    user = ("--env", "DOCKER_UID=1000", "--env", "DOCKER_GID=1000")
+    assert BANNER.search(docker.talk((*interactive, *user, image), "exit\n"))
+    assert not BANNER.search(docker.talk((*interactive, "--env", "ROSML_BANNER=off", image), "exit\n"))
+    assert not BANNER.search(docker.talk((*interactive, image, "bash", "-c", "true")))
+    assert container.run("bash", "-c", "true").out == ""
+
+
+def test_an_interactive_shell_leaves_no_trace_in_the_environment(container: Container, tmp_path: Path) -> None:
+    """Neither a variable nor a function that the image's users could stumble over, but for rosbash's own."""
+    (tmp_path / "names").write_text("compgen -v; declare -F | cut -d ' ' -f 3\n")
+    shell = ("--env", "BASH_ENV=", *mount(tmp_path, "/names"))
+    rosbash = "source /usr/share/bash-completion/completions/rosbash"
+    plain, ours = (
+        set(container.docker.run(container.image, "bash", *options, command, options=shell).out.split())
+        for options, command in (
+            (("--norc", "-ic"), f"{rosbash}; source /names/names"),
+            (("-ic",), "source /names/names"),
+        )
+    )
+    assert {"PATH", "roscd"} <= plain
+    added = ours - plain - {"_rosml_complete", "_rosml_shell", "PIPESTATUS"}
+    assert not added, added
+
+
+def test_commands_of_ros_are_completed(container: Container) -> None:
+    """What completes them is loaded on the first TAB; functions such as roscd are there."""
+    interactive = ("run", "--rm", "--interactive", "--tty", "--network", "none", "--env", "ROSML_BANNER=off")
+    said = container.docker.talk((*interactive, container.image), "vcs imp\t--help\nexit\n")
+    assert "usage: vcs import" in said
+    assert container.run("bash", "-ic", "type -t roscd").out == "function\n"
+
+
+SECONDS = """
+  elapsed() {
+    local start=$EPOCHREALTIME
+    for number in {1..10}; do "$@" >/dev/null 2>&1; done
+    echo $(((${EPOCHREALTIME/./} - ${start/./}) / 10))
+  }
+  as_a_user() { DOCKER_UID=$((2000 + number)) DOCKER_GID=$((2000 + number)) DOCKER_USER=user$number /entrypoint.sh true; }
+  sourced() { bash -c 'source /usr/local/share/rosml/setup.bash'; }
+  elapsed sourced; elapsed /tini -s -- /entrypoint.sh true; elapsed bash -ic true
+  elapsed /usr/local/share/rosml/banner.sh; elapsed as_a_user
+"""
+
+
+def starts_fast(container: Container) -> None:
+    """The budgets of the contract, in seconds: 0.05 for the entrypoint beyond what it sources, 0.2 for an interactive shell
+    with its banner. With DOCKER_UID the user is made first: 0.1 to 0.2, and twice that where others compute."""
+    bare, command, shell, banner, user = (int(line) / 1e6 for line in container.bash(SECONDS).splitlines())
+    assert command - bare < 0.05
+    assert shell + banner < 0.2
+    assert user < 0.4
+
+
+def test_shells_and_commands_start_fast(container: Container) -> None:
+    starts_fast(container)
+
+
+# ---- Other images: the same contract on frameworks, and on a ROS that has something to source ---------------------------
+
+OTHERS = {
+    "bookworm-core-tensorflow-cpu": "import tensorflow as tf, rospy; assert tf.reduce_sum(tf.ones(3)).numpy() == 3",
+    "jazzy-wheels-core": "import rclpy; rclpy.init(); print(rclpy.create_node('node')); rclpy.shutdown()",
+}
+
+STARTED_BY = {
+    "root": ((), "0:0 /root"),
+    "DOCKER_UID": (env(USER), "1000:1001 /home/dockeruser"),
+    "an arbitrary user": (("--user", "12345:0"), "12345:0 /tmp"),
+    "read-only": (("--read-only", "--tmpfs", "/tmp", *env(USER)), "1000:1001 /tmp"),
+}
+
+
+@pytest.fixture(scope="module", params=OTHERS)
+def other(request: pytest.FixtureRequest, loaded: Callable[[str], Container]) -> tuple[str, Container]:
+    return request.param, loaded(request.param)
+
+
+@pytest.mark.parametrize("who", STARTED_BY)
+def test_other_images_work_whoever_starts_them(other: tuple[str, Container], who: str) -> None:
+    target, container = other
+    options, expected = STARTED_BY[who]
+    script = f'python3 -c "$PROGRAM" >/dev/null; echo "$(id -u):$(id -g) $HOME"; touch {"/tmp" if who == "read-only" else "~"}/mine'
+    said = container.bash(script, options=options, PROGRAM=OTHERS[target], TF_CPP_MIN_LOG_LEVEL="3")
+    assert said == expected
+
+
+def test_other_images_start_fast(other: tuple[str, Container]) -> None:
+    starts_fast(other[1])

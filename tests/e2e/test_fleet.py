@@ -1,0 +1,333 @@
+"""Builders by name: two of them build two shards side by side into one registry; and what happens when one of them dies,
+or its disk is full, or the registry answers as registries do on a bad day."""
+
+from __future__ import annotations
+
+import copy
+import http.client
+import http.server
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+import yaml
+
+from machine import services as setup
+from rosml import ROOT
+from rosml.pipeline import now
+from rosml.services import Services
+from tests.e2e import mini as minis
+from tests.e2e.conftest import run
+from tests.e2e.mini import Mini, begun
+
+NOTHING = "#!/usr/bin/env bash\n"
+
+
+@dataclass
+class Builder:
+    """A buildkitd of its own with an empty cache, under a name that buildx knows."""
+
+    name: str
+    process: subprocess.Popen[bytes]
+    folder: Path
+
+
+@contextmanager
+def builder(
+    name: str,
+    folder: Path,
+    services: Services,
+    root: Path | None = None,
+    certificates: Mapping[str, Sequence[str]] | None = None,
+    env: Mapping[str, str] | None = None,
+) -> Iterator[Builder]:
+    """Starts one. `root`: where it keeps its cache. `certificates`: files that it trusts for registries, by host. `env`:
+    what its environment has beside this one's."""
+    if services.builder_kind != "buildkitd":
+        pytest.skip("needs a buildkitd of our own, which this machine's Docker takes the place of")
+    folder.mkdir()
+    runc = re.search(r'^  binary = "(.*)"$', (ROOT / ".state/run/buildkitd.toml").read_text(), re.MULTILINE)
+    socket = folder / "buildkitd.sock"
+    own = {"root": root or folder / "root", "socket": socket, "otel": folder / "otel.sock", "runc": runc and runc[1]}
+    own_texts = {key: str(value) for key, value in own.items()}
+    text = setup.buildkit_config(services.registry, services.mirror, own_texts, certificates)
+    (folder / "buildkitd.toml").write_text(text)
+    command = [str(ROOT / ".state/bin/buildkitd"), "--config", str(folder / "buildkitd.toml")]
+    with (folder / "log").open("wb") as log:
+        process = subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=log,
+            env={**os.environ, **(env or {})},
+            start_new_session=True,
+        )
+    buildx = [*services.buildx]
+    try:
+        deadline = time.monotonic() + 30
+        while not socket.exists():
+            assert process.poll() is None and time.monotonic() < deadline, (folder / "log").read_text()[-2000:]
+            time.sleep(0.1)
+        create = [*buildx, "create", "--name", name, "--driver", "remote", f"unix://{socket}"]
+        subprocess.run(create, env=services.environment(), check=True, capture_output=True)
+        yield Builder(name, process, folder)
+    finally:
+        subprocess.run([*buildx, "rm", name], env=services.environment(), capture_output=True, check=False)
+        process.terminate()
+        try:
+            process.wait(timeout=20)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        _clear(folder)
+
+
+def _clear(folder: Path) -> None:
+    """Ends what a builder that was killed has left: its containers, and their mounts."""
+    for line in reversed(Path("/proc/self/mounts").read_text().splitlines()):
+        if (place := line.split()[1]).startswith(str(folder)):
+            subprocess.run(["umount", "--lazy", place], check=False)
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            if str(folder) in (process / "cmdline").read_text() or str(folder) in os.readlink(process / "root"):
+                os.kill(int(process.name), signal.SIGKILL)
+        except OSError:
+            continue
+
+
+@pytest.fixture(scope="module")
+def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+    """The small project with two distributions."""
+    found = minis.make(tmp_path_factory.mktemp("fleet"), services)
+    matrix = found.folder / "matrix.yaml"
+    content = yaml.safe_load(matrix.read_text())
+    content["distributions"]["other"] = copy.deepcopy(content["distributions"]["bookworm"])
+    matrix.write_text(yaml.safe_dump(content, sort_keys=False))
+    return found
+
+
+@pytest.fixture
+def mini(project: Mini) -> Mini:
+    project.mark()
+    return project.elsewhere()
+
+
+def on(mini: Mini, folder: Path, **changes: object) -> Mini:
+    """The same project in another folder, with other services: another machine that publishes into the same place."""
+    shutil.copytree(mini.folder, folder, symlinks=True)
+    file = folder / ".state/services.json"
+    file.write_text(json.dumps(json.loads(file.read_text()) | changes))
+    return Mini(folder, Services.load(folder), mini.prefix)
+
+
+def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Services, tmp_path: Path) -> None:
+    mini = on(
+        mini, tmp_path / "bare"
+    )  # builders without a cache: nothing but Debian's base image, and nothing is tested
+    for name in (
+        "components/base/install.sh",
+        "components/base/contract.sh",
+        "components/payload/install-assembler.sh",
+    ):
+        (mini.folder / name).write_text(NOTHING)
+    plan = tmp_path / "plan.json"
+    assert mini.publish("plan", "--output", str(plan), "--shards", "4").code == 0
+    shards = [shard for shard in json.loads(plan.read_text())["shards"] if shard["architecture"] == "amd64"]
+    assert [shard["distributions"] for shard in shards] in (
+        [["bookworm"], ["other"]],
+        [["other"], ["bookworm"]],
+    )
+    with ExitStack() as stack:
+        machines = []
+        for number, shard in enumerate(shards):
+            name = f"fleet-{os.getpid()}-{number}"
+            stack.enter_context(builder(name, tmp_path / name, services))
+            machine = on(mini, tmp_path / f"machine-{number}", builder=name, builder_kind="user")
+            arguments = ("build", "--plan", str(plan), "--shard", shard["name"], "--registry", mini.registry, "--json")
+            machines.append(
+                subprocess.Popen(machine.command(*arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            )
+        for process, shard in zip(machines, shards, strict=True):
+            out, err = process.communicate(timeout=300)
+            assert process.returncode == 0, err.decode()
+            done = {item["target"] for item in json.loads(out)["outcomes"] if item["state"] == "done"}
+            (distribution,) = shard["distributions"]
+            assert {f"{distribution}-core", f"{distribution}-base"} <= done
+            assert not any(name.startswith("other" if distribution == "bookworm" else "bookworm") for name in done)
+    for step in ("compose", "index", "promote"):
+        assert mini.publish(step, "--plan", str(plan), "--serve", "amd64").code == 0
+    assert mini.tags() == {}, "nothing was tested"
+    made = {
+        entry["target"] for entry in json.loads(mini.publish("plan", "--json").out)["tasks"] if "test" in entry["steps"]
+    }
+    assert {"bookworm-core", "other-base"} <= made, "something is to be built again"
+
+
+def published(mini: Mini, *only: str) -> dict[str, str]:
+    """Publishes images, then changes what ROS images hold; the tags, of which none may be lost."""
+    mini.all(*(word for name in only for word in ("--only", name)))
+    mini.mark(ros="2")
+    tags = mini.tags()
+    assert "ros:bookworm-core" in tags
+    return tags
+
+
+def test_a_builder_that_dies(mini: Mini, services: Services, tmp_path: Path) -> None:
+    """Tags stay where they were, at whole images; the next run makes what is missing."""
+    tags = published(mini, "bookworm-core")
+    name = f"mortal-{os.getpid()}"
+    with builder(name, tmp_path / name, services) as mortal:
+        machine = on(mini, tmp_path / "machine", builder=name, builder_kind="user")
+        (machine.folder / "components/base/install.sh").write_text(NOTHING + "sleep 60\n")
+        command = machine.command("build", "--only", "bookworm-core", "--registry", mini.registry)
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(5)  # wherever it is then
+        assert process.poll() is None
+        os.killpg(mortal.process.pid, signal.SIGKILL)
+        mortal.process.wait()
+        _out, err = process.communicate(timeout=120)
+    assert process.returncode == 1
+    assert "Traceback" not in err and f"builder '{name}'" in err, err
+    _mended(mini, tags)
+
+
+def _mended(mini: Mini, tags: dict[str, str]) -> None:
+    """Nothing good was lost by a run that failed, and the next one does its work."""
+    assert mini.tags() == tags
+    mini.check()
+    mini.all("--only", "bookworm-core")
+    mini.check()
+    moved = mini.tags()
+    assert moved.keys() >= tags.keys() and moved["ros:bookworm-core"] != tags["ros:bookworm-core"]
+
+
+def test_a_builder_without_room(mini: Mini, services: Services, tmp_path: Path) -> None:
+    if os.geteuid() != 0:
+        pytest.skip("mounting a small file system needs root")
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=60m", "tmpfs", str(disk)], check=False).returncode != 0:
+        pytest.skip("this machine does not allow mounts")
+    tags = published(mini, "bookworm-core")
+    try:
+        name = f"small-{os.getpid()}"
+        with builder(name, tmp_path / name, services, disk / "root"):
+            machine = on(mini, tmp_path / "machine", builder=name, builder_kind="user")
+            outcome = machine.publish("build", "--only", "bookworm-core")
+    finally:
+        subprocess.run(["umount", "--lazy", str(disk)], check=True)
+    assert outcome.code == 1
+    assert "no space left on device" in outcome.err and "Traceback" not in outcome.err
+    said = mini.publish("status", "--only", "bookworm-core", "--json")
+    assert json.loads(said.out)["images"][0]["state"] == "failed"
+    _mended(mini, tags)
+
+
+# ---- A registry on a bad day -----------------------------------------------------------------------------------------
+
+Mood = Callable[[int], str]
+
+
+@contextmanager
+def moody(upstream: str, mood: Mood) -> Iterator[str]:
+    """A registry in front of the real one that now and then answers 500 or 429, or hangs up; gives its address."""
+    counter = iter(range(1, 1 << 30))
+    lock = threading.Lock()
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        protocol_version = "HTTP/1.1"
+
+        def answer(self) -> None:
+            length = int(self.headers.get("Content-Length") or 0)
+            body = self.rfile.read(length) if length else b""
+            if self.headers.get("Transfer-Encoding") == "chunked":
+                while size := int(self.rfile.readline().split(b";")[0], 16):
+                    body += self.rfile.read(size)
+                    self.rfile.readline()
+                self.rfile.readline()
+            with lock:
+                what = mood(next(counter))
+            if what == "hang up":
+                self.close_connection = True
+                self.connection.close()
+                return
+            if what:
+                self.send_response(int(what))
+                self.send_header("Content-Length", "0")
+                if what == "429":
+                    self.send_header("Retry-After", "0")
+                self.end_headers()
+                return
+            connection = http.client.HTTPConnection(upstream, timeout=60)
+            connection.putrequest(self.command, self.path, skip_host=True, skip_accept_encoding=True)
+            for name, value in self.headers.items():  # Accept comes several times
+                if name.lower() not in ("transfer-encoding", "content-length", "connection"):
+                    connection.putheader(name, value)
+            if body or self.command in ("PUT", "POST", "PATCH"):
+                connection.putheader("Content-Length", str(len(body)))
+            connection.endheaders(body or None)
+            found = connection.getresponse()
+            data = found.read()
+            self.send_response(found.status)
+            for name, value in found.getheaders():
+                if name.lower() not in ("transfer-encoding", "connection", "content-length"):
+                    self.send_header(name, value)
+            length_said = found.getheader("Content-Length") if self.command == "HEAD" else str(len(data))
+            self.send_header("Content-Length", length_said or "0")
+            self.end_headers()
+            if self.command != "HEAD":
+                self.wfile.write(data)
+
+        do_GET = do_HEAD = do_PUT = do_POST = do_PATCH = do_DELETE = answer
+
+        def log_message(self, format: str, *args: object) -> None:
+            pass
+
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+        server.daemon_threads = True
+        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.05}, daemon=True).start()
+        yield f"127.0.0.1:{server.server_port}"
+        server.shutdown()
+
+
+def test_a_registry_that_fails_now_and_then(mini: Mini, services: Services) -> None:
+    """Every seventh answer is none: the run works on, or ends with an error and the next one finishes."""
+    tags = published(mini, "bookworm-core*")
+    faults, recorded, date = ("500", "429", "hang up"), set[tuple[str, str]](), now()
+    with moody(services.registry, lambda number: faults[number // 7 % 3] if number % 7 == 0 else "") as address:
+        for _attempt in range(4):
+            place = f"{address}/{mini.prefix}"
+            outcome = run(
+                *mini.command(
+                    "all", "--only", "bookworm-core*", "--serve", "amd64", "--registry", place, "--date", date
+                ),
+                cwd=mini.folder,
+            )
+            assert "Traceback" not in outcome.err
+            mini.check()
+            assert mini.tags().keys() >= tags.keys(), "a tag was lost"
+            assert not begun(outcome.err) & recorded, "what the ledger had was done again"
+            recorded = mini.recorded(date)
+            if outcome.code == 0:
+                break
+        assert outcome.code == 0, outcome.err
+    assert {("build", "bookworm-core"), ("compose", "bookworm-core-tensorflow-cpu")} <= recorded
+    moved = mini.tags()
+    assert all(moved[name] != tags[name] for name in ("ros:bookworm-core", "ros-tf:bookworm-core-cpu"))
+
+
+def test_a_registry_that_is_gone(mini: Mini) -> None:
+    command = mini.command("all", "--only", "bookworm-core", "--registry", f"127.0.0.1:9/{mini.prefix}")
+    outcome = run(*command, cwd=mini.folder)
+    assert outcome.code == 1
+    assert "127.0.0.1:9" in outcome.err and "Traceback" not in outcome.err

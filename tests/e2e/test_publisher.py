@@ -1,0 +1,234 @@
+"""Publishing runs on the real builder and registry, with images that hold next to nothing; and how they end when something
+goes wrong: no tag points at what is untested or partial, and the next run goes on where the last one was."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import shutil
+import signal
+import time
+from collections.abc import Iterator
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+
+from rosml.pipeline import TIME
+from rosml.services import Services
+from tests.e2e import mini as minis
+from tests.e2e.conftest import run
+from tests.e2e.mini import Mini, begun
+
+KILLS = int(os.environ.get("ROSML_TEST_KILLS", "30"))
+IMAGES = ["bookworm-core", "bookworm-base", "bookworm-core-tensorflow-cpu", "bookworm-base-tensorflow-cpu"]
+
+
+@pytest.fixture(scope="module")
+def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+    return minis.make(tmp_path_factory.mktemp("mini"), services)
+
+
+@pytest.fixture
+def mini(project: Mini) -> Iterator[Mini]:
+    """The small project as it should be, with an empty place in the registry."""
+    project.mark()
+    project.poison(poisoned=False)
+    yield project.elsewhere()
+
+
+def did(said: dict[str, object], step: str) -> list[str]:
+    outcomes = said["outcomes"]
+    assert isinstance(outcomes, list)
+    return [item["target"] for item in outcomes if item["step"] == step and item["state"] == "done"]
+
+
+def test_all_then_nothing_then_what_changed(mini: Mini) -> None:
+    first = mini.all()
+    assert did(first, "build")[:2] == IMAGES[:2] and did(first, "compose") == IMAGES[2:]
+    assert did(first, "test") == IMAGES
+    mini.check()
+    tags = mini.tags()
+    assert {
+        "ros:bookworm-core",
+        "ros:bookworm",
+        "ros-tf:bookworm-base-cpu",
+        "payload:tensorflow-cpu-py311",
+    } <= tags.keys()
+    client = mini.client()
+    again = mini.all()
+    assert (again["outcomes"], again["uploaded"]) == ([], 0)
+    assert mini.tags() == tags
+    mini.mark(payload="2")
+    changed = mini.all()
+    assert set(did(changed, "build")) == {name for name in did(first, "build") if name.startswith("payload-")}
+    assert did(changed, "compose") == IMAGES[2:] == did(changed, "test")
+    assert 0 < changed["uploaded"] < 0.05 * first["uploaded"]
+    now = mini.tags()
+    assert now["ros:bookworm-core"] == tags["ros:bookworm-core"]
+    assert now["ros-tf:bookworm-core-cpu"] != tags["ros-tf:bookworm-core-cpu"]
+    index = client.manifest(f"{mini.prefix}/ros-tf", "bookworm-core-cpu")
+    assert index and index.content["annotations"]["io.rosml.date"] == changed["date"]
+    undone = mini.publish("undo", "--json")
+    assert undone.code == 0
+    back = mini.tags()
+    assert all(back[name] == digest for name, digest in tags.items())
+
+
+def test_status_says_how_things_stand(mini: Mini) -> None:
+    mini.all("--only", "bookworm-core")
+    mini.mark(ros="2")
+    said = json.loads(mini.publish("status", "--json").out)
+    states = {item["target"]: item["state"] for item in said["images"]}
+    assert states["bookworm-core"] == "stale" and states["bookworm-base"] == "missing"
+
+
+def test_a_poisoned_image_keeps_its_tags(mini: Mini) -> None:
+    first = mini.all()
+    tags = mini.tags()
+    mini.mark(ros="2")
+    mini.poison()
+    outcome = mini.publish("all", "--serve", "amd64", "--json")
+    assert outcome.code == 1
+    mini.check()
+    now = mini.tags()
+    assert {name: now[name] for name in tags if "-base" in name or name == "ros:bookworm"} == {
+        name: digest for name, digest in tags.items() if "-base" in name or name == "ros:bookworm"
+    }
+    assert now["ros:bookworm-core"] != tags["ros:bookworm-core"], "another image's fault"
+    assert "tests failed" in outcome.out
+    changed = json.loads(outcome.out)
+    assert set(did(changed, "build")) == set(IMAGES[:2]), "only ROS images changed"
+    assert 0 < changed["uploaded"] < 0.05 * first["uploaded"], "what did not change was uploaded"
+    mini.poison(poisoned=False)
+    mended = mini.all()
+    assert did(mended, "build") == did(mended, "compose") == []
+    assert mini.tags()["ros:bookworm-base"] != tags["ros:bookworm-base"]
+
+
+def test_killed_at_random_points(mini: Mini, tmp_path: Path) -> None:
+    """SIGKILL, again and again; every night's work is finished by the runs that are left alone, and none of it twice."""
+    worked = False
+    chance = random.Random(int(os.environ.get("ROSML_TEST_SEED", "6")))
+    killed = night = runs = 0
+    first = datetime(2026, 1, 1, 3, tzinfo=UTC)  # in the past: a run's date in the future is refused
+    while killed < KILLS:
+        night += 1
+        date = (first + timedelta(days=night)).strftime(TIME)
+        mini.mark(ros=str(night), payload=str(night // 2))
+        before = mini.tags()
+        recorded: set[tuple[str, str]] = set()
+        while killed < KILLS:
+            runs += 1
+            log = tmp_path / f"run-{runs}"
+            process = mini.start("--date", date, log=log)
+            try:
+                process.wait(timeout=chance.uniform(0.6, 5.0))
+            except Exception:
+                process.send_signal(signal.SIGKILL)
+                process.wait()
+                killed += 1
+                mini.check()
+                assert not begun(log.read_text()) & recorded, f"run {runs} does again what the ledger had"
+                recorded = mini.recorded(date)
+                worked |= bool(recorded)
+                continue
+            assert process.returncode == 0, log.read_text()
+            assert not begun(log.read_text()) & recorded, f"run {runs} does again what the ledger had"
+            break
+    assert worked, "no run was killed after it had done something"
+    last = mini.all("--date", (first + timedelta(days=night + 1)).strftime(TIME))
+    assert not {(step, target) for step in ("build", "compose") for target in did(last, step)} & recorded
+    mini.check()
+    assert all(mini.tags().get(name) for name in before), "a tag was lost"
+    assert mini.all()["outcomes"] == []
+    assert last is not None and night >= 2, f"{killed} kills in {night} nights"
+
+
+def test_two_publishers_at_the_same_time(mini: Mini, tmp_path: Path) -> None:
+    """Of two checkouts, as on two machines: both end well, and what one of them did the other one need not."""
+    logs = [tmp_path / "one", tmp_path / "other"]
+    elsewhere = Mini(tmp_path / "checkout", mini.services, mini.prefix)
+    shutil.copytree(mini.folder, elsewhere.folder, symlinks=True)
+    processes = [place.start(log=log) for place, log in zip((mini, elsewhere), logs, strict=True)]
+    codes = [process.wait(timeout=300) for process in processes]
+    mini.check()
+    assert codes == [0, 0], [log.read_text() for log in logs]
+    said = mini.all()
+    assert not any(did(said, step) for step in ("build", "compose", "test")), "two publishers left something to do"
+    mini.check()
+
+
+def platforms(mini: Mini, tag: str) -> dict[str, str]:
+    """Digests by architecture of what a tag points at."""
+    repository, _, name = tag.partition(":")
+    index = mini.client().manifest(f"{mini.prefix}/{repository}", name)
+    assert index
+    return {item["platform"]["architecture"]: item["digest"] for item in index.content["manifests"]}
+
+
+def test_a_tag_has_both_architectures_or_stays(mini: Mini) -> None:
+    """Without --serve an image's index is for all that the matrix has. The other one comes from another machine."""
+    only = ("--only", "bookworm-core", "--json")
+
+    def publish(*steps: str) -> list[int]:
+        return [mini.publish(step, *only).code for step in steps]
+
+    outcome = mini.publish("all", *only)
+    assert outcome.code == 0
+    assert mini.tags() == {}
+    assert "arm64 is not there: left to a machine for it" in outcome.out
+    mini.put_arm64(python="3.12")
+    refused = mini.publish("index", *only)
+    assert refused.code == 1 and "python is 3.11 on amd64, 3.12 on arm64" in refused.out
+    assert publish("promote") == [0] and mini.tags() == {}
+    arm = mini.put_arm64()
+    assert publish("index", "promote") == [0, 0]
+    mini.check()
+    tags, both = mini.tags(), platforms(mini, "ros:bookworm-core")
+    assert both.keys() == {"amd64", "arm64"} and both["arm64"] == arm != both["amd64"]
+    mini.mark(ros="2")
+    assert publish("all") == [0]
+    assert mini.tags() == tags, "a tag moved to one architecture alone"
+    arm = mini.put_arm64()
+    assert publish("index", "promote") == [0, 0]
+    mini.check()
+    moved = platforms(mini, "ros:bookworm-core")
+    assert moved["arm64"] == arm and not set(moved.values()) & set(both.values())
+
+
+def test_the_steps_one_by_one_on_several_machines(mini: Mini, tmp_path: Path) -> None:
+    """What CI does: a plan, each step in a job of its own; nothing is shared but the registry and the plan."""
+    plan = tmp_path / "plan.json"
+    assert mini.publish("plan", "--output", str(plan)).code == 0
+    content = json.loads(plan.read_text())
+    shards = [shard["name"] for shard in content["shards"] if shard["architecture"] == "amd64"]
+    assert shards
+    for shard in shards:
+        assert mini.publish("build", "--plan", str(plan), "--shard", shard).code == 0
+    time.sleep(1.1)  # the date is the plan's, not that of the day
+    for step in ("compose", "test", "index", "promote"):
+        outcome = mini.publish(step, "--plan", str(plan), "--serve", "amd64")
+        assert outcome.code == 0, outcome.err
+    mini.check()
+    found = mini.client().manifest(f"{mini.prefix}/ros-tf", "bookworm-base-cpu")
+    assert found and found.content["annotations"]["io.rosml.date"] == content["date"]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["--date", "today"],
+        ["--date", "2099-01-01T00:00:00Z"],
+        ["--only", "nothing-*"],
+        ["--shard", "x"],
+        ["--registry", "x"],
+        ["--serve", "x86"],
+    ],
+)
+def test_bad_input(mini: Mini, arguments: list[str]) -> None:
+    place = () if "--registry" in arguments else ("--registry", mini.registry)
+    outcome = run(*mini.command("build", *arguments, *place), cwd=mini.folder)
+    assert outcome.code == 2
+    assert "Traceback" not in outcome.err and outcome.err.strip()

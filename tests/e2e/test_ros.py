@@ -1,0 +1,91 @@
+"""ROS images: the same layers from the same packages, and what users build on them."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from rosml import ROOT, builder, publish, registry, verify
+from rosml.expand import Catalogue
+from rosml.services import Services
+from tests.e2e.conftest import NAMESPACE, Published
+from tests.e2e.test_images import build, build_on
+
+Publish = Callable[[str], Published]
+
+AGAIN = os.environ.get("ROSML_TEST_REPRODUCIBLE", "bookworm-core").split()
+"""Images that are built once more without a cache; "bookworm-desktop-full trixie-desktop-full" takes ten minutes more."""
+
+DESKTOP = os.environ.get("ROSML_TEST_DESKTOP", "")
+DESKTOPS = ["bookworm-desktop", "trixie-desktop"] if DESKTOP == "1" else DESKTOP.split()
+"""Images whose windows are opened: 1 for those that are built here, or names of others."""
+
+
+@pytest.mark.parametrize("target", AGAIN)
+def test_the_same_packages_give_the_same_layers(
+    target: str, published: Publish, services: Services, catalogue: Catalogue
+) -> None:
+    """Another build without any cache: every layer of every component, from the base image on."""
+    image = published(target)
+    publisher = publish.Publisher(services, catalogue, print, NAMESPACE)
+    variables = publisher.variables(image.image, publish.Result(target))
+    bake_file = publish.write_excerpt(services, catalogue, target)
+    call = builder.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), variables)
+    repository = f"{services.registry}/{NAMESPACE}/again"
+    _, manifest = publish.push_by_digest(services, call, repository)
+    assert [layer.digest for layer in registry.layers(services, f"{repository}@{manifest}")] == image.layers
+    assert manifest == image.result["manifest"]
+
+
+def test_one_more_package_from_the_images_own_apt_source(
+    services: Services, published: Publish, tmp_path: Path
+) -> None:
+    """And it works with what is there: a transform is published and heard."""
+    talk = (
+        "timeout 120 /entrypoint.sh bash -c 'roscore >/dev/null 2>&1 & "
+        "for _ in {1..100}; do if rostopic list >/dev/null 2>&1; then break; fi; sleep 0.2; done; "
+        "rosrun tf2_ros static_transform_publisher 1 2 3 0 0 0 1 base camera >/dev/null 2>&1 & "
+        "timeout 60 rostopic echo -n 1 /tf_static'"
+    )
+    said = build_on(services, published("bookworm-core"), tmp_path, ["install-packages tf2-tools", talk])
+    assert 'child_frame_id: "camera"' in said
+
+
+@pytest.mark.parametrize(
+    "target", DESKTOPS or [pytest.param("", marks=pytest.mark.skip("ROSML_TEST_DESKTOP is not set"))]
+)
+def test_windows_open(services: Services, published: Publish, tmp_path: Path, target: str) -> None:
+    """rviz and a program of Qt's on a virtual display, which no image has: the structure tests have no network."""
+    steps = ["install-packages xvfb x11-utils", "timeout --kill-after=10 400 /entrypoint.sh /desktop/run.sh"]
+    said = build_on(services, published(target), tmp_path, steps, "desktop")
+    windows = re.findall('window: "(.*)":', said)
+    assert "RViz" in windows[0] and len(windows) > 1, said
+
+
+def test_a_containerizers_flow(services: Services, published: Publish, tmp_path: Path) -> None:
+    """dependencies, install, dev, build, run, as docker-ros does it."""
+    image = published("bookworm-core")
+    shutil.copytree(Path(__file__).parent / "docker_ros", tmp_path, dirs_exist_ok=True)
+    shutil.copytree(ROOT / "tests/structure/programs/workspace/src", tmp_path / "src")
+    shutil.copy(ROOT / "components/build/network.sh", tmp_path)
+    package = tmp_path / "src/example/package.xml"
+    package.write_text(package.read_text().replace("</package>", "  <depend>a-key-of-ours</depend>\n</package>"))
+    sources = tmp_path / "rosdep" / "sources"
+    sources.mkdir(parents=True)
+    (sources / "20-default.list").write_text("yaml file:///rosdep/base.yaml\n")
+    (tmp_path / "rosdep/base.yaml").write_text("a-key-of-ours:\n  debian: [python3-tabulate]\n")
+    (tmp_path / "rosdep/index.yaml").write_text("%YAML 1.1\n---\ndistributions: {}\ntype: index\nversion: 4\n")
+    said = build(services, tmp_path, "--build-arg", f"BASE_IMAGE={image.result['reference']}")
+    assert "score: python" in said and "score: c++" in said
+
+
+def test_ros_2_from_wheels_is_a_row_of_its_own(published: Publish) -> None:
+    """rclpy talks under the entrypoint, as root and as a user: its structure tests say so."""
+    image = published("jazzy-wheels-core")
+    report = verify.read_report(ROOT / ".state" / "tests" / image.image.target / "report", ("ros2-wheels",))
+    assert [outcome.name for outcome in report.outcomes if outcome.passed and "talk" in outcome.name]

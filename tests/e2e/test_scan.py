@@ -1,0 +1,271 @@
+"""Scans of real images by the real trivy, with a small database in the place of the real one.
+
+The database is written by trivy's own library from advisories that are made up here, and fetched from the local
+registry as the real one is from its own. What is not verified so: the real database's content.
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import io
+import json
+import os
+import subprocess
+import tarfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from machine import network
+from machine.console import Failure
+from machine.install import Installer
+from machine.state import State
+from rosml import ROOT, oci, payloads, policy, sbom, scan, source
+from rosml.expand import Catalogue
+from rosml.scan import Outcome, Part
+from rosml.services import Services
+from rosml.trivy import Database, ScannerFailed, Trivy
+from tests.e2e.conftest import LOG, NAMESPACE, Published
+
+UPDATED = datetime.now(UTC).replace(microsecond=0) - timedelta(hours=1)
+
+ADVISORIES: list[dict[str, Any]] = [
+    {"Source": "debian 12", "Package": "gnupg2", "ID": "CVE-2026-90001", "Severity": "HIGH", "Fixed": "999-1"},
+    {"Source": "debian 12", "Package": "glibc", "ID": "CVE-2026-90002", "Severity": "CRITICAL", "Fixed": ""},
+    {"Source": "debian 12", "Package": "bash", "ID": "CVE-2026-90003", "Severity": "CRITICAL", "Fixed": "1.0-1"},
+    {
+        "Source": "pip::GitHub Security Advisory Pip",
+        "Package": "numpy",
+        "ID": "CVE-2026-90004",
+        "Severity": "CRITICAL",
+        "Vulnerable": ["<99.0"],
+        "Patched": ["99.0"],
+    },
+]
+"""Of a Debian package with a newer version, of one without, of one that is mended here already, and of a wheel."""
+
+
+@pytest.fixture(scope="module")
+def trivy(tmp_path_factory: pytest.TempPathFactory, services: Services) -> Trivy:
+    try:
+        return Trivy.find(ROOT, tmp_path_factory.mktemp("trivy"), services.environment())
+    except ScannerFailed as error:
+        pytest.skip(f"{error.message}: {error.remedy}")
+
+
+@pytest.fixture(scope="module")
+def registry(services: Services) -> Any:
+    return oci.Registry(services.registry)
+
+
+def write_database(folder: Path, updated: datetime = UPDATED) -> None:
+    """Writes a database with the program of `trivy_db`, which is built where it is not there yet."""
+    module = ROOT / "tests" / "e2e" / "trivy_db"
+    content = hashlib.sha256(b"".join((module / name).read_bytes() for name in ("main.go", "go.mod", "go.sum")))
+    program = ROOT / ".state" / "cache" / f"trivy_db-{content.hexdigest()[:16]}"
+    if not program.exists():
+        state = State(ROOT)
+        installer = Installer(state, network.ca_bundle(os.environ))
+        try:
+            go = installer.go()
+        except Failure as failure:
+            pytest.skip(f"the stand-in for trivy's database is a Go program: {failure.message}")
+        with state.lock():
+            env = installer.go_environment()
+            subprocess.run([go, "build", "-trimpath", "-o", str(program), "."], cwd=module, env=env, check=True)
+            installer.drop_go_caches()
+    asked = {"Updated": updated.isoformat(), "Advisories": [{**it, "PublishedBy": "test"} for it in ADVISORIES]}
+    subprocess.run([str(program), str(folder)], input=json.dumps(asked), text=True, check=True)
+
+
+@pytest.fixture(scope="module")
+def rules(services: Services, registry: Any, tmp_path_factory: pytest.TempPathFactory) -> policy.Rules:
+    """The project's policy, with a repository of the local registry that has the database as trivy publishes it."""
+    folder = tmp_path_factory.mktemp("db")
+    write_database(folder)
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w") as archive:
+        for name in ("trivy.db", "metadata.json"):
+            archive.add(folder / name, name)
+    layer = gzip.compress(packed.getvalue())
+    repository = f"{NAMESPACE}/trivy-db"
+    config, image = "application/vnd.aquasec.trivy.config.v1+json", "application/vnd.oci.image.manifest.v1+json"
+    put(
+        registry,
+        repository,
+        "2",
+        {
+            "schemaVersion": 2,
+            "mediaType": image,
+            "config": {"mediaType": config, "digest": registry.put_blob(repository, b"{}"), "size": 2},
+            "layers": [
+                {
+                    "mediaType": "application/vnd.aquasec.trivy.db.layer.v1.tar+gzip",
+                    "digest": registry.put_blob(repository, layer),
+                    "size": len(layer),
+                    "annotations": {"org.opencontainers.image.title": "db.tar.gz"},
+                }
+            ],
+        },
+    )
+    text = (ROOT / "scan.yaml").read_text()
+    old = next(line for line in text.splitlines() if line.startswith("  repositories:"))
+    text = text.replace(
+        old, f"  repositories: [{services.registry}/{NAMESPACE}/none:2, {services.registry}/{repository}]"
+    )
+    return policy.parsed(source.parse(text.encode(), "scan.yaml"))
+
+
+def put(registry: Any, repository: str, reference: str, content: dict[str, Any]) -> str:
+    digest: str = registry.put_manifest(repository, reference, content, content["mediaType"])
+    return digest
+
+
+@pytest.fixture(scope="module")
+def database(trivy: Trivy, rules: policy.Rules) -> Database:
+    return trivy.fetch(rules.policy.database, say=LOG.info)
+
+
+@dataclass(frozen=True)
+class Joined:
+    """A ROS image and a payload, and an image that is the sum of them."""
+
+    parts: tuple[Part, ...]
+    repository: str
+    digest: str
+
+
+@pytest.fixture(scope="module")
+def joined(services: Services, catalogue: Catalogue, registry: Any, published: Callable[[str], Published]) -> Joined:
+    ros = published("bookworm-core")
+    item = payloads.find(catalogue, "common-cu128-py311")
+    made = payloads.publish(services, catalogue, item, LOG.info, NAMESPACE)
+    index = registry.manifest(f"{NAMESPACE}/payload", made.digest).content
+    wheels = next(
+        (it["digest"] for it in index.get("manifests", []) if it["platform"]["architecture"] == "amd64"), made.digest
+    )
+    parts = (
+        Part.of("bookworm-core", ros.reference, True),
+        Part(item.name, services.registry, f"{NAMESPACE}/payload", wheels, False),
+    )
+    repository = f"{NAMESPACE}/joined"
+    manifests = [registry.manifest(part.repository, part.digest).content for part in parts]
+    configs = [
+        json.loads(registry.blob(part.repository, it["config"]["digest"]))
+        for part, it in zip(parts, manifests, strict=True)
+    ]
+    for part, manifest in zip(parts, manifests, strict=True):
+        for layer in manifest["layers"]:
+            assert registry.mount(repository, layer["digest"], part.repository)
+    configs[0]["rootfs"]["diff_ids"] += configs[1]["rootfs"]["diff_ids"]
+    configs[0]["history"] = []
+    config = json.dumps(configs[0]).encode()
+    content = {**manifests[0], "layers": manifests[0]["layers"] + manifests[1]["layers"]}
+    content["config"] = {**content["config"], "digest": registry.put_blob(repository, config), "size": len(config)}
+    return Joined(parts, repository, put(registry, repository, "latest", content))
+
+
+def found(report: dict[str, Any]) -> set[tuple[str, str, str]]:
+    """Advisory, package and version of all that trivy reports."""
+    return {
+        (it["VulnerabilityID"], it["PkgName"], it["InstalledVersion"])
+        for result in report["Results"]
+        for it in result.get("Vulnerabilities") or []
+    }
+
+
+def test_trivy_is_the_pinned_one(trivy: Trivy) -> None:
+    """And the stand-in's library is the one that it is made of."""
+    modules = [(ROOT / path / "go.mod").read_text().split() for path in ("tools/go/trivy", "tests/e2e/trivy_db")]
+    versions = {words[words.index("github.com/aquasecurity/trivy-db") + 1] for words in modules}
+    assert len(versions) == 1
+
+
+def test_the_database_is_fetched_from_a_registry(database: Database, rules: policy.Rules) -> None:
+    assert database.source == rules.policy.database.repositories[1]
+    assert database.updated == UPDATED.strftime("%Y-%m-%dT%H:%M:%SZ")
+    assert database.downloaded > database.updated
+
+
+def test_what_the_database_knows(trivy: Trivy, database: Database) -> None:
+    assert trivy.lacks(["debian 12", "pip::", "debian 13", "ubuntu 24.04"]) == ["debian 13", "ubuntu 24.04"]
+
+
+def test_parts_are_scanned(
+    trivy: Trivy, rules: policy.Rules, database: Database, registry: Any, joined: Joined
+) -> None:
+    """Debian's packages and Python's wheels; what no version mends is listed, and what is mended here is not."""
+    image = scan.Image("bookworm-core-common-cu128", "amd64", joined.parts)
+    shelf = sbom.Shelf(registry, f"trivy {trivy.version}")
+    facts: dict[str, Any] = {"now": datetime.now(UTC), "whole": True, "say": LOG.info}
+    run = scan.scan_images([image], rules, trivy, shelf, **facts)
+    (scanned,) = run.images
+    assert scanned.outcome is Outcome.POLICY_FAILED, scanned.reason
+    assert {(it.id, it.part) for it in scanned.failing} == {
+        ("CVE-2026-90001", "bookworm-core"),
+        ("CVE-2026-90004", "common-cu128-py311"),
+    }
+    assert "libc6" in {it.package for it in scanned.findings if it.id == "CVE-2026-90002"}
+    assert "CVE-2026-90003" not in {it.id for it in scanned.findings}
+    assert scanned.packages > 400
+
+    said: list[str] = []
+    again = scan.scan_images([image], rules, trivy, shelf, **{**facts, "say": said.append})
+    assert again.images == run.images
+    assert said == ["scan bookworm-core", "scan common-cu128-py311"]  # no layer was read again
+
+
+def test_by_sbom_and_by_digest_the_same_is_found(
+    trivy: Trivy, rules: policy.Rules, database: Database, registry: Any, joined: Joined, services: Services
+) -> None:
+    """The sum of the parts' findings is what trivy finds in the joined image itself."""
+    scanner = scan.Scanner(trivy, sbom.Shelf(registry, f"trivy {trivy.version}"), database, LOG.info)
+    parts = {(it.id, it.package, it.installed) for part in joined.parts for it in scanner.report(part).findings}
+    file = trivy.folder / "report.json"
+    reference = f"{services.registry}/{joined.repository}@{joined.digest}"
+    arguments = ("--output", str(file), "--format", "json", "--scanners", "vuln", "--skip-db-update", reference)
+    trivy.run("image", "--image-src", "remote", *arguments, seconds=600)
+    assert found(json.loads(file.read_text())) == parts
+    assert len(parts) > 2
+
+
+def test_an_sbom_is_made_the_same_again(trivy: Trivy, joined: Joined, tmp_path: Path) -> None:
+    """By a trivy that never saw a layer of it."""
+    for part in joined.parts:
+        fresh = Trivy(trivy.program, trivy.version, tmp_path / part.name, trivy.environment)
+        one, other = (sbom.Sbom.of(it.sbom(part.reference), part.digest) for it in (trivy, fresh))
+        assert one == other
+
+
+def test_a_database_that_is_too_old(
+    trivy: Trivy, rules: policy.Rules, registry: Any, joined: Joined, tmp_path: Path
+) -> None:
+    old = Trivy(trivy.program, trivy.version, tmp_path, trivy.environment)
+    write_database(tmp_path / "db", UPDATED - timedelta(days=9))
+    image = scan.Image("joined", "amd64", joined.parts)
+    shelf = sbom.Shelf(registry, f"trivy {trivy.version}")
+    run = scan.scan_images([image], rules, old, shelf, now=datetime.now(UTC), whole=True)
+    assert run.outcome is Outcome.SCANNER_FAILED
+    assert "was made 9 days ago" in run.images[0].reason
+
+
+def test_a_damaged_database(trivy: Trivy, joined: Joined, database: Database, tmp_path: Path) -> None:
+    """Cut short, as by a full disk: the real trivy fails, and does not find nothing."""
+    damaged = Trivy(trivy.program, trivy.version, tmp_path, trivy.environment)
+    write_database(tmp_path / "db")
+    file = tmp_path / "db" / "trivy.db"
+    file.write_bytes(file.read_bytes()[:5000])
+    content = trivy.sbom(joined.parts[0].reference)
+    with pytest.raises(ScannerFailed):
+        damaged.scan(json.dumps(content).encode(), "bookworm-core")
+
+
+def test_an_image_that_is_not_there(trivy: Trivy, joined: Joined) -> None:
+    part = joined.parts[0]
+    with pytest.raises(ScannerFailed, match=r"MANIFEST_UNKNOWN|manifest unknown|NAME_UNKNOWN"):
+        trivy.sbom(f"{part.registry}/{part.repository}@sha256:{'0' * 64}")

@@ -1,0 +1,79 @@
+"""TensorFlow without CUDA: images of two distributions, and payloads that are made elsewhere and for another architecture."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rosml.expand import Catalogue
+from rosml.services import Services
+from tests.e2e.conftest import NAMESPACE, Published
+from tests.e2e.test_images import build, push_payload
+
+Publish = Callable[[str], Published]
+
+
+@pytest.mark.parametrize("target", ["bookworm-core-tensorflow-cpu", "trixie-core-tensorflow-cpu"])
+def test_tensorflow_without_cuda(published: Publish, target: str) -> None:
+    image = published(target)
+    assert image.result["failed"] == 0
+    assert image.result["compressed"] < 1_000_000_000
+
+
+def test_the_cplusplus_part_of_tensorflow_is_the_same_for_every_python(published: Publish) -> None:
+    older, newer = published("bookworm-core-tensorflow-cpu"), published("trixie-core-tensorflow-cpu")
+    layers = [image.layers[-len(image.image.parts) :] for image in (older, newer)]
+    shared = older.image.parts.index("tensorflow-cc-cpu")
+    assert [one == other for one, other in zip(*layers, strict=True)] == [
+        index == shared for index in range(len(older.image.parts))
+    ]
+
+
+def test_a_payload_for_arm64_is_assembled_without_emulation(
+    services: Services, published: Publish, catalogue: Catalogue, tmp_path: Path
+) -> None:
+    """Libraries of that architecture and bytecode, looked at on this one."""
+    image = published("bookworm-core-tensorflow-cpu")
+    payload = catalogue.payload_by_name["torch-cpu-py311"]
+    push_payload(services, image, payload, variables={"PLATFORM": "linux/arm64"})
+    (tmp_path / "Dockerfile").write_text(
+        textwrap.dedent(f"""\
+            FROM --platform=linux/arm64 {services.registry}/{NAMESPACE}/payload:{payload.name} AS payload
+            FROM --platform=$BUILDPLATFORM {image.result["reference"]}
+            COPY --from=payload / /arm64/
+            COPY look.sh /
+            RUN bash /look.sh
+        """)
+    )
+    (tmp_path / "look.sh").write_text(
+        textwrap.dedent("""\
+            set -euo pipefail
+            mapfile -t files < <(find /arm64 -type f -name '*.so*')
+            echo "${#files[@]} libraries"
+            test "${#files[@]}" -ge 10
+            for file in "${files[@]}"; do
+              readelf --file-header "$file" | grep -q AArch64 || { echo "$file is not for arm64" >&2; exit 1; }
+            done
+            test -L /arm64/usr/lib/aarch64-linux-gnu/libtorch_cpu.so
+            test -f /arm64/usr/local/lib/python3.11/dist-packages/torch/__pycache__/__init__.cpython-311.pyc
+        """)
+    )
+    build(services, tmp_path)
+
+
+def test_a_payload_assembled_again_elsewhere_has_the_same_digest(
+    published: Publish, services: Services, catalogue: Catalogue, checkout: Path
+) -> None:
+    """Without any cache, in another folder: the same lock gives the same layer."""
+    image = published("bookworm-core-tensorflow-cpu")
+    elsewhere = replace(services, root=checkout)
+    again = [
+        layer
+        for name in image.image.parts
+        for layer in push_payload(elsewhere, image, catalogue.payload_by_name[name], "*.no-cache=true")
+    ]
+    assert again == image.layers[-len(again) :]

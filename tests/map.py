@@ -1,0 +1,52 @@
+"""The test map, docs/tests.md: which file proves what, as its own first sentences say. `uv run python -m tests.map` writes
+it."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs/tests.md"
+
+HEAD = """\
+# Test map
+
+Which file proves what, in the words of its own first lines: `uv run python -m tests.map` writes this page, and a test holds
+it to them. What holds inside every image is in `tests/structure/`: a file for each part and component, which a child of an
+image inherits.
+"""
+
+KINDS = {
+    "lint": ("Linters", "`make lint`: everything that can be said of a file without running it."),
+    "unit": ("Unit tests", "`make unit`: no builder, no registry but those that a test starts in its own process."),
+    "e2e": ("End-to-end tests", "`make test`: real builds, a real registry, images that are entered."),
+}
+"""Folders below tests/, each with its heading and what runs it; others come after them."""
+
+
+def render() -> str:
+    """The page."""
+    parts = [HEAD]
+    found = sorted({file.parent.name for file in (ROOT / "tests").rglob("test_*.py")} - KINDS.keys())
+    kinds = {**KINDS, **{folder: (f"Tests in tests/{folder}", "`make test`.") for folder in found}}
+    for folder, (heading, how) in kinds.items():
+        rows = [f"| `{file.name}` | {proves(file)} |" for file in sorted((ROOT / "tests" / folder).glob("test_*.py"))]
+        parts += [f"\n## {heading}\n\n{how}\n\n| file | proves |\n| --- | --- |", *rows]
+    return "\n".join(parts) + "\n"
+
+
+def proves(file: Path) -> str:
+    """The first paragraph of a test file, in a line.
+
+    Raises:
+        ValueError: it has none.
+    """
+    words = ast.get_docstring(ast.parse(file.read_text(encoding="utf-8")))
+    if not words:
+        raise ValueError(f"{file.name} does not say what it proves: begin it with a docstring")
+    return " ".join(words.split("\n\n")[0].split()).replace("|", "\\|").replace("``", "`")
+
+
+if __name__ == "__main__":
+    PAGE.write_text(render(), encoding="utf-8")

@@ -1,0 +1,138 @@
+"""The catalogue's page in a browser: Chromium as the machine has it, driven by Playwright.
+
+Whatever a test does, the page must stay within its folder and have nothing to complain about: that is checked after each.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+from shelf import FIRST, Shelf, shown
+
+from machine.commands import BROWSERS
+from rosml import ROOT, expand, site, source, synthetic
+from rosml.catalogue import Published
+from rosml.gather import Gatherer
+
+NOW = "2026-11-22T06:00:00Z"
+REGISTRY = "ghcr.io/me/rosml"
+WIDE = {"width": 1280, "height": 900}
+NARROW = {"width": 360, "height": 740}
+
+
+def program() -> str:
+    """The browser."""
+    found = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    return found or pytest.skip(f"no browser is there ({', '.join(BROWSERS)}): python3 scripts/bootstrap.py browser")
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Any]:
+    path = program()
+    playwright = pytest.importorskip(
+        "playwright.sync_api", reason="Playwright is not there: uv run --group page pytest tests/page"
+    )
+    with playwright.sync_playwright() as drivers:
+        options = ["--no-sandbox"] if os.geteuid() == 0 else []
+        running = drivers.chromium.launch(executable_path=path, args=options)
+        yield running
+        running.close()
+
+
+def expect(what: Any) -> Any:
+    """Playwright's assertions, which wait. A condition in JavaScript may not be waited for: the page forbids `eval`, and
+    Playwright calls it in the page as soon as the condition does not hold at once."""
+    return pytest.importorskip("playwright.sync_api").expect(what)
+
+
+def gather(shelf: Shelf) -> Published:
+    return Gatherer(shelf.catalogue, shelf.registry, REGISTRY, "rosml").gather(NOW)
+
+
+@pytest.fixture(scope="session")
+def published() -> Published:
+    """Three nights of bookworm and trixie, and all that our matrix describes beside them."""
+    return gather(shown(expand.load(ROOT / "matrix.yaml", ROOT)))
+
+
+@pytest.fixture(scope="session")
+def folder(published: Published, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The page in a folder whose name is one that addresses have to spell in another way."""
+    path = tmp_path_factory.mktemp("page") / "a catalogue, übersicht"
+    site.write(path, published)
+    return path
+
+
+@pytest.fixture(scope="session")
+def thousand(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The same of a matrix with more than 1,000 images, each with two platforms."""
+    catalogue = expand.catalogue(source.parse(synthetic.matrix(1000).encode()))
+    shelf = Shelf(catalogue)
+    shelf.night(FIRST, catalogue.matrix.distributions)
+    path = tmp_path_factory.mktemp("page") / "thousand"
+    site.write(path, gather(shelf))
+    return path
+
+
+@dataclass
+class Window:
+    """A window of the browser, and what happened in it.
+
+    Attributes:
+        page: Playwright's. folder: the page's. complaints: of the console, and errors. requests: addresses.
+    """
+
+    page: Any
+    folder: Path
+    complaints: list[str] = field(default_factory=list)
+    requests: list[str] = field(default_factory=list)
+
+    def open(self, route: str = "#/", base: str = "") -> Any:
+        """Opens a view; gives the page."""
+        self.page.goto((base or (self.folder / "index.html").as_uri()) + route)
+        self.page.wait_for_function("document.documentElement.dataset.ready")
+        return self.page
+
+    def outside(self, base: str = "") -> list[str]:
+        """Requests of something that is not in the page's folder."""
+        allowed = (base or self.folder.as_uri(), "data:")
+        return [address for address in self.requests if not address.startswith(allowed)]
+
+
+@dataclass
+class Windows:
+    """Opens windows, and looks after what happens in them."""
+
+    browser: Any
+    folder: Path
+    opened: list[tuple[Any, Window]] = field(default_factory=list)
+
+    def __call__(self, viewport: dict[str, int] | None = None, scheme: str = "light", **options: Any) -> Window:
+        """A window of a size and with a colour scheme."""
+        context = self.browser.new_context(viewport=viewport or WIDE, color_scheme=scheme, **options)
+        context.grant_permissions(["clipboard-read", "clipboard-write"])
+        window = Window(context.new_page(), self.folder)
+        window.page.set_default_timeout(10_000)
+        window.page.on("console", lambda message: window.complaints.append(f"{message.type}: {message.text}"))
+        window.page.on("pageerror", lambda error: window.complaints.append(str(error)))
+        window.page.on("request", lambda request: window.requests.append(request.url))
+        self.opened.append((context, window))
+        return window
+
+
+@pytest.fixture
+def window(browser: Any, folder: Path) -> Iterator[Windows]:
+    windows = Windows(browser, folder)
+    yield windows
+    for context, opened in windows.opened:
+        context.close()
+        assert opened.complaints == []
+        if not any(address.startswith("http://127.0.0.1") for address in opened.requests):
+            assert opened.outside() == []
+            assert opened.requests

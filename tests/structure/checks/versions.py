@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""What the image's parts recorded and what the login banner says are the versions that the tag and the labels promise."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+SHARE = Path("/usr/local/share/rosml")
+
+RECORDED = {
+    "cuda": r"nvidia-cuda-runtime(-cu\d+)?",
+    "cudnn": r"nvidia-cudnn-cu\d+",
+    "nccl": r"nvidia-nccl-cu\d+",
+    "torch": "torch",
+    "tensorflow": "tensorflow(-cpu)?",
+}
+"""By what names a part records a version that is promised."""
+
+TITLES = {"cuda": "CUDA", "cudnn": "cuDNN", "torch": "PyTorch", "tensorflow": "TensorFlow"}
+"""What the banner calls them. NCCL is not in it."""
+
+
+def pairs(text: str) -> dict[str, str]:
+    """The first word of each line, and the rest of it."""
+    lines = (line.split(maxsplit=1) for line in text.splitlines())
+    return {line[0]: line[1] for line in lines if len(line) == 2}
+
+
+def same(found: str | None, promised: str | None) -> bool:
+    """Whether a version is the promised one: 2.10.0+cpu is 2.10.0, built for another accelerator."""
+    return (found and found.split("+")[0]) == promised
+
+
+def wrong(
+    banner: str, recorded: Mapping[str, str], system: Mapping[str, str], promised: Mapping[str, str]
+) -> list[str]:
+    """Everything that is not as promised.
+
+    Args:
+        banner: what it says. recorded: versions by the names of packages. system: what os-release says.
+        promised: by name in small letters: EXPECT_TORCH is `torch`.
+    """
+    rows = pairs(banner)
+    found: list[str] = []
+
+    def check(what: str, well: bool, is_: object, wanted: object) -> None:
+        if not well:
+            found.append(f"{what}: {is_}, expected {wanted}")
+
+    for name, pattern in RECORDED.items():
+        versions = {package: version for package, version in recorded.items() if re.fullmatch(pattern, package)}
+        wanted = promised.get(name)
+        well = all(same(version, wanted) for version in versions.values()) and bool(versions) == bool(wanted)
+        check(f"recorded of {name}", well, versions or "nothing", wanted)
+        if name in TITLES:
+            row = rows.get(TITLES[name])
+            check(f"the banner's {TITLES[name]}", same(row, wanted), row, wanted)
+    ros = f"{promised['ros_distro']} (ROS {promised['ros']})"
+    check("the banner's ROS", rows.get("ROS") == ros, rows.get("ROS"), ros)
+    check("the banner's RMW", *_middleware(rows.get("RMW", ""), promised))
+    python = rows.get("Python", "")
+    check("the banner's Python", python.startswith(promised["python"] + "."), python, promised["python"])
+    known = {system.get("VERSION_CODENAME"), f"{system['ID']}-{system.get('VERSION_ID')}"}
+    check(
+        "the operating system's name in matrix.yaml",
+        promised["os"] in known,
+        promised["os"],
+        sorted(filter(None, known)),
+    )
+    check(
+        "the banner's OS",
+        rows.get("OS", "").startswith(system["PRETTY_NAME"] + ", "),
+        rows.get("OS"),
+        system["PRETTY_NAME"],
+    )
+    return found
+
+
+def _middleware(row: str, promised: Mapping[str, str]) -> tuple[bool, str, str]:
+    """Whether the banner names the middleware of ROS 2, and all that the matrix promises; and what it should say."""
+    if promised["ros"] == "1":
+        return not row, row, "none: ROS 1 has one of its own"
+    needed = ["rmw_fastrtps_cpp", *filter(None, promised.get("rmw", "").split(","))]
+    told = re.fullmatch(r"rmw_fastrtps_cpp \(installed: (.*)\)", row)
+    names = told[1].split() if told else []
+    well = set(needed) <= set(names) and "rmw_implementation" not in names
+    return well, row, f"rmw_fastrtps_cpp, and installed: {' '.join(needed)}"
+
+
+def main() -> None:
+    recorded = pairs("".join(file.read_text() for file in sorted((SHARE / "versions.d").iterdir())))
+    system = dict(line.split("=", 1) for line in Path("/etc/os-release").read_text().splitlines() if "=" in line)
+    prefix = "EXPECT_"
+    promised = {key[len(prefix) :].lower(): value for key, value in os.environ.items() if key.startswith(prefix)}
+    banner = subprocess.run([SHARE / "banner.sh"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    print(banner)
+    if found := wrong(banner, recorded, {key: value.strip("\"'") for key, value in system.items()}, promised):
+        sys.exit("\n".join(found))
+
+
+if __name__ == "__main__":
+    main()

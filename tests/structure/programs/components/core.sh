@@ -1,0 +1,6 @@
+# shellcheck shell=bash
+# core: nodes, topics, parameters and services are told of.
+rosnode list | grep -x /rosout
+rosparam set /number 7 && [[ $(rosparam get /number) == 7 ]]
+rosservice list | grep -x /rosout/get_loggers
+rosmsg show std_msgs/String

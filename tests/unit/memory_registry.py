@@ -1,0 +1,362 @@
+"""A registry in memory with the interface of `oci.Registry`, and a publishing run whose images are a few bytes each."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import threading
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosml import agenda, ledger, promote, provenance, registry, upstream
+from rosml.agenda import Agenda, Item
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image, Payload
+from rosml.ledger import Entry
+from rosml.pipeline import Made, Pipeline, title
+from rosml.services import Services
+from rosml.signer import SignerFailed
+
+HOST = "registry.example"
+PREFIX = "rosml"
+DAY = "2026-11-22T03:00:00Z"
+NEXT = "2026-11-23T03:00:00Z"
+LATER = "2026-11-24T03:00:00Z"
+IMAGE = "application/vnd.oci.image.manifest.v1+json"
+INDEX = "application/vnd.oci.image.index.v1+json"
+
+
+BASE = f"debian:alpha@sha256:{'0' * 64}"
+
+
+class Killed(BaseException):
+    """The process ends here, as by SIGKILL: nothing catches it."""
+
+
+@dataclass(frozen=True)
+class Stored:
+    """What `oci.Manifest` has."""
+
+    content: dict[str, Any]
+    digest: str
+    media_type: str
+    size: int
+
+
+def digest(data: bytes) -> str:
+    """As registries name content."""
+    return f"sha256:{hashlib.sha256(data).hexdigest()}"
+
+
+@dataclass
+class MemoryRegistry:
+    """Repositories by path.
+
+    Attributes:
+        writes: how many there were. uploaded: bytes of them. die_at: the write, counted from 1, at which the process ends; before it takes effect, or after.
+        refuses: methods that fail.
+    """
+
+    manifests: dict[str, dict[str, Stored]] = field(default_factory=dict)
+    blobs: dict[str, dict[str, bytes]] = field(default_factory=dict)
+    names: dict[str, dict[str, str]] = field(default_factory=dict)
+    writes: int = 0
+    uploaded: int = 0
+    die_at: int = 0
+    die_after: bool = False
+    refuses: set[str] = field(default_factory=set)
+    lock: Any = field(default_factory=threading.RLock)
+
+    @contextmanager
+    def _write(self, what: str) -> Iterator[None]:
+        with self.lock:
+            if what in self.refuses:
+                raise RosmlError(f"the registry refuses to {what}", "ask who runs it")
+            self.writes += 1
+            dying = self.writes == self.die_at
+            if dying and not self.die_after:
+                raise Killed
+            yield
+            if dying:
+                raise Killed
+
+    def manifest(self, repository: str, reference: str) -> Stored | None:
+        name = self.names.get(repository, {}).get(reference, reference)
+        return self.manifests.get(repository, {}).get(name)
+
+    def put_manifest(self, repository: str, reference: str, content: bytes | dict[str, Any], media_type: str) -> str:
+        data = content if isinstance(content, bytes) else json.dumps(content, sort_keys=True).encode()
+        with self._write("put a manifest"):
+            name = digest(data)
+            self.uploaded += len(data)
+            self.manifests.setdefault(repository, {})[name] = Stored(json.loads(data), name, media_type, len(data))
+            if not reference.startswith("sha256:"):
+                self.names.setdefault(repository, {})[reference] = name
+            return name
+
+    def head(self, repository: str, reference: str) -> str:
+        found = self.manifest(repository, reference)
+        return found.digest if found else ""
+
+    def blob(self, repository: str, name: str) -> bytes:
+        return self.blobs[repository][name]
+
+    def put_blob(self, repository: str, data: bytes) -> str:
+        if digest(data) in self.blobs.get(repository, {}):
+            return digest(data)
+        with self._write("put a blob"):
+            self.blobs.setdefault(repository, {})[digest(data)] = data
+            self.uploaded += len(data)
+            return digest(data)
+
+    def may_push(self, _repository: str) -> None:
+        if "push" in self.refuses:
+            raise RosmlError("the registry lets nobody push", "docker login")
+
+    def tags(self, repository: str) -> list[str]:
+        return sorted(self.names.get(repository, {}))
+
+    def delete(self, repository: str, reference: str) -> None:
+        what = "delete a manifest" if reference.startswith("sha256:") else "delete a tag"
+        with self._write(what):
+            if reference.startswith("sha256:"):
+                del self.manifests[repository][reference]
+                names = self.names.get(repository, {})
+                for name in [name for name, target in names.items() if target == reference]:
+                    del names[name]
+            else:
+                del self.names[repository][reference]
+
+    def referrers(self, repository: str, subject: str, artifact_type: str = "") -> list[dict[str, Any]]:
+        return [
+            {"digest": name, "artifactType": manifest.content["artifactType"]}
+            for name, manifest in list(self.manifests.get(repository, {}).items())
+            if (manifest.content.get("subject") or {}).get("digest") == subject
+            and artifact_type in ("", manifest.content["artifactType"])
+        ]
+
+    def detach(self, repository: str, subject: str, name: str) -> None:
+        assert name in [item["digest"] for item in self.referrers(repository, subject)]
+        self.delete(repository, name)
+
+    def forget(self, repository: str, subject: str) -> None:
+        assert subject not in self.manifests[repository]
+
+    def attach(
+        self,
+        repository: str,
+        subject: Mapping[str, Any],
+        artifact_type: str,
+        payload: bytes,
+        media_type: str,
+        annotations: Mapping[str, str],
+    ) -> str:
+        if "attach" in self.refuses:
+            raise RosmlError("the registry refuses to attach", "ask who runs it")
+        layer = {"mediaType": media_type, "digest": self.put_blob(repository, payload), "size": len(payload)}
+        content = {
+            "artifactType": artifact_type,
+            "layers": [layer],
+            "annotations": dict(annotations),
+            "subject": dict(subject),
+        }
+        data = json.dumps(content, sort_keys=True).encode()
+        return self.put_manifest(repository, digest(data), data, IMAGE)
+
+    # What regctl does, for `rosml.registry`.
+
+    def create_index(
+        self, _services: Services, reference: str, digests: Sequence[str], annotations: Mapping[str, str]
+    ) -> str:
+        repository = reference.removeprefix(f"{HOST}/")
+        members = []
+        for name in digests:
+            found = self.manifests[repository][name]
+            config = json.loads(self.blobs[repository][found.content["config"]["digest"]])
+            platform = {"os": "linux", "architecture": config["architecture"]}
+            members.append({"mediaType": IMAGE, "digest": name, "size": found.size, "platform": platform})
+        content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": members, "annotations": dict(annotations)}
+        data = json.dumps(content, sort_keys=True).encode()
+        return self.put_manifest(repository, digest(data), data, INDEX)
+
+    def tag(self, _services: Services, reference: str, target: str, name: str) -> None:
+        repository = reference.removeprefix(f"{HOST}/")
+        with self._write("move a tag"):
+            assert target in self.manifests[repository]
+            self.names.setdefault(repository, {})[name] = target
+
+
+@dataclass
+class Run(Pipeline):
+    """A run that makes images of a few bytes.
+
+    Attributes:
+        made: what was built, composed and tested, in order: (step, target, architecture).
+        poisoned: targets whose tests fail. broken: targets whose build fails. packages: what is in the ROS images.
+        odd: labels that an image has on an architecture.
+    """
+
+    made: list[tuple[str, str, str]] = field(default_factory=list)
+    poisoned: set[str] = field(default_factory=set)
+    broken: set[str] = field(default_factory=set)
+    packages: str = "1"
+    odd: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
+
+    def _put(self, item: Item, layers: list[bytes]) -> str:
+        self.made.append((item.making, *item.key))
+        repository, sent = self.repository(item.repository), self.registry.uploaded
+        entries = [{"digest": self.registry.put_blob(repository, data), "size": len(data)} for data in layers]
+        labels = {"org.opencontainers.image.title": title(item.thing), **self.odd.get(item.key, {})}
+        config = json.dumps({"architecture": item.architecture, "config": {"Labels": labels}}).encode()
+        content = {"layers": entries, "config": {"digest": self.registry.put_blob(repository, config)}}
+        data = json.dumps(content).encode()
+        name = str(self.registry.put_manifest(repository, digest(data), data, IMAGE))
+        if item.making == "build":  # buildx sends it, and not the run's client
+            self.registry.uploaded = sent
+        return name
+
+    def _assemble(self, payload: Payload, architecture: str) -> Made:
+        item = self.agenda.by_key[payload.target, architecture]
+        if payload.target in self.broken:
+            raise RosmlError(f"building {payload.target} failed", "mend it")
+        return Made(self._put(item, [f"{payload.target} {self.agenda.inputs.digest(*item.key)}".encode()]), base=BASE)
+
+    def _ros(self, item: Item, image: Image, entry: Entry) -> Made:
+        if image.target in self.broken:
+            raise RosmlError(f"building {image.target} failed", "mend it")
+        parts = self._parts(item)
+        below = [self._layers(target, item.architecture) for target in parts]
+        own = f"{image.target} {self.packages} {item.architecture}".encode()
+        moment = self.agenda.upstream.get(image.distribution, entry.upstream)
+        digest = self._put(item, [*(data for found in below for data in found), own])
+        return Made(digest, parts, moment, "" if parts else BASE)
+
+    def _layers(self, target: str, architecture: str) -> list[bytes]:
+        part = self.agenda.by_key[target, architecture]
+        repository = self.repository(part.repository)
+        found = self.registry.manifest(repository, self.agenda.known[part.key].digest)
+        return [self.registry.blob(repository, layer["digest"]) for layer in found.content["layers"]]
+
+    def _join(self, item: Item, parts: Mapping[str, str]) -> str:
+        return self._put(item, [data for target in parts for data in self._layers(target, item.architecture)])
+
+    def _test(self, item: Item, entry: Entry) -> Entry:
+        self.made.append(("test", *item.key))
+        failures = ("contract: it is poisoned",) if item.target in self.poisoned else ()
+        failed = {"step": "test", "reason": "tests failed"} if failures else {}
+        tested = self.agenda.tests(item)
+        return replace(entry, tested=tested, passed=5, failures=failures, failed=failed, versions={"torch": "2.10.0"})
+
+
+@dataclass
+class Pen:
+    """Signs as `signer.Signer` does.
+
+    Attributes:
+        registry: counts a signature as a write. signed: references that have one. asked: how often it was asked for one.
+        broken: why it fails; empty where it does not.
+    """
+
+    registry: MemoryRegistry
+    identity: str = "sha256:pen"
+    signed: set[str] = field(default_factory=set)
+    asked: int = 0
+    broken: str = ""
+
+    def ensure(self, reference: str) -> bool:
+        self.asked += 1
+        if self.broken:
+            raise SignerFailed(self.broken, "mend it")
+        if reference in self.signed:
+            return False
+        with self.registry._write("sign"):
+            self.signed.add(reference)
+        return True
+
+
+STEPS = ("build", "compose", "test", "index", "promote")
+
+
+@dataclass
+class Place:
+    """A registry, and runs that publish into it; with a pen, they sign."""
+
+    services: Services
+    registry: MemoryRegistry = field(default_factory=MemoryRegistry)
+    upstream: dict[str, str] = field(default_factory=lambda: {"alpha": "monday", "omega": "monday"})
+    pen: Any = None
+
+    def run(self, catalogue: Catalogue, date: str = DAY, serving: tuple[str, ...] = (), **options: Any) -> Run:
+        """A run for both architectures, unless told otherwise; nothing is done yet."""
+        own = {name: options.pop(name) for name in ("poisoned", "broken", "packages", "odd") if name in options}
+        architectures = options.pop("architectures", ("amd64", "arm64"))
+        found = agenda.survey(
+            self.services, catalogue, self.registry, PREFIX, architectures=architectures, date=date, **options
+        )
+        return Run(found, self.registry, HOST, PREFIX, lambda line: None, serving, signer=self.pen, **own)
+
+    def publish(self, catalogue: Catalogue, **options: Any) -> Run:
+        """A run with all its steps."""
+        run = self.run(catalogue, **options)
+        for step in STEPS:
+            getattr(run, step)()
+        return run
+
+    def tagged(self, repository: str) -> dict[str, str]:
+        """Tags of a repository and where they point."""
+        return dict(self.registry.names.get(f"{PREFIX}/{repository}", {}))
+
+    def check(self, catalogue: Catalogue, poisoned: Sequence[str] = ()) -> None:
+        """What must hold at any time: tags point at whole, tested images, and nothing that is there is in pieces."""
+        entries = {}
+        for name in self.registry.tags(f"{PREFIX}/{ledger.REPOSITORY}"):
+            if not name.startswith(promote.UNDO):
+                target, _, architecture = name.rpartition(".")
+                entries[target, architecture] = ledger.Ledger(self.registry, PREFIX).read(target, architecture)
+        passed = {entry.digest for entry in entries.values() if entry and entry.passed and not entry.failures}
+        passed |= {old for entry in entries.values() if entry and not entry.failures for old in entry.superseded}
+        for repository in {image.repository for image in catalogue.images}:
+            path = f"{PREFIX}/{repository}"
+            for tag, target in self.tagged(repository).items():
+                index = self.registry.manifest(path, target)
+                assert index is not None and index.media_type == INDEX, f"{tag} points at nothing whole"
+                assert not self.pen or f"{HOST}/{path}@{target}" in self.pen.signed, f"{tag} is not signed"
+                image = next(
+                    i for i in catalogue.images if any(tag.startswith(t.split(":")[1]) for t in reversed(i.tags))
+                )
+                members = {item["platform"]["architecture"]: item["digest"] for item in index.content["manifests"]}
+                assert members, f"{tag} ({image.target}) has no architecture"
+                for name in (index.digest, *members.values()):
+                    assert self.registry.referrers(path, name, ledger.ARTIFACT), f"{tag}: no entry is attached"
+                for name in members.values():
+                    assert self.registry.referrers(path, name, provenance.MEDIA_TYPE), f"{tag}: nobody knows whence"
+                for member in members.values():
+                    assert member in passed, f"{repository}:{tag} points at an untested image"
+                    manifest = self.registry.manifest(path, member)
+                    assert manifest is not None
+                    for layer in manifest.content["layers"]:
+                        assert layer["digest"] in self.registry.blobs[path]
+
+
+def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Place:
+    """A place whose regctl and repositories of packages are in memory as well."""
+    found = Place(services)
+    for name in ("create_index", "tag"):
+        monkeypatch.setattr(registry, name, lambda *a, name=name: getattr(found.registry, name)(*a))
+
+    def state(_matrix: object, distribution: str) -> str:
+        answer = found.upstream[distribution]
+        if answer == "down":
+            raise RosmlError("http://packages.example does not answer", "check the network")
+        return answer
+
+    monkeypatch.setattr(upstream, "state", state)
+    return found
+
+
+__all__ = ["Agenda", "Killed", "Place", "place"]

@@ -1,0 +1,240 @@
+"""A registry in this process, which does what the distribution API says, and goes wrong when a test tells it to."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+from urllib.parse import parse_qs, urlsplit
+
+from rosml.oci import INDEX, digest_of, encoded
+
+DROP = "drop"
+"""A fault: the connection ends without an answer. A number is the status of an answer."""
+
+
+@dataclass
+class Fault:
+    """What goes wrong with requests of a method whose path matches, `times` times."""
+
+    method: str
+    path: str
+    kind: int | str
+    times: int = 1
+    headers: dict[str, str] = field(default_factory=dict)
+    body: bytes = b""
+
+
+@dataclass
+class StandIn:
+    """What the registry holds and does.
+
+    Attributes:
+        blobs: by repository and digest. manifests: by repository and digest, with the media type. tags: by repository.
+        mounts: whether it mounts. referrers: whether it has the referrers API. page: how many tags a page has.
+        users: who may log in, by name; nobody has to if there are none. bearer: whether they need a token.
+        requests: all that came, as `METHOD path`. headers: of each.
+    """
+
+    address: str = ""
+    blobs: dict[tuple[str, str], bytes] = field(default_factory=dict)
+    manifests: dict[tuple[str, str], tuple[str, bytes]] = field(default_factory=dict)
+    tags: dict[str, dict[str, str]] = field(default_factory=dict)
+    mounts: bool = True
+    referrers: bool = False
+    page: int = 100
+    users: dict[str, str] = field(default_factory=dict)
+    bearer: bool = False
+    realm: str = ""
+    tokens: dict[str, str] = field(default_factory=dict)
+    identity_token: str = ""
+    faults: list[Fault] = field(default_factory=list)
+    requests: list[str] = field(default_factory=list)
+    headers: list[dict[str, str]] = field(default_factory=list)
+    lock: threading.Lock = field(default_factory=threading.Lock)
+    uploads: int = 0
+    aborted: int = 0
+
+    def fault(self, method: str, path: str, kind: int | str, times: int = 1, **more: Any) -> None:
+        """Tells it what to do wrong."""
+        self.faults.append(Fault(method, path, kind, times, **more))
+
+    def due(self, method: str, path: str) -> Fault | None:
+        """The fault that a request meets."""
+        with self.lock:
+            for fault in self.faults:
+                if fault.times and fault.method == method and re.search(fault.path, path):
+                    fault.times -= 1
+                    return fault
+        return None
+
+    def count(self, pattern: str) -> int:
+        """How many requests matched."""
+        return sum(re.search(pattern, request) is not None for request in self.requests)
+
+
+class _Handler(BaseHTTPRequestHandler):
+    protocol_version = "HTTP/1.1"
+    wbufsize = -1  # headers and body together: the other side need not wait for the second packet
+    registry: StandIn
+
+    def _handle(self) -> None:
+        body = self.rfile.read(int(self.headers.get("Content-Length") or 0))
+        registry, parts = self.registry, urlsplit(self.path)
+        query = {name: values[0] for name, values in parse_qs(parts.query).items()}
+        with registry.lock:
+            registry.requests.append(f"{self.command} {self.path}")
+            registry.headers.append({name.lower(): value for name, value in self.headers.items()})
+        if fault := registry.due(self.command, self.path):
+            if fault.kind == DROP:
+                self.close_connection = True
+                self.connection.close()
+                return
+            self._answer(int(fault.kind), fault.body, fault.headers)
+            return
+        if parts.path == "/token":
+            self._token(body)
+        elif not self._known():
+            service = f'Bearer realm="{registry.realm or f"http://{registry.address}/token"}",service="stand-in"'
+            self._answer(401, b"", {"WWW-Authenticate": service if registry.bearer else 'Basic realm="stand-in"'})
+        else:
+            self._api(parts.path, query, body)
+
+    do_GET = do_HEAD = do_PUT = do_POST = do_DELETE = _handle
+
+    def _answer(self, code: int, body: bytes = b"", headers: dict[str, str] | None = None) -> None:
+        self.send_response(code)
+        for name, value in (headers or {}).items():
+            self.send_header(name, value)
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        if self.command != "HEAD":
+            self.wfile.write(body)
+
+    def _known(self) -> bool:
+        """Whether the request says who asks."""
+        registry, header = self.registry, self.headers.get("Authorization", "")
+        if not registry.users and not registry.bearer:
+            return True
+        kind, _, secret = header.partition(" ")
+        return secret in registry.tokens if registry.bearer else kind == "Basic" and self._user(secret) is not None
+
+    def _user(self, secret: str) -> str | None:
+        name, _, password = base64.b64decode(secret).decode().partition(":")
+        return name if self.registry.users.get(name) == password else None
+
+    def _token(self, body: bytes) -> None:
+        registry, header = self.registry, self.headers.get("Authorization", "")
+        if self.command == "POST":
+            form = {name: values[0] for name, values in parse_qs(body.decode()).items()}
+            allowed = form.get("refresh_token") == registry.identity_token != ""
+            scopes = form.get("scope", "")
+        else:
+            allowed = not registry.users or (bool(header) and self._user(header.partition(" ")[2]) is not None)
+            scopes = " ".join(parse_qs(urlsplit(self.path).query).get("scope", []))
+        if not allowed:
+            self._answer(401)
+            return
+        with registry.lock:
+            token = f"token-{len(registry.tokens)}"
+            registry.tokens[token] = scopes
+        self._answer(200, json.dumps({"token": token, "expires_in": 300}).encode())
+
+    def _api(self, path: str, query: dict[str, str], body: bytes) -> None:
+        if found := re.fullmatch(r"/v2/(.+)/(manifests|blobs|tags|referrers)/(.+)", path):
+            getattr(self, f"_{found[2]}")(found[1], found[3], query, body)
+        elif found := re.fullmatch(r"/v2/(.+)/blobs/uploads/?", path):
+            self._blobs(found[1], "uploads/", query, body)
+        else:
+            self._answer(200 if path == "/v2/" else 404)
+
+    def _blobs(self, repository: str, name: str, query: dict[str, str], body: bytes) -> None:
+        registry = self.registry
+        if not name.startswith("uploads/"):
+            data = registry.blobs.get((repository, name))
+            self._answer(404 if data is None else 200, data or b"")
+        elif self.command == "POST":
+            source = (query.get("from", ""), query.get("mount", ""))
+            if registry.mounts and source in registry.blobs:
+                registry.blobs[repository, query["mount"]] = registry.blobs[source]
+                self._answer(201)
+            else:
+                registry.uploads += 1
+                self._answer(202, b"", {"Location": f"/v2/{repository}/blobs/uploads/{registry.uploads}?_state=s%3D"})
+        elif self.command == "DELETE":
+            registry.aborted += 1
+            self._answer(204)
+        elif query.get("_state") != "s=" or f"sha256:{hashlib.sha256(body).hexdigest()}" != query.get("digest"):
+            self._answer(400, b'{"errors": [{"code": "DIGEST_INVALID"}]}')
+        else:
+            registry.blobs[repository, query["digest"]] = body
+            self._answer(201)
+
+    def _manifests(self, repository: str, name: str, query: dict[str, str], body: bytes) -> None:
+        registry = self.registry
+        tags = registry.tags.setdefault(repository, {})
+        if self.command == "PUT":
+            digest = digest_of(body)
+            registry.manifests[repository, digest] = (self.headers["Content-Type"], body)
+            if not name.startswith("sha256:"):
+                tags[name] = digest
+            subject = json.loads(body).get("subject")
+            extra = {"OCI-Subject": subject["digest"]} if subject and registry.referrers else {}
+            self._answer(201, b"", {"Docker-Content-Digest": digest, **extra})
+            return
+        digest = tags.get(name, name)
+        found = registry.manifests.get((repository, digest))
+        if found is None:
+            self._answer(404, b'{"errors": [{"code": "MANIFEST_UNKNOWN", "message": "manifest unknown"}]}')
+        elif self.command == "DELETE":
+            del registry.manifests[repository, digest]
+            registry.tags[repository] = {tag: value for tag, value in tags.items() if value != digest}
+            self._answer(202)
+        else:
+            self._answer(200, found[1], {"Content-Type": found[0], "Docker-Content-Digest": digest})
+
+    def _tags(self, repository: str, name: str, query: dict[str, str], body: bytes) -> None:
+        tags = sorted(self.registry.tags.get(repository, {}))
+        if not tags:
+            self._answer(404)
+            return
+        rest = [tag for tag in tags if tag > query.get("last", "")]
+        shown, link = rest[: self.registry.page], {}
+        if len(rest) > len(shown):
+            link = {"Link": f'</v2/{repository}/tags/list?n={self.registry.page}&last={shown[-1]}>; rel="next"'}
+        self._answer(200, json.dumps({"tags": shown}).encode(), link)
+
+    def _referrers(self, repository: str, name: str, query: dict[str, str], body: bytes) -> None:
+        if not self.registry.referrers:
+            self._answer(404)
+            return
+        entries = []
+        for (where, digest), (media_type, data) in self.registry.manifests.items():
+            content = json.loads(data)
+            if where == repository and content.get("subject", {}).get("digest") == name:
+                entry = {"mediaType": media_type, "digest": digest, "size": len(data)}
+                entries.append({**entry, "artifactType": content["artifactType"]})
+        self._answer(200, encoded({"schemaVersion": 2, "mediaType": INDEX, "manifests": entries}))
+
+    def log_message(self, format: str, *args: object) -> None:
+        pass
+
+
+@contextmanager
+def standing_in() -> Iterator[StandIn]:
+    """A registry that answers as long as this."""
+    registry = StandIn()
+    handler = type("Handler", (_Handler,), {"registry": registry})
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        registry.address = f"127.0.0.1:{server.server_port}"
+        server.daemon_threads = True
+        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
+        yield registry
+        server.shutdown()

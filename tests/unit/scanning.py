@@ -1,0 +1,259 @@
+"""Stand-ins for the scanner's tests: a trivy that speaks the real one's command line, and a registry in memory."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import sys
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from rosml.policy import Rules, parsed
+from rosml.sbom import Shelf
+from rosml.scan import Image, Part
+from rosml.source import parse
+from rosml.trivy import Trivy
+
+NOW = datetime(2026, 11, 22, 3, 0, tzinfo=UTC)
+VERSION = "0.65.0"
+HOST = "127.0.0.1:1"
+
+PROGRAM = f"""#!{sys.executable} -IS
+import json, os, pathlib, sys, time
+here = pathlib.Path(__file__).parent
+world = json.loads((here / "world.json").read_text())
+argv = sys.argv[1:]
+with (here / "calls").open("a") as stream:
+    stream.write(" ".join(argv) + "\\n")
+(here / "environment").write_text(json.dumps(dict(os.environ, FOLDER=os.getcwd())))
+after = lambda option: argv[argv.index(option) + 1]
+cache = pathlib.Path(after("--cache-dir"))
+
+def fail(text, code=1):
+    sys.stderr.write("2026-11-22T03:00:00Z\\tINFO\\tnoise\\n2026-11-22T03:00:00Z\\tFATAL\\tFatal error\\t" + text + "\\n")
+    sys.exit(code)
+
+def behave(how):
+    if how == "crash":
+        fail("run error: it crashed\\n\\t* for two\\n\\t* reasons")
+    elif how == "killed":
+        os.kill(os.getpid(), 9)
+    elif how == "silent":
+        sys.exit(7)
+    elif how == "hang":
+        if child := os.fork():  # a part of it that would outlive it, and holds the pipes
+            (here / "child").write_text(str(child))
+        time.sleep(60)
+    elif how == "nothing":
+        sys.exit(0)
+    elif how:
+        pathlib.Path(after("--output")).write_text(how)
+        sys.exit(0)
+
+if "--version" in argv:
+    print("Version: " + world["version"])
+elif "--download-db-only" in argv:
+    source = after("--db-repository")
+    if source not in world["repositories"]:
+        fail("run error: " + source + ": MANIFEST_UNKNOWN")
+    behave(world["fail"].get("fetch"))
+    (cache / "db").mkdir(parents=True, exist_ok=True)
+    (cache / "db/trivy.db").write_text(json.dumps(world["repositories"][source]["advisories"]))
+    (cache / "db/trivy.db").open("a").write(" " + world["buckets"])
+    (cache / "db/metadata.json").write_text(json.dumps(world["repositories"][source]["metadata"]))
+elif "cyclonedx" in argv:
+    reference = argv[-1]
+    digest = reference.partition("@")[2]
+    behave(world["fail"].get(digest) or world["fail"].get("image"))
+    content = world["images"][digest]
+    components = [
+        {{"bom-ref": "pkg:deb/debian/" + n + "@" + v, "type": "library", "name": n, "version": v,
+          "purl": "pkg:" + kind + "/" + n + "@" + v, "properties": []}}
+        for kind, n, v in content["packages"]
+    ]
+    import uuid
+    system = str(uuid.uuid4())
+    if content["system"]:
+        components.append({{"bom-ref": system, "type": "operating-system", "name": "debian",
+                           "version": content["system"], "properties": []}})
+    top = {{"bom-ref": str(uuid.uuid4()), "type": "container", "name": reference, "properties":
+           [{{"name": "aquasecurity:trivy:RepoDigest", "value": reference}}]}}
+    pathlib.Path(after("--output")).write_text(json.dumps({{
+        "bomFormat": "CycloneDX", "specVersion": "1.6", "serialNumber": "urn:uuid:" + str(uuid.uuid4()), "version": 1,
+        "metadata": {{"timestamp": str(time.time()), "component": top,
+                     "tools": {{"components": [{{"type": "application", "name": "trivy", "version": "v1"}}]}}}},
+        "components": components,
+        "dependencies": [{{"ref": top["bom-ref"], "dependsOn": [c["bom-ref"] for c in components]}}],
+    }}))
+elif "sbom" in argv:
+    behave(world["fail"].get("sbom"))
+    if not (cache / "db/trivy.db").exists():
+        fail("init error: DB error: database error: --skip-db-update cannot be specified on the first run")
+    known = json.JSONDecoder().raw_decode((cache / "db/trivy.db").read_text())[0]
+    components = json.loads(pathlib.Path(argv[-1]).read_text())["components"]
+    packages = [c for c in components if c["type"] == "library"]
+    system = [c["version"] for c in components if c["type"] == "operating-system"]
+    found = [
+        {{**a, "PkgName": p["name"], "InstalledVersion": p["version"], "Title": "what it is about"}}
+        for p in packages for a in known.get(p["name"], [])
+    ]
+    missed = world["fail"].get("missed", 0)
+    pathlib.Path(after("--output")).write_text(json.dumps({{
+        "SchemaVersion": 2,
+        "Metadata": {{"OS": {{"Family": "debian", "Name": system[0], "EOSL": world.get("eosl", False)}}}} if system else {{}},
+        "Results": [{{"Target": "t", "Class": "os-pkgs", "Type": "debian", "Packages": packages[missed:],
+                     "Vulnerabilities": found}}],
+    }}))
+else:
+    fail("unknown command")
+"""
+
+
+def digest(name: str) -> str:
+    """The digest of a stand-in for an image."""
+    return f"sha256:{hashlib.sha256(name.encode()).hexdigest()}"
+
+
+def advisory(name: str, severity: str = "HIGH", fixed: str = "2.0") -> dict[str, str]:
+    """An advisory as trivy reports it."""
+    return {"VulnerabilityID": name, "Severity": severity, **({"FixedVersion": fixed} if fixed else {})}
+
+
+@dataclass
+class World:
+    """A folder with a stand-in trivy, and what that one finds where.
+
+    Attributes:
+        folder: for the program, its calls and its cache.
+        advisories: by package, what the database knows.
+        updated: when the database was made; buckets: names of the advisories' sources that it has.
+        fail: what goes wrong, by call: `fetch`, `image`, a digest, `sbom`; `missed`: packages that are not looked at.
+    """
+
+    folder: Path
+    version: str = VERSION
+    advisories: dict[str, list[dict[str, str]]] = field(default_factory=dict)
+    updated: str = "2026-11-22T00:00:00.123456789Z"
+    schema: int = 2
+    sources: tuple[str, ...] = ("example.org/db:2",)
+    eosl: bool = False
+    buckets: str = "debian 12, pip::GitHub"
+    fail: dict[str, Any] = field(default_factory=dict)
+    images: dict[str, dict[str, Any]] = field(default_factory=dict)
+
+    def write(self) -> None:
+        """Lets the program see what changed."""
+        metadata = {"Version": self.schema, "UpdatedAt": self.updated, "DownloadedAt": "0001-01-01T00:00:00Z"}
+        state = {"advisories": self.advisories, "metadata": metadata}
+        content = {
+            "version": self.version,
+            "repositories": dict.fromkeys(self.sources, state),
+            "fail": self.fail,
+            "images": self.images,
+            "eosl": self.eosl,
+            "buckets": self.buckets,
+        }
+        (self.folder / "world.json").write_text(json.dumps(content))
+
+    def part(self, name: str, *packages: str, ros: bool = False, system: str = "12.15") -> Part:
+        """A part with packages."""
+        kind = "deb/debian" if ros else "pypi"
+        self.images[digest(name)] = {
+            "packages": [(kind, package, "1.0") for package in packages],
+            "system": system if ros else "",
+        }
+        return Part(name, HOST, f"rosml/{name}", digest(name), ros)
+
+    def trivy(self, **changes: Any) -> Trivy:
+        """The program, as the publisher finds it; its database is there."""
+        self.write()
+        program = self.folder / "trivy"
+        program.write_text(PROGRAM)
+        program.chmod(0o755)
+        root = self.folder / "checkout"
+        (root / ".state").mkdir(parents=True, exist_ok=True)
+        (root / ".state" / "scanner.json").write_text(json.dumps({"trivy": str(program)}))
+        (root / "tools/go/trivy").mkdir(parents=True, exist_ok=True)
+        (root / "tools/go/trivy/go.mod").write_text(f"require (\n\tgithub.com/aquasecurity/trivy v{VERSION}\n)\n")
+        found = Trivy.find(root, self.folder / "cache")
+        for name, value in {"pause": 0.0, **changes}.items():
+            setattr(found, name, value)
+        return found
+
+    def calls(self, word: str) -> list[str]:
+        """The calls of the program with a word in them."""
+        file = self.folder / "calls"
+        return [line for line in file.read_text().splitlines() if word in line.split()] if file.exists() else []
+
+
+@dataclass(frozen=True)
+class Manifest:
+    """As `rosml.oci.Manifest`."""
+
+    content: dict[str, Any]
+    digest: str
+    media_type: str
+    size: int
+
+
+class Memory:
+    """A registry in memory that has every image one asks for, and keeps what is attached."""
+
+    def __init__(self) -> None:
+        self.attached: dict[tuple[str, str], list[Manifest]] = {}
+        self.blobs: dict[str, bytes] = {}
+
+    def manifest(self, repository: str, reference: str) -> Manifest | None:
+        known = [item for items in self.attached.values() for item in items if item.digest == reference]
+        return known[0] if known else Manifest({}, reference, "application/vnd.oci.image.manifest.v1+json", 7)
+
+    def blob(self, repository: str, digest: str) -> bytes:
+        return self.blobs[digest]
+
+    def referrers(self, repository: str, digest: str, artifact_type: str = "") -> list[dict[str, Any]]:
+        return [{"digest": item.digest} for item in self.attached.get((repository, digest), [])]
+
+    def attach(
+        self,
+        repository: str,
+        subject: dict[str, Any],
+        artifact_type: str,
+        payload: bytes,
+        media_type: str,
+        annotations: dict[str, str],
+    ) -> str:
+        blob = f"sha256:{hashlib.sha256(payload).hexdigest()}"
+        self.blobs[blob] = payload
+        content = {"layers": [{"digest": blob}], "annotations": annotations, "subject": subject}
+        name = digest(json.dumps(content))
+        self.attached.setdefault((repository, subject["digest"]), []).append(Manifest(content, name, "m", 1))
+        return name
+
+
+def shelf(memory: Memory | None = None, scanner: str = f"trivy {VERSION}") -> Shelf:
+    """Where SBOMs are kept."""
+    return Shelf(memory or Memory(), scanner)
+
+
+POLICY = """\
+version: 1
+fail: [critical, high]
+fixable_only: true
+database: {repositories: [example.org/db:2], max_age_hours: 48}
+"""
+
+
+def rules(ignore: str = "", **changes: str) -> Rules:
+    """A policy, with entries of `ignore` and other values."""
+    text = POLICY + (f"ignore:\n{ignore}" if ignore else "")
+    for name, value in changes.items():
+        old = next(line for line in text.splitlines() if line.startswith(f"{name}:"))
+        text = text.replace(old, f"{name}: {value}")
+    return parsed(parse(text.encode(), "scan.yaml"))
+
+
+def image(target: str, *parts: Part) -> Image:
+    """An image of parts."""
+    return Image(target, "amd64", parts)

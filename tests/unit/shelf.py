@@ -1,0 +1,178 @@
+"""A registry in memory with any number of published images, for the catalogue: as many layers, tags, records and entries of
+the ledger as nights of publishing leave, and no content."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import zlib
+from collections.abc import Collection
+from dataclasses import dataclass, field
+
+from memory_registry import IMAGE, INDEX, PREFIX, MemoryRegistry
+
+from rosml import expand, promote
+from rosml.agenda import INDEX as INDEX_ENTRY
+from rosml.expand import Catalogue, Payload, repository_of
+from rosml.labels import of_payload
+from rosml.ledger import ANNOTATION, Entry, Ledger
+from rosml.pipeline import DATE
+
+FIRST = "2026-11-20T03:00:00Z"
+SECOND = "2026-11-21T03:00:00Z"
+THIRD = "2026-11-22T03:00:00Z"
+
+Thing = expand.Image | Payload
+
+
+def layer_digest(text: str) -> str:
+    return f"sha256:{hashlib.sha256(text.encode()).hexdigest()}"
+
+
+@dataclass
+class Shelf:
+    """Publishes without building.
+
+    Attributes:
+        catalogue: what exists. registry: where it goes.
+        ros: state of ROS's packages, which a night may change. torch: the same of PyTorch's payload.
+    """
+
+    catalogue: Catalogue
+    registry: MemoryRegistry = field(default_factory=MemoryRegistry)
+    ros: str = "1"
+    torch: str = "1"
+
+    def night(self, date: str, distributions: Collection[str], architectures: tuple[str, ...] = ()) -> None:
+        """Publishes all images of some distributions that can be built; moves tags where something changed."""
+        images = [i for i in self.catalogue.images if i.distribution in distributions and i.locked]
+        names = {name for image in images for name in image.parts}
+        payloads = [payload for payload in self.catalogue.payloads if payload.name in names]
+        moves: list[promote.Move] = []
+        things: list[Thing] = [*payloads, *images]
+        for thing in things:
+            kept = tuple(a for a in thing.architectures if not architectures or a in architectures)
+            if kept:
+                moves += self._publish(thing, date, kept)
+        text = json.dumps({"date": date, "moves": [move.to_json() for move in moves]})
+        Ledger(self.registry, PREFIX).artifact(promote.record_name(date), text.encode(), {ANNOTATION: "{}"})
+
+    def _publish(self, thing: Thing, date: str, architectures: tuple[str, ...]) -> list[promote.Move]:
+        book, repository = Ledger(self.registry, PREFIX), f"{PREFIX}/{repository_of(thing)}"
+        members = {architecture: self._manifest(thing, architecture) for architecture in architectures}
+        platforms = [
+            {
+                "mediaType": IMAGE,
+                "digest": digest,
+                "size": 1000,
+                "platform": {"os": "linux", "architecture": architecture},
+            }
+            for architecture, digest in members.items()
+        ]
+        main = thing.name if isinstance(thing, Payload) else thing.tags[0].split(":")[1]
+        before = book.read(thing.target, INDEX_ENTRY)
+        if before and before.parts == members:
+            return []
+        content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": platforms, "annotations": {DATE: date}}
+        digest = self.registry.put_manifest(repository, "", content, INDEX)
+        tags = [main] if isinstance(thing, Payload) else [tag.split(":")[1] for tag in thing.tags]
+        old = self.registry.head(repository, main)
+        for tag in (*tags, promote.dated(main, date)):
+            self.registry.names.setdefault(repository, {})[tag] = digest
+        for architecture, member in members.items():
+            entry = self._entry(thing, architecture, member, date)
+            book.write(entry, {})
+            book.attach(entry, {})
+        facts = Entry(thing.target, INDEX_ENTRY, repository=repository_of(thing), digest=digest, parts=members)
+        book.write(facts, {})
+        return [promote.Move(repository_of(thing), tag, old, digest) for tag in tags]
+
+    def _layers(self, thing: Thing, architecture: str) -> list[tuple[str, int]]:
+        """Digests and sizes, lowest first; sizes are the matrix's forecast."""
+        if isinstance(thing, Payload):
+            state = self.torch if thing.part == "torch" else "1"
+            size = thing.disk.compressed * 1_000_000 + zlib.crc32(thing.name.encode()) % 1_000_000
+            return [(layer_digest(f"{thing.name} {architecture} {state}"), size)]
+        if thing.stack:
+            parts = [self.catalogue.payload_by_name[name] for name in thing.parts]
+            below = self._layers(self.catalogue.by_target[thing.parent], architecture)
+            return [*below, *(layer for part in parts for layer in self._layers(part, architecture))]
+        parent = self.catalogue.by_target.get(thing.parent)
+        below = (
+            self._layers(parent, architecture)
+            if parent
+            else [
+                (layer_digest(f"{thing.os} {architecture} {number}"), size)
+                for number, size in enumerate((48_000_000, 1_200_000))
+            ]
+        )
+        size = self.catalogue.matrix.disk.components[thing.component].compressed * 1_000_000 + 10_000 * int(self.ros)
+        return [*below, (layer_digest(f"{thing.target} {architecture} {self.ros}"), size)]
+
+    def _manifest(self, thing: Thing, architecture: str) -> str:
+        repository = f"{PREFIX}/{repository_of(thing)}"
+        if isinstance(thing, Payload):
+            labels = of_payload(thing.part, thing.stack, thing.python, {}, {})
+        else:
+            labels = {f"io.rosml.{name}": version for name, version in thing.versions.items()}
+            labels |= {"io.rosml.distribution": thing.distribution, "io.rosml.python": thing.python}
+            if self.catalogue.matrix.distributions[thing.distribution].apt:
+                labels["io.rosml.ros.sync"] = f"2026-11-{10 + int(self.ros)}T00:00:00Z"
+        config = json.dumps({"os": "linux", "architecture": architecture, "config": {"Labels": labels}})
+        layers = [{"digest": digest, "size": size} for digest, size in self._layers(thing, architecture)]
+        content = {"layers": layers, "config": {"digest": self.registry.put_blob(repository, config.encode())}}
+        return self.registry.put_manifest(repository, "", content, IMAGE)
+
+    def _entry(self, thing: Thing, architecture: str, digest: str, date: str) -> Entry:
+        facts = Entry(
+            thing.target,
+            architecture,
+            inputs=layer_digest(f"{thing.target} {self.ros} {self.torch}").removeprefix("sha256:"),
+            repository=repository_of(thing),
+            digest=digest,
+            date=date,
+            upstream=f"lists-{self.ros}",
+            size=sum(size for _, size in self._layers(thing, architecture)),
+        )
+        if isinstance(thing, Payload):
+            return facts
+        found = {
+            "image-os": thing.os,
+            "image-python": f"{thing.python}.9",
+            "ros-distro": thing.ros_distro,
+            "ros-version": str(thing.ros),
+            "numpy": f"1.26.{3 + int(self.torch)}" if thing.stack else "1.24.2",
+            **thing.versions,
+        }
+        unpacked = sum(
+            part.disk.unpacked for part in (self.catalogue.payload_by_name[name] for name in thing.parts)
+        ) + self._ros_unpacked(thing)
+        findings = {"high": 2, "medium": 7} if thing.stack else {"medium": 3}
+        scan = {"updated": "2026-11-22T00:10:00Z", "packages": 525, "findings": findings, "failing": []}
+        return Entry(
+            **{
+                **vars(facts),
+                "unpacked": unpacked * 1_000_000,
+                "tested": "t",
+                "passed": 20 + len(thing.tests),
+                "versions": found,
+                "scanned": "clean",
+                "scan": scan,
+            }
+        )
+
+    def _ros_unpacked(self, image: expand.Image) -> int:
+        ros = self.catalogue.by_target[image.parent] if image.stack else image
+        return ros.disk.unpacked
+
+
+def shown(catalogue: Catalogue) -> Shelf:
+    """Three nights of two distributions: after the first, ROS's packages move; after the second, PyTorch."""
+    shelf = Shelf(catalogue)
+    everything = ("bookworm", "trixie")
+    shelf.night(FIRST, everything)
+    shelf.ros = "2"
+    shelf.night(SECOND, everything)
+    shelf.torch = "2"
+    shelf.night(THIRD, everything)
+    return shelf

@@ -1,0 +1,329 @@
+"""What is attached to promoted images: their entries of the ledger, and where they came from."""
+
+from __future__ import annotations
+
+import json
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+import pytest
+from memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Place, Run, place
+from stubs import services
+from test_pipeline import catalogue, project, sources, waiting  # noqa: F401 (fixtures)
+from test_provenance import git
+
+from rosml import ledger, provenance
+from rosml.agenda import INDEX
+from rosml.expand import Catalogue
+from rosml.labels import REVISION, SOURCE
+from rosml.ledger import ARTIFACT, Ledger
+from rosml.provenance import MEDIA_TYPE
+from rosml.prune import Pruner
+
+ONLY = ["alpha-core", "alpha-core-torch-cu1"]
+TARGET = "alpha-core-torch-cu1"
+
+
+@pytest.fixture
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:  # noqa: F811
+    return place(project, services(project), monkeypatch)
+
+
+def attached(here: Place, run: Run, key: tuple[str, str], kind: str) -> list[dict[str, Any]]:
+    """What is attached to an image, as data."""
+    entry = run.agenda.known[key]
+    path = run.repository(entry.repository)
+    found = []
+    for item in here.registry.referrers(path, entry.digest, kind):
+        manifest = here.registry.manifest(path, item["digest"])
+        assert manifest
+        found.append(json.loads(here.registry.blob(path, manifest.content["layers"][0]["digest"])))
+    return found
+
+
+def pruner(here: Place, found: Catalogue) -> Pruner:
+    return Pruner(here.registry, PREFIX, found, date(2026, 11, 24))
+
+
+# ---- Entries ---------------------------------------------------------------------------------------------------------
+
+
+def test_a_promoted_image_carries_its_entry(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    run = registry.publish(catalogue, only=ONLY)
+    book = Ledger(registry.registry, PREFIX)
+    for item in run.agenda.items:
+        entry = run.agenda.known[item.key]
+        (said,) = attached(registry, run, item.key, ARTIFACT)
+        assert said["inputs"] == run.agenda.inputs.of(*item.key)
+        assert ledger.parse(said["entry"]) == entry
+        found = book.attached(item.repository, entry.digest)
+        assert found and found[0] == entry and found[1] == run.agenda.inputs.of(*item.key)
+        index = book.attached(item.repository, run.agenda.known[item.target, INDEX].digest)
+        assert index and index[0].parts[item.architecture] == entry.digest
+
+
+def test_what_has_not_passed_carries_none(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    run = registry.publish(catalogue, only=ONLY, poisoned={TARGET})
+    assert attached(registry, run, (TARGET, "amd64"), ARTIFACT) == []
+    assert attached(registry, run, ("alpha-core", "amd64"), ARTIFACT) != []
+
+
+def test_an_entry_is_attached_anew_when_what_it_says_lasts(
+    registry: Place,
+    catalogue: Catalogue,  # noqa: F811
+    project: Path,  # noqa: F811
+) -> None:
+    registry.publish(catalogue, only=ONLY)
+    tags = registry.tagged("ros-torch")
+    test = project / "tests/structure/torch.yaml"
+    test.write_text(test.read_text() + "# another\n")
+    run = registry.publish(catalogue, only=ONLY, date=NEXT)
+    assert registry.tagged("ros-torch") == tags
+    assert [outcome.target for outcome in run.outcomes if outcome.step == "promote"] == ONLY
+    said = attached(registry, run, (TARGET, "amd64"), ARTIFACT)
+    assert {item["entry"]["changed"] for item in said} == {DAY, NEXT}
+    payload = next(item for item in run.agenda.items if item.kind == "payload")
+    assert len(attached(registry, run, payload.key, ARTIFACT)) == 1, "nothing new is to be said of it"
+    newest = Ledger(registry.registry, PREFIX).attached("ros-torch", run.agenda.known[TARGET, "amd64"].digest)
+    assert newest and newest[0].changed == NEXT
+    before = registry.registry.writes
+    registry.publish(catalogue, only=ONLY, date=LATER)
+    assert registry.registry.writes == before, "something is uploaded although nothing changed"
+
+    here = pruner(registry, catalogue)
+    found = here.find()
+    assert found.manifests == []
+    images = {run.agenda.known[target, name].digest for target, name in run.agenda.by_key if target in ONLY}
+    assert sorted(subject for _, subject, _ in found.superseded) == sorted(images)
+    list(here.remove(found))
+    assert [item["entry"]["changed"] for item in attached(registry, run, (TARGET, "amd64"), ARTIFACT)] == [NEXT]
+    assert here.find().superseded == []
+    registry.check(catalogue)
+    assert registry.publish(catalogue, only=ONLY, date=LATER).outcomes == []
+
+
+def test_a_scan_with_another_database_is_no_reason(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    """Every night has one."""
+    run = registry.publish(catalogue, only=ONLY)
+    entry = run.agenda.known[TARGET, "amd64"]
+    facts = set()
+    for night, outcome in (("1", "clean"), ("2", "clean"), ("2", "policy failed")):
+        scan = {"policy": "sha256:1", "database": night}
+        found = ledger.parse(entry.to_json() | {"scanned": outcome, "scan": scan, "changed": night})
+        assert found
+        facts.add(found.facts)
+    assert len(facts) == 2 and entry.facts not in facts
+
+
+def test_what_others_attach_stays(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    run = registry.publish(catalogue, only=ONLY)
+    entry = run.agenda.known["alpha-core", "amd64"]
+    path = f"{PREFIX}/ros"
+    there = registry.registry.manifests[path][entry.digest]
+    subject = {"mediaType": there.media_type, "digest": entry.digest, "size": there.size}
+    for number in range(2):
+        for kind in (MEDIA_TYPE, "application/vnd.dev.sigstore.bundle.v0.3+json"):
+            registry.registry.attach(path, subject, kind, str(number).encode(), kind, {})
+    found = pruner(registry, catalogue).find()
+    assert (found.superseded, found.manifests) == ([], [])
+
+
+def test_what_is_attached_goes_with_its_image(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    first = registry.publish(catalogue, only=ONLY, date="2026-01-01T03:00:00Z")
+    registry.upstream["alpha"] = "tuesday"
+    registry.publish(catalogue, only=ONLY, date=DAY, packages="2")
+    old = first.agenda.known["alpha-core", "amd64"].digest
+    path = f"{PREFIX}/ros"
+    there = {item["digest"] for item in registry.registry.referrers(path, old)}
+    assert len(there) == 2
+    here = Pruner(registry.registry, PREFIX, catalogue, date(2027, 6, 1), 10, 0)
+    list(here.remove(here.find()))
+    assert not there & registry.registry.manifests[path].keys() and old not in registry.registry.manifests[path]
+
+
+def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    run = registry.run(catalogue, only=ONLY)
+    for step in ("build", "compose", "test", "index"):
+        getattr(run, step)()
+    registry.registry.refuses.add("attach")
+    run.promote()
+    assert run.failed and registry.tagged("ros") == {}
+    registry.registry.refuses.clear()
+    assert not registry.publish(catalogue, only=ONLY).failed
+    registry.check(catalogue)
+
+
+# ---- A ledger that was lost ------------------------------------------------------------------------------------------
+
+
+def wipe(here: Place) -> None:
+    for holder in (here.registry.manifests, here.registry.names, here.registry.blobs):
+        holder.pop(f"{PREFIX}/ledger")
+
+
+def test_a_run_carries_on_from_what_is_attached(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    first = registry.publish(catalogue)
+    tags = {name: registry.tagged(name) for name in ("ros", "ros-torch", "payload")}
+    wipe(registry)
+    run = registry.publish(catalogue, date=NEXT)
+    assert (run.made, run.outcomes) == ([], [])
+    (remark,) = run.agenda.remarks
+    assert remark == f"lost from the ledger, and found attached to images: {len(first.agenda.known)} of its entries"
+    assert {name: registry.tagged(name) for name in tags} == tags
+    before = registry.registry.writes
+    again = registry.publish(catalogue, date=LATER)
+    assert (again.made, again.outcomes, again.agenda.remarks, registry.registry.writes) == ([], [], [], before)
+    assert Ledger(registry.registry, PREFIX).inputs("alpha-core", "amd64") == again.agenda.inputs.of(
+        "alpha-core", "amd64"
+    )
+    registry.check(catalogue)
+
+
+def test_what_cannot_be_read_is_made_anew(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    """Also an entry of another image: anybody who may push can attach one."""
+    run = registry.publish(catalogue, only=ONLY)
+    path = f"{PREFIX}/ros"
+    for architecture, other in (
+        ("amd64", b"?"),
+        ("arm64", b'{"entry": {"target": 1, "architecture": "arm64"}, "inputs": {}}'),
+    ):
+        entry = run.agenda.known["alpha-core", architecture]
+        for item in registry.registry.referrers(path, entry.digest, ARTIFACT):
+            manifest = registry.registry.manifest(path, item["digest"])
+            assert manifest
+            registry.registry.blobs[path][manifest.content["layers"][0]["digest"]] = other
+    wipe(registry)
+    again = registry.publish(catalogue, only=ONLY, date=NEXT)
+    assert {(target, name) for step, target, name in again.made if step == "build"} == {
+        ("alpha-core", "amd64"),
+        ("alpha-core", "arm64"),
+    }
+    assert not again.failed
+
+
+@pytest.mark.parametrize("members", [None, [], [{}], [{"digest": "sha256:1"}]])
+def test_a_tag_of_somebody_else_is_no_trouble(registry: Place, catalogue: Catalogue, members: object) -> None:  # noqa: F811
+    content = {"manifests": members}
+    registry.registry.put_manifest(f"{PREFIX}/ros", "alpha-core", content, "application/json")
+    run = registry.run(catalogue, only=ONLY)
+    assert run.agenda.known == {}
+
+
+def test_an_entry_of_another_image_is_not_believed(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    run = registry.publish(catalogue, only=ONLY)
+    book = Ledger(registry.registry, PREFIX)
+    entry = run.agenda.known["alpha-core", "amd64"]
+    path = f"{PREFIX}/ros"
+    there = registry.registry.manifests[path][entry.digest]
+    subject = {"mediaType": there.media_type, "digest": entry.digest, "size": there.size}
+    other = {"entry": run.agenda.known["alpha-core", "arm64"].to_json(), "inputs": {}}
+    for newer in ({ledger.CREATED: LATER, ledger.FACTS: "1"}, {ledger.CREATED: LATER}, {}):
+        registry.registry.attach(path, subject, ARTIFACT, json.dumps(other).encode(), "application/json", newer)
+        found = book.attached("ros", entry.digest)
+        assert found and found[0].architecture == "amd64"
+
+
+# ---- Where images came from ------------------------------------------------------------------------------------------
+
+
+def test_every_image_says_what_it_was_made_from(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    run = registry.publish(catalogue, only=ONLY)
+    known = run.agenda.known
+    (core,) = attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)
+    assert core["_type"] == "https://in-toto.io/Statement/v1"
+    assert core["predicateType"] == "https://slsa.dev/provenance/v1"
+    digest = known["alpha-core", "amd64"].digest
+    assert core["subject"] == [{"name": f"{PREFIX}/ros", "digest": {"sha256": digest.removeprefix("sha256:")}}]
+    definition = core["predicate"]["buildDefinition"]
+    assert definition["buildType"] == provenance.BUILD_TYPE
+    assert definition["internalParameters"] == {"inputs": known["alpha-core", "amd64"].inputs}
+    asked = definition["externalParameters"]
+    assert (asked["target"], asked["platform"], asked["channel"]) == ("alpha-core", "linux/amd64", "live")
+    found = {item["name"]: item for item in definition["resolvedDependencies"]}
+    assert found["debian:alpha"] == provenance.base(BASE)
+    assert found["apt"]["annotations"] == {"state": "monday"}
+    details = core["predicate"]["runDetails"]
+    assert details["metadata"]["startedOn"] <= details["metadata"]["finishedOn"]
+
+    (joined,) = attached(registry, run, (TARGET, "amd64"), MEDIA_TYPE)
+    found = {item["name"]: item for item in joined["predicate"]["buildDefinition"]["resolvedDependencies"]}
+    parts = known[TARGET, "amd64"].parts
+    assert found.keys() == parts.keys()
+    assert found["alpha-core"]["digest"] == {"sha256": parts["alpha-core"].removeprefix("sha256:")}
+    assert found["alpha-core"]["uri"].startswith("pkg:oci/ros@sha256%3A")
+    assert f"repository_url={HOST}%2F{PREFIX}%2Fros" in found["alpha-core"]["uri"]
+
+    payload = next(item for item in run.agenda.items if item.kind == "payload" and item.thing.locks)
+    (said,) = attached(registry, run, payload.key, MEDIA_TYPE)
+    found = {item["name"]: item for item in said["predicate"]["buildDefinition"]["resolvedDependencies"]}
+    (lock,) = [name for name in found if name.startswith("locks/")]
+    assert f"/{payload.architecture}/" in lock
+    assert {lock: found[lock]["digest"]["sha256"]}.items() <= run.agenda.inputs.of(*payload.key).items()
+
+
+def test_an_index_says_of_which_revision_it_is_and_images_do_not(
+    project: Path,  # noqa: F811
+    catalogue: Catalogue,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of a checkout as it was committed; in any other, the digest of the inputs tells what it was made from."""
+
+    def said() -> tuple[dict[str, str], set[str]]:
+        here = place(project, services(project), monkeypatch)
+        known = here.publish(catalogue, only=ONLY).agenda.known
+        index = here.registry.manifest(f"{PREFIX}/ros", known["alpha-core", INDEX].digest)
+        assert index
+        found = {name: text for name, text in index.content["annotations"].items() if name in (REVISION, SOURCE)}
+        return found, {entry.digest for key, entry in known.items() if key[1] != INDEX}
+
+    found, images = said()
+    assert found == {}
+    git(project.parent, "init", "-q", str(project))
+    git(project, "remote", "add", "origin", "https://me:s3cret@forge.example/me/rosml")
+    git(project, "add", ".")
+    git(project, "commit", "-qm", "first")
+    address = {SOURCE: "https://forge.example/me/rosml"}
+    assert said() == ({REVISION: git(project, "rev-parse", "HEAD"), **address}, images)
+    with (project / "matrix.yaml").open("a") as stream:
+        stream.write("# somebody's edit\n")
+    assert said() == (address, images)
+
+
+def test_manifests_do_not_know_of_it(
+    project: Path,  # noqa: F811
+    catalogue: Catalogue,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Another day, another machine: other statements, the same bytes of images."""
+    found = []
+    for day, run_id in ((DAY, ""), (NEXT, "7")):
+        monkeypatch.setenv("GITHUB_ACTIONS", "true" if run_id else "")
+        monkeypatch.setenv("GITHUB_SERVER_URL", "https://forge.example")
+        monkeypatch.setenv("GITHUB_WORKFLOW_REF", "me/rosml/.github/workflows/nightly.yml@refs/heads/main")
+        monkeypatch.setenv("GITHUB_RUN_ID", run_id)
+        here = place(project, services(project), monkeypatch)
+        run = here.publish(catalogue, only=ONLY, date=day)
+        images = {key: entry.digest for key, entry in run.agenda.known.items() if key[1] != INDEX}
+        builders = {
+            attached(here, run, key, MEDIA_TYPE)[0]["predicate"]["runDetails"]["builder"]["id"] for key in images
+        }
+        found.append((images, builders))
+    assert found[0][0] == found[1][0]
+    assert found[0][1] == {provenance.OWN_MACHINE}
+    assert found[1][1] == {"https://forge.example/me/rosml/.github/workflows/nightly.yml@refs/heads/main"}
+
+
+def test_the_same_way_is_said_once(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    run = registry.publish(catalogue, only=ONLY)
+    registry.publish(catalogue, only=ONLY, date=NEXT, force=True)
+    assert len(attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)) == 1
+    registry.upstream["alpha"] = "tuesday"  # the same packages after all, in another state of the repository
+    registry.publish(catalogue, only=ONLY, date=LATER)
+    said = attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)
+    states = [item["predicate"]["buildDefinition"]["resolvedDependencies"][-1]["annotations"]["state"] for item in said]
+    assert sorted(states) == ["monday", "tuesday"]
+    assert len(attached(registry, run, (TARGET, "amd64"), MEDIA_TYPE)) == 1
+    here = pruner(registry, catalogue)
+    list(here.remove(here.find()))
+    assert len(attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)) == 1

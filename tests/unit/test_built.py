@@ -1,0 +1,126 @@
+"""What was built: records, and the tables that are made of them."""
+
+from __future__ import annotations
+
+import json
+from datetime import date
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from conftest import ROOT
+from memory_registry import PREFIX
+from shelf import FIRST, Shelf
+
+from rosml import built, readme
+from rosml.built import Built
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.gather import Gatherer
+from scripts import publish
+
+DAY = date(2026, 11, 22)
+ONE = Built(target="bookworm-core", date=DAY, compressed=325_100_000, unpacked=1_270_000_000, passed=21, seconds=23.8)
+OTHER = Built(target="trixie-core", date=date(2026, 11, 21), passed=20, mark="†")
+PAGE = """\
+# Page
+
+<!-- built 2026-11-22: written by scripts/generate_bake.py -->
+old
+<!-- /built -->
+between
+<!-- built 2026-11-21: written by scripts/generate_bake.py -->
+<!-- /built -->
+end
+"""
+
+
+def test_each_day_has_its_table() -> None:
+    page = built.render(PAGE, (ONE, OTHER))
+    assert page.index("| `bookworm-core` | 325.1 MB | 1.27 GB | 21 of 21 | 23.8 s |") < page.index("between")
+    assert page.index("between") < page.index("| `trixie-core` † | | | 20 of 20 | |") < page.index("end")
+    assert "old" not in page
+    assert built.render(page, (ONE, OTHER)) == page
+
+
+def test_a_day_without_a_place_and_a_place_without_a_day() -> None:
+    with pytest.raises(RosmlError, match="no place for what was built on 2026-11-21") as caught:
+        built.render(PAGE.replace("2026-11-21", "2026-11-20"), (ONE, OTHER))
+    assert "<!-- built 2026-11-21: written by" in caught.value.remedy
+    with pytest.raises(RosmlError, match=r"nothing in docs/built\.json is for <!-- built 2026-11-21"):
+        built.render(PAGE, (ONE,))
+
+
+def test_newer_records_take_the_place_of_older_ones(tmp_path: Path, real: Catalogue) -> None:
+    file = tmp_path / "built.json"
+    file.write_text(built.text((OTHER, ONE, ONE.model_copy(update={"target": "gone-core"}))))
+    newer = OTHER.model_copy(update={"passed": 25, "mark": ""})
+    assert built.record(file, (newer,), real) == 1
+    assert built.read(file) == (ONE, newer), "in the order of the matrix; what it has no more is gone"
+    assert len(file.read_text().splitlines()) == 4, "a line for each"
+
+
+@pytest.mark.parametrize("text", ["", "{}x", '[{"target": "a"}]', '[{"target": "a", "date": "x", "passed": 1}]', "3"])
+def test_a_damaged_file_is_told(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "built.json"
+    file.write_text(text)
+    with pytest.raises(RosmlError, match="no list of what was built"):
+        built.read(file)
+
+
+def test_results_that_failed_were_not_built() -> None:
+    record: dict[str, Any] = {
+        "target": "bookworm-core",
+        "compressed": 5,
+        "unpacked": 9,
+        "seconds": {"a": 1.0, "b": 2.04},
+    }
+    found = built.of_results([record | {"passed": 3, "failed": 0}, record | {"passed": 3, "failed": 1}], DAY)
+    assert [(item.target, item.passed, item.seconds) for item in found] == [("bookworm-core", 3, 3.0)]
+
+
+def test_results_of_a_checkout_are_recorded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs/built.json").write_text(built.text((OTHER,)))
+    folder = tmp_path / ".state/results/rosml"
+    folder.mkdir(parents=True)
+    facts = {"passed": 4, "failed": 0, "compressed": 5, "unpacked": 9, "seconds": {"build": 1.5}}
+    (folder / "bookworm-core.json").write_text(json.dumps({"target": "bookworm-core", **facts}))
+    monkeypatch.setattr(publish, "ROOT", tmp_path)
+    done = CliRunner().invoke(publish.cli, ["results", "--record", "2026-11-22"])
+    assert done.exit_code == 0, done.output
+    assert "docs/built.json: 1 of 1 recorded" in done.stderr
+    assert built.read(tmp_path / "docs/built.json") == (
+        Built(target="bookworm-core", date=DAY, compressed=5, unpacked=9, passed=4, seconds=1.5),
+        OTHER,
+    )
+
+
+def test_a_published_catalogue_gives_the_same(real: Catalogue) -> None:
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["bookworm"])
+    published = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX).gather(FIRST)
+    found = {item.target: item for item in built.of_catalogue(published)}
+    assert found.keys() == {i.target for i in real.images if i.distribution == "bookworm" and i.locked}
+    platform = next(i for i in published.images if i.target == "bookworm-core").builds[0].platforms[0]
+    assert found["bookworm-core"].compressed == platform.size.compressed
+    assert (str(found["bookworm-core"].date), found["bookworm-core"].seconds) == ("2026-11-20", None)
+
+
+def test_the_readme_tells_what_was_built(real: Catalogue) -> None:
+    begin = f"{readme.BEGIN}\n{readme.END}"
+    nothing, some = readme.render(begin, real), readme.render(begin, real, (ONE,))
+    rows = [line for line in some.splitlines() if line not in nothing.splitlines()]
+    assert len(rows) == 2, rows
+    assert rows[0].startswith("| `bookworm` ") and rows[0].endswith("| 1 built, 65 not built yet |")
+    assert rows[1].startswith("| `ros:<distribution>") and rows[1].endswith("| 325.1 MB |")
+    two = readme.render(begin, real, (ONE, OTHER.model_copy(update={"compressed": 1_090_000_000})))
+    assert "| 325.1 MB to 1.09 GB |" in two
+    assert "| 55 verified by stand-in |" in nothing
+
+
+def test_what_is_committed_is_of_this_matrix(real: Catalogue) -> None:
+    text = (ROOT / "docs/built.json").read_text()
+    assert text == built.text(built.merged(built.read(ROOT / "docs/built.json"), (), real))
+    assert len(json.loads(text)) > 100

@@ -1,0 +1,417 @@
+"""The catalogue says what the registry has: no more, no less, and in a form that does not change under its readers."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from conftest import ROOT, SMALL, parse, write_locks
+from memory_registry import DAY, NEXT, PREFIX, MemoryRegistry, Place, place
+from shelf import FIRST, SECOND, THIRD, Shelf, shown
+from stubs import services
+from test_inputs import copy
+
+from rosml import built, expand, ledger, oci, promote, schema, site
+from rosml.catalogue import Image, Published, status
+from rosml.catalogue import Tests as Ran
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.gather import Gatherer
+from scripts import catalogue as command
+
+NOW = "2026-11-22T06:00:00Z"
+TORCH = "bookworm-base-torch-cu128"
+
+
+def gather(registry: MemoryRegistry, catalogue: Catalogue, *only: str, history: int = 10) -> Published:
+    return Gatherer(catalogue, registry, f"ghcr.io/me/{PREFIX}", PREFIX, history).gather(NOW, only)
+
+
+def image(found: Published, target: str) -> Image:
+    return next(item for item in found.images if item.target == target)
+
+
+@pytest.fixture(scope="module")
+def shelf(real: Catalogue) -> Shelf:
+    return shown(real)
+
+
+@pytest.fixture(scope="module")
+def found(shelf: Shelf) -> Published:
+    return gather(shelf.registry, shelf.catalogue)
+
+
+# ---- What a publishing run left --------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Place, Catalogue]:
+    """A small matrix that was published by the real steps, but for builds."""
+    project = copy(tmp_path / "project")
+    catalogue = parse(SMALL.replace("components: [core, base, desktop]", "components: [core, base]"))
+    write_locks(project, catalogue)
+    catalogue = expand.with_locks(catalogue, expand.current_locks(catalogue, project))
+    where = place(project, services(project), monkeypatch)
+    where.publish(catalogue)
+    return where, catalogue
+
+
+def test_what_a_run_published(published: tuple[Place, Catalogue]) -> None:
+    where, catalogue = published
+    item = image(gather(where.registry, catalogue), "alpha-base-torch-cu1")
+    assert (item.status, item.reason) == ("built", "")
+    tags = {tag.name: (tag.kind, tag.digest) for tag in item.tags}
+    there = where.tagged("ros-torch")
+    assert tags == {
+        "alpha-base-cu1": ("main", there["alpha-base-cu1"]),
+        "alpha-base-cu1-torch2.10.0": ("versions", there["alpha-base-cu1"]),
+        "alpha": ("floating", there["alpha"]),
+        "latest": ("floating", there["latest"]),
+        "alpha-base-cu1-20261122": ("dated", there["alpha-base-cu1"]),
+    }
+    (build,) = item.builds
+    assert (build.digest, build.created) == (there["alpha-base-cu1"], DAY)
+    entries = {a: ledger.Ledger(where.registry, PREFIX).read(item.target, a) for a in ("amd64", "arm64")}
+    for platform in build.platforms:
+        entry = entries[platform.platform.removeprefix("linux/")]
+        assert entry is not None
+        assert (platform.digest, platform.inputs) == (entry.digest, entry.inputs)
+        assert platform.size.compressed == entry.size == sum(part.compressed for part in platform.parts.values())
+        assert platform.tests and platform.tests.passed == 5
+        assert (platform.versions, platform.found_inside) == ({"torch": "2.10.0"}, True)
+    assert [(move.run, move.old) for move in item.moves] == [(DAY, "")]
+
+
+def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Place, Catalogue]) -> None:
+    """The ledger knows the newer image; the catalogue describes what the tag points at, with what was known of it."""
+    where, catalogue = published
+    before = where.tagged("ros")["alpha-base"]
+    where.publish(catalogue, date=NEXT, packages="2", force=True)
+    newer = where.tagged("ros")["alpha-base"]
+    assert newer != before
+    promote.undo(where.run(catalogue, date="2026-11-25T03:00:00Z"))
+    item = image(gather(where.registry, catalogue), "alpha-base")
+    assert [build.digest for build in item.builds] == [before, newer]
+    assert item.builds[0].created == DAY
+    tests = item.builds[0].platforms[0].tests
+    assert tests and tests.passed == 5, "from what is attached to the image"
+
+
+# ---- History, parts and layers ---------------------------------------------------------------------------------------
+
+
+def test_every_image_of_the_matrix_is_there(found: Published, real: Catalogue) -> None:
+    assert [item.target for item in found.images] == [item.target for item in real.images]
+    published = {item.target for item in found.images if item.status == "built"}
+    assert published == {i.target for i in real.images if i.distribution in ("bookworm", "trixie") and i.locked}
+    assert all(bool(item.builds) == (item.status == "built") for item in found.images)
+
+
+def test_history(found: Published) -> None:
+    item = image(found, TORCH)
+    assert [build.created for build in item.builds] == [THIRD, SECOND, FIRST]
+    assert [build.tags[-1] for build in item.builds] == [
+        f"bookworm-base-cu128-{day}" for day in (20261122, 20261121, 20261120)
+    ]
+    assert [move.run for move in item.moves] == [THIRD, SECOND, FIRST]
+    assert [(move.old, move.new) for move in item.moves][:2] == [
+        (item.builds[1].digest, item.builds[0].digest),
+        (item.builds[2].digest, item.builds[1].digest),
+    ]
+    numpy = [build.platforms[0].versions["numpy"] for build in item.builds]
+    assert numpy == ["1.26.5", "1.26.4", "1.26.4"], "each as it was found then"
+    assert [build.platforms[0].ros_sync for build in item.builds] == ["lists-2", "lists-2", "lists-1"]
+
+
+def test_history_ends_somewhere(shelf: Shelf) -> None:
+    item = image(gather(shelf.registry, shelf.catalogue, TORCH, history=2), TORCH)
+    assert [build.created for build in item.builds] == [THIRD, SECOND]
+
+
+def test_layers_are_those_of_the_part_that_brought_them(found: Published) -> None:
+    item = image(found, TORCH)
+    (platform,) = item.builds[0].platforms
+    parts = [found.layers[position].part for position in platform.layers]
+    assert list(dict.fromkeys(parts)) == [
+        "bookworm-core",
+        "bookworm-base",
+        "cuda-cu128",
+        "common-cu128-py311",
+        "torch-cu128-py311",
+    ]
+    assert list(platform.parts) == list(dict.fromkeys(parts))
+    old = item.builds[2].platforms[0]
+    assert [found.layers[position].part for position in old.layers] == parts, "of builds before as well"
+
+
+def test_unpacked_sizes_are_measured_or_not_told(found: Published, real: Catalogue) -> None:
+    parts = image(found, TORCH).builds[0].platforms[0].parts
+    disk = {payload.name: payload.disk.unpacked * 1_000_000 for payload in real.payloads}
+    assert parts["cuda-cu128"].unpacked == disk["cuda-cu128"], "what the image with CUDA alone has more than ROS"
+    assert parts["bookworm-base"].unpacked == real.matrix.disk.components["base"].unpacked * 1_000_000
+    assert parts["torch-cu128-py311"].unpacked is None, "never without the common part, which nobody measured alone"
+
+
+def test_sharing_is_counted(found: Published) -> None:
+    digests: dict[str, int] = {}
+    apart = 0
+    for item in found.images:
+        for platform in item.builds[0].platforms if item.builds else ():
+            for position in platform.layers:
+                layer = found.layers[position]
+                digests[layer.digest] = layer.compressed
+                apart += layer.compressed
+    assert (found.sharing.apart, found.sharing.stored) == (apart, sum(digests.values()))
+    assert found.sharing.stored < apart / 10
+
+
+def test_only_some(shelf: Shelf) -> None:
+    some = gather(shelf.registry, shelf.catalogue, TORCH)
+    assert [item.target for item in some.images] == [TORCH]
+    assert {payload.name for payload in some.payloads} == {"cuda-cu128", "common-cu128-py311", "torch-cu128-py311"}
+    assert "bookworm-core" in some.images[0].builds[0].platforms[0].parts, "though it was not asked for"
+    with pytest.raises(RosmlError, match="no image"):
+        gather(shelf.registry, shelf.catalogue, "bookworm-cor")
+
+
+# ---- What is not as it should be -------------------------------------------------------------------------------------
+
+
+def test_an_empty_registry(real: Catalogue) -> None:
+    found = gather(MemoryRegistry(), real)
+    assert {item.status for item in found.images} == {"stand-in", "not built"}
+    assert all(item.reason and not item.builds and not item.tags for item in found.images)
+    assert (found.sharing.images, found.sharing.apart, found.layers) == (0, 0, ())
+
+
+def test_one_damaged_image_hides_no_other(real: Catalogue) -> None:
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["bookworm"])
+    path = f"{PREFIX}/ros"
+    index = shelf.registry.manifest(path, "bookworm-core")
+    assert index
+    del shelf.registry.manifests[path][index.content["manifests"][0]["digest"]]
+    gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
+    found = gatherer.gather(NOW)
+    assert [remark.partition(" is left out")[0] for remark in gatherer.remarks] == [f"ros@{index.digest}"]
+    core = image(found, "bookworm-core")
+    assert (core.status, core.builds) == ("not built", ())
+    assert index.digest in core.reason
+    assert image(found, "bookworm-base").status == "built"
+
+
+def test_a_registry_that_goes_away_is_no_damaged_image(real: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A page that lacks half of the images, and nobody is told, would be worse than none."""
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["bookworm"])
+    kept, blob = shelf.registry.head, shelf.registry.blob
+    gone: list[str] = []
+
+    def read(repository: str, name: str) -> bytes:
+        if repository.endswith("ledger") or not repository.endswith("ros"):
+            return blob(repository, name)
+        gone.append(name)
+        raise RosmlError("registry.example does not answer", "check the network")
+
+    def head(repository: str, reference: str) -> str:
+        if gone:
+            raise RosmlError("registry.example does not answer", "check the network")
+        return kept(repository, reference)
+
+    monkeypatch.setattr(shelf.registry, "blob", read)
+    monkeypatch.setattr(shelf.registry, "head", head)
+    with pytest.raises(RosmlError, match="does not answer"):
+        gather(shelf.registry, real)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"moves": [{"fly": 1}]}'])
+def test_a_damaged_record_is_told(real: Catalogue, text: str) -> None:
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["bookworm"])
+    book = ledger.Ledger(shelf.registry, PREFIX)
+    book.artifact(promote.record_name(SECOND), text.encode(), {})
+    gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
+    assert [move.run for move in image(gatherer.gather(NOW), TORCH).moves] == [FIRST]
+    assert gatherer.remarks == [f"the record {promote.record_name(SECOND)} cannot be read"]
+
+
+def without_what_is_attached(registry: MemoryRegistry) -> MemoryRegistry:
+    """The images of a registry, with no tags and nothing attached to them."""
+    images = {
+        path: {digest: found for digest, found in manifests.items() if not found.content.get("subject")}
+        for path, manifests in registry.manifests.items()
+    }
+    return MemoryRegistry(manifests=images, blobs=registry.blobs)
+
+
+def test_an_image_without_a_run(real: Catalogue) -> None:
+    """As `make image` publishes it: no entry in the ledger, no date; a manifest may stand without an index."""
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["bookworm"])
+    ros = f"{PREFIX}/ros"
+    index = shelf.registry.manifest(ros, "bookworm-core")
+    assert index
+    member = index.content["manifests"][0]["digest"]
+    bare = without_what_is_attached(shelf.registry)
+    bare.names[ros] = {"bookworm-core": member}
+    item = image(gather(bare, real), "bookworm-core")
+    (platform,) = item.builds[0].platforms
+    assert (item.status, item.builds[0].created, platform.platform) == ("built", "", "linux/amd64")
+    assert (platform.tests, platform.scan, platform.size.unpacked, platform.inputs) == (None, None, None, "")
+    assert (platform.versions, platform.found_inside) == ({"python": "3.11"}, False)
+
+
+def test_an_image_that_was_published_by_itself(real: Catalogue) -> None:
+    """What `make image` found out is attached to the image, once."""
+    shelf = Shelf(real)
+    shelf.night(FIRST, ["bookworm"])
+    ros = f"{PREFIX}/ros"
+    index = shelf.registry.manifest(ros, "bookworm-core")
+    assert index
+    member = index.content["manifests"][0]["digest"]
+    bare = without_what_is_attached(shelf.registry)
+    content = {name: value for name, value in index.content.items() if name != "annotations"}
+    bare.names[ros] = {"bookworm-core": bare.put_manifest(ros, "", content, index.media_type)}
+    entry = ledger.Entry(
+        "bookworm-core", "amd64", repository="ros", digest=member, passed=21, versions={"ros-distro": "x"}, date=FIRST
+    )
+    book = ledger.Ledger(bare, PREFIX)
+    assert book.attach(entry, {})
+    assert not book.attach(dataclasses.replace(entry, date=SECOND), {})
+    build = image(gather(bare, real), "bookworm-core").builds[0]
+    assert build.created == FIRST
+    assert (build.platforms[0].tests, build.platforms[0].versions) == (Ran(passed=21, failures=()), entry.versions)
+    with pytest.raises(RosmlError, match="not in the registry"):
+        book.attach(dataclasses.replace(entry, digest=f"sha256:{'0' * 64}"), {})
+
+
+def test_status(real: Catalogue) -> None:
+    matrix, by_target = real.matrix, real.by_target
+    assert status(matrix, by_target["jazzy-base"], True) == ("built", "")
+    assert status(matrix, by_target["jazzy-base"], False)[0] == "stand-in"
+    assert status(matrix, by_target["bookworm-base"], False) == ("not built", "nobody has built it yet")
+    state, reason = status(matrix, by_target["bookworm-base-torch-cpu"], False)
+    assert (state, reason) == ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
+
+
+# ---- The format ------------------------------------------------------------------------------------------------------
+
+
+def fields(content: Any, schema: dict[str, Any], path: str = "") -> Iterator[str]:
+    """Every field of a schema, with its type: `images[].tags[].name string`."""
+    content = content if "$ref" not in content else schema["$defs"][content["$ref"].rsplit("/", 1)[1]]
+    if "anyOf" in content:
+        for item in content["anyOf"]:
+            yield from fields(item, schema, path)
+        return
+    kind = content.get("type") or type(content.get("const", (content.get("enum") or [""])[0])).__name__
+    yield f"{path} {kind}".strip()
+    for name, item in content.get("properties", {}).items():
+        yield from fields(item, schema, f"{path}.{name}".lstrip("."))
+    if isinstance(content.get("additionalProperties"), dict):
+        yield from fields(content["additionalProperties"], schema, f"{path}.*")
+    if "items" in content:
+        yield from fields(content["items"], schema, f"{path}[]")
+
+
+def test_what_format_1_promised_is_still_there() -> None:
+    """A reader of format 1 finds every field, of the type that it had. A new field may be added here; to take one away, or to
+    change its type, raise FORMAT and begin another file."""
+    committed = json.loads((ROOT / "catalogue.schema.json").read_text())
+    promised = (ROOT / "tests/unit/catalogue-format-1.txt").read_text().splitlines()
+    assert len(promised) > 80
+    assert sorted(set(promised) - set(fields(committed, committed))) == []
+    optional = [name for name, item in committed["$defs"].items() if set(item["required"]) != set(item["properties"])]
+    assert optional == [], "every field is always there"
+
+
+def test_the_schema_is_that_of_the_model_and_open_to_later_fields() -> None:
+    text = (ROOT / "catalogue.schema.json").read_text()
+    assert text == schema.render(Published, "rosml/catalogue.py", read=True)
+    assert '"additionalProperties": false' not in text
+    assert '"additionalProperties": false' in schema.render(), "the matrix is held to its keys"
+
+
+def test_the_same_facts_give_the_same_text(shelf: Shelf, found: Published) -> None:
+    text = site.text(found)
+    assert text == site.text(gather(shelf.registry, shelf.catalogue))
+    assert Published.model_validate_json(text) == found
+
+
+# ---- The folder and the command --------------------------------------------------------------------------------------
+
+
+def test_the_page_is_written_beside_its_data(tmp_path: Path, found: Published) -> None:
+    names = {file.name for file in site.write(tmp_path / "a/b", found)}
+    assert {path.name for path in (tmp_path / "a/b").iterdir()} == names
+    assert names >= {"index.html", "style.css", "app.js", "data.js", "catalogue.json"}
+    script = (tmp_path / "a/b/data.js").read_text()
+    inner = script.removeprefix("window.catalogue = JSON.parse(").removesuffix(");\n")
+    assert json.loads(json.loads(inner)) == json.loads((tmp_path / "a/b/catalogue.json").read_text())
+
+
+@pytest.fixture
+def here(shelf: Shelf, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The command's registry is the shelf."""
+
+    class Client:
+        def __init__(self, host: str, ca_bundle: str = "") -> None:
+            assert host == "ghcr.io"
+
+        def __enter__(self) -> MemoryRegistry:
+            return shelf.registry
+
+        def __exit__(self, *_: object) -> None:
+            pass
+
+    monkeypatch.setattr(oci, "Registry", Client)
+
+
+def call(*arguments: str) -> Any:
+    return CliRunner().invoke(command.main, ["--registry", f"ghcr.io/{PREFIX}", *arguments])
+
+
+@pytest.mark.usefixtures("here")
+def test_the_command_writes_a_page(tmp_path: Path) -> None:
+    done = call("--output", str(tmp_path / "page"), "--only", f"{TORCH} bookworm-core")
+    assert done.exit_code == 0, done.output
+    assert "2 images described, 2 of them published in ghcr.io/rosml" in done.stderr
+    assert done.stdout.strip() == (tmp_path / "page/index.html").as_uri()
+
+
+@pytest.mark.usefixtures("here")
+def test_the_command_prints_json(tmp_path: Path) -> None:
+    done = call("--json", "--only", TORCH, "--output", str(tmp_path / "page"))
+    assert json.loads(done.stdout)["images"][0]["target"] == TORCH
+    assert not (tmp_path / "page").exists()
+
+
+@pytest.mark.usefixtures("here")
+def test_the_command_records_what_is_published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs/built.json").write_text("[]")
+    monkeypatch.setattr(command, "ROOT", tmp_path)
+    done = call("--record", "--only", f"{TORCH} jazzy-core", "--output", str(tmp_path / "page"))
+    assert done.exit_code == 0, done.output
+    assert "docs/built.json: 1 image recorded" in done.stderr
+    (record,) = built.read(tmp_path / "docs/built.json")
+    assert (record.target, str(record.date)) == (TORCH, "2026-11-22")
+
+
+@pytest.mark.usefixtures("here")
+def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    done = call("--only", TORCH, "--output", str(tmp_path / "file/page"))
+    assert isinstance(done.exception, RosmlError) and "a folder that you may write to" in done.exception.remedy
+
+
+def test_the_sources_of_the_page_are_all_loaded() -> None:
+    """A script that nobody loads is dead, one that is not there breaks the page."""
+    page = (site.SOURCES / "index.html").read_text()
+    for file in site.SOURCES.iterdir():
+        assert file.name == "index.html" or f'"{file.name}"' in page, file.name

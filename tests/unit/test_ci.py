@@ -1,0 +1,352 @@
+"""What jobs in CI are told, and which images a pull request builds."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from conftest import ROOT, SMALL, parse
+from memory_registry import DAY, HOST, NEXT, PREFIX, Place, place
+from stubs import services
+from test_difference import diff, repository  # noqa: F401 (a fixture)
+from test_inputs import copy
+from test_pipeline import TEXT, steps
+
+from rosml import changed, ci, difference, expand, pipeline, report, summary
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.inputs import Inputs
+from rosml.lock import Move
+from scripts import lock, publish
+
+
+@pytest.fixture
+def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of the files that CI reads: summary and output."""
+    for name in (ci.SUMMARY, ci.OUTPUT):
+        monkeypatch.setenv(name, str(tmp_path / name))
+    return tmp_path
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    return copy(tmp_path / "project")
+
+
+@pytest.fixture
+def catalogue(project: Path) -> Catalogue:
+    from conftest import write_locks
+
+    found = parse(TEXT)
+    write_locks(project, found)
+    return expand.with_locks(found, expand.current_locks(found, project))
+
+
+@pytest.fixture
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
+    return place(project, services(project), monkeypatch)
+
+
+def test_nobody_is_told_elsewhere(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in (ci.SUMMARY, ci.OUTPUT):
+        monkeypatch.delenv(name, raising=False)
+    ci.summary("text")
+    ci.output("name", "value")
+
+
+def test_outputs_and_summaries_add_up(told: Path) -> None:
+    ci.output("one", "1")
+    ci.output("two", "[]")
+    ci.summary(ci.table(("a", "b"), [("x|y", "1\n2")]))
+    assert (told / ci.OUTPUT).read_text() == "one=1\ntwo=[]\n"
+    assert (told / ci.SUMMARY).read_text() == "| a | b |\n| --- | --- |\n| x\\|y | 1<br>2 |\n"
+
+
+def test_an_output_sets_no_other_one(told: Path) -> None:
+    with pytest.raises(ValueError, match="several lines"):
+        ci.output("one", "1\ntwo=2")
+
+
+# ---- Plan ------------------------------------------------------------------------------------------------------------
+
+
+def content(registry: Place, catalogue: Catalogue, **options: Any) -> tuple[dict[str, Any], str]:
+    text = report.plan_json(registry.run(catalogue, **options), 4, why=False)
+    return json.loads(text), text
+
+
+def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Place, catalogue: Catalogue, told: Path) -> None:
+    plan, text = content(registry, catalogue)
+    report.tell(text)
+    name, _, value = (told / ci.OUTPUT).read_text().partition("=")
+    assert name == "shards"
+    shards = json.loads(value)
+    assert shards == [{"name": item["name"], "runner": item["runner"]} for item in plan["shards"]]
+    assert {(item["name"].split("-")[0], item["runner"]) for item in shards} == {("amd64", "amd"), ("arm64", "arm")}
+    summary = (told / ci.SUMMARY).read_text()
+    assert f"## Plan of {DAY} for {HOST}/{PREFIX}" in summary
+    assert "| amd64-1 | amd |" in summary
+    assert "- as they should be: 0" in summary
+
+
+def test_a_plan_names_what_changed_when_asked(
+    registry: Place, catalogue: Catalogue, project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    registry.publish(catalogue)
+    script = project / "components/torch/files.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    run = registry.run(catalogue, date=NEXT)
+    named = {task["target"]: task.get("inputs") for task in json.loads(report.plan_json(run, 4, why=True))["tasks"]}
+    assert named["payload-torch-cu1-py312"] == ["components/torch/files.sh"]
+    assert named["alpha-core-torch-cu1"], "what it reaches is named as well"
+    assert not any("inputs" in task for task in json.loads(report.plan_json(run, 4, why=False))["tasks"])
+    for why in (True, False):
+        report.print_plan(run, why)
+        said = capsys.readouterr().out
+        assert ("changed: components/torch/files.sh" in said) == why
+        counts = f"{len(named)} to do, {len(run.agenda.items) - len(named)} as they should be\n"
+        assert said.endswith(counts) and "its inputs changed" in said
+
+
+def test_where_nothing_is_to_be_done_no_job_builds(registry: Place, catalogue: Catalogue, told: Path) -> None:
+    registry.publish(catalogue)
+    report.tell(content(registry, catalogue, date=NEXT)[1])
+    assert (told / ci.OUTPUT).read_text() == "shards=[]\n"
+    assert "- nothing to do" in (told / ci.SUMMARY).read_text()
+
+
+def test_what_is_only_to_be_tested_has_a_machine(registry: Place, catalogue: Catalogue, project: Path) -> None:
+    registry.publish(catalogue)
+    test = project / "tests/structure/torch.yaml"
+    test.write_text(test.read_text() + "# another\n")
+    plan, _ = content(registry, catalogue, date=NEXT)
+    assert {step for task in plan["tasks"] for step in task["steps"]} == {"test"}
+    assert {shard["architecture"] for shard in plan["shards"]} == {"amd64", "arm64"}
+    tested = {task["target"] for task in plan["tasks"]}
+    assert tested <= {target for shard in plan["shards"] for target in shard["targets"]}
+
+
+def test_what_is_only_to_be_scanned_needs_none(registry: Place, catalogue: Catalogue) -> None:
+    registry.publish(catalogue)
+    plan, _ = content(registry, catalogue, date=NEXT, scanning="sha256:1")
+    assert {step for task in plan["tasks"] for step in task["steps"]} == {"scan"}
+    assert plan["shards"] == []
+
+
+def test_steps_take_from_the_plan_what_it_was_called_with(
+    registry: Place, catalogue: Catalogue, tmp_path: Path
+) -> None:
+    _, text = content(registry, catalogue, force=True, serving=("amd64",))
+    (tmp_path / "plan.json").write_text(text)
+    planned = pipeline.read_plan(tmp_path / "plan.json", "arm64-1")
+    assert (planned.date, planned.registry, planned.force) == (DAY, f"{HOST}/{PREFIX}", True)
+    assert (planned.serve, planned.architectures) == (("amd64",), ("arm64",))
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"version": 2},
+        {"date": 5},
+        {"date": "today"},
+        {"registry": 5},
+        {"targets": "alpha-core"},
+        {"targets": []},
+        {"targets": [1]},
+        {"architectures": []},
+        {"architectures": [1]},
+        {"serve": "amd64"},
+        {"force": "no"},
+        {"shards": [{"name": []}]},
+    ],
+)
+def test_a_plan_that_is_none(registry: Place, catalogue: Catalogue, tmp_path: Path, change: dict[str, object]) -> None:
+    """Above all: one that names nothing does not stand for everything."""
+    plan, _ = content(registry, catalogue)
+    (tmp_path / "plan.json").write_text(json.dumps(plan | change))
+    with pytest.raises(RosmlError) as caught:
+        pipeline.read_plan(tmp_path / "plan.json")
+    assert caught.value.exit_code == 2
+    (tmp_path / "plan.json").write_text("[" * 100_000)
+    with pytest.raises(RosmlError, match="is no plan"):
+        pipeline.read_plan(tmp_path / "plan.json")
+
+
+def test_force_makes_everything_anew_once_on_several_machines(registry: Place, catalogue: Catalogue) -> None:
+    """Each step in a process of its own, as jobs in CI run it."""
+    first = registry.publish(catalogue)
+    made = []
+    for step in ("build", "compose", "test", "index", "promote"):
+        run = registry.run(catalogue, date=NEXT, force=True)
+        getattr(run, step)()
+        made += run.made
+        assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
+    kinds = ("build", "compose")
+    assert sorted(item for item in made if item[0] in kinds) == sorted(item for item in first.made if item[0] in kinds)
+
+
+# ---- Fields of a form ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "only", "serve", "place"),
+    [
+        (["--only", "", "--serve", "", "--registry", ""], (), (), ""),
+        (["--only", "a-* b-*", "--only", "c", "--serve", "amd64 arm64"], ("a-*", "b-*", "c"), ("amd64", "arm64"), ""),
+        (["--registry", "ghcr.io/Me/Ros-ML"], (), (), "ghcr.io/me/ros-ml"),
+    ],
+)
+def test_fields_may_be_empty_or_hold_several(
+    monkeypatch: pytest.MonkeyPatch, arguments: list[str], only: tuple[str, ...], serve: tuple[str, ...], place: str
+) -> None:
+    seen: list[publish.Call] = []
+
+    class Stop(Exception):
+        pass
+
+    def stop(call: publish.Call) -> None:
+        seen.append(call)
+        raise Stop
+
+    monkeypatch.setattr(publish.Call, "pipeline", stop)
+    CliRunner().invoke(publish.cli, ["plan", "--everywhere", *arguments])
+    (call,) = seen
+    assert (call.only, call.serve, call.registry) == (only, serve, place)
+    assert call.architectures == (serve or ("amd64", "arm64"))
+
+
+# ---- Pull requests ---------------------------------------------------------------------------------------------------
+
+
+def reached(project: Path, file: str) -> tuple[Catalogue, difference.Difference]:
+    old = Inputs(copy(project.parent / "old"), parse(SMALL))
+    path = project / file
+    path.write_text(path.read_text() + "# a change\n")
+    new = parse(SMALL)
+    write = expand.with_locks(new, frozenset(lock for image in new.images for lock in image.locks))
+    return write, difference.between(old, Inputs(project, new))
+
+
+def test_few_images_have_all_that_changed(project: Path) -> None:
+    catalogue, found = reached(project, "components/torch/files.sh")
+    choice = changed.choose(catalogue, found, ("amd64",), 3)
+    assert len(choice.built) == 3
+    assert all("torch" in catalogue.by_target[target].versions for target in choice.built)
+    assert not set(choice.built) & set(choice.left)
+    images = [catalogue.by_target[target] for target in choice.built]
+    assert len({image.distribution for image in images}) > 1
+    one = changed.choose(catalogue, found, ("amd64",), 1)
+    assert one.built == choice.built[:1]
+    assert f"; left out, {len(one.left)} of {len(one.left) + 1}: " in str(one)
+
+
+def test_of_alike_ones_the_smallest(project: Path) -> None:
+    catalogue, found = reached(project, "components/ros/install.sh")
+    best = catalogue.by_target[changed.choose(catalogue, found, ("amd64",), 1).built[0]]
+    alike = [
+        image
+        for image in catalogue.images
+        if image.target in found.changed
+        and set(found.changed[image.target]) == set(found.changed[best.target])
+        and len(image.groups) == len(best.groups)
+    ]
+    assert best.disk.unpacked == min(image.disk.unpacked for image in alike)
+
+
+def test_what_cannot_be_built_here_is_counted(project: Path) -> None:
+    catalogue, found = reached(project, "components/ros/install.sh")
+    nowhere = changed.choose(catalogue, found, ("riscv64",), 3)
+    assert (nowhere.built, nowhere.left) == ((), ())
+    assert str(nowhere) == f"0 images changed; {len(found.changed)} more for other architectures"
+    unlocked = changed.choose(expand.with_locks(catalogue, frozenset()), found, ("amd64",), 99)
+    assert {catalogue.by_target[target].stack for target in unlocked.built} == {None}
+    assert unlocked.unlocked
+
+
+def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
+    """Then nothing is built, rather than everything, which is what no pattern stands for."""
+    same = difference.Difference((), (), {}, same=1)
+    monkeypatch.setattr(difference, "since", lambda *_: same)
+    monkeypatch.setattr(publish, "ROOT", ROOT)
+    from rosml.services import Services
+
+    monkeypatch.setattr(Services, "load", lambda root: None)
+    done = CliRunner().invoke(publish.cli, ["all", "--since", "HEAD", "--json"])
+    assert done.exit_code == 0, done.output
+    assert json.loads(done.stdout) == {"counts": {}, "outcomes": []}
+    assert "0 images changed" in (told / ci.SUMMARY).read_text()
+    both = CliRunner().invoke(publish.cli, ["all", "--since", "HEAD", "--only", "bookworm-core"])
+    assert both.exit_code == 2
+    assert "leave --only out" in both.output
+
+
+def test_the_difference_is_in_the_summary(repository: Path, told: Path) -> None:  # noqa: F811
+    path = repository / "components/torch/files.sh"
+    path.write_text(path.read_text() + "# a change\n")
+    assert diff(repository, "HEAD").returncode == 0
+    text = (told / ci.SUMMARY).read_text()
+    assert text.startswith("\n## What differs\n\n0 added, 0 removed, ")
+    assert "| changed | cannot be built yet: no lock |" in text or "| changed | file " in text
+
+
+def test_versions_that_moved_are_the_text_of_a_pull_request() -> None:
+    moved = {Move("cpu", "torch", "2.10.0", "2.11.0"): 6, Move("cpu", "gone", "1", ""): 1}
+    text = lock.markdown(moved, ["locks/cu1/amd64/py312/torch.txt"], {"stack cu2": "no answer"})
+    assert "| cpu | torch | 2.10.0 | 2.11.0 | 6 |\n" in text
+    assert "| cpu | gone | 1 | - | 1 |\n" in text
+    assert "- new: `locks/cu1/amd64/py312/torch.txt`\n- stack cu2: locks stay as they are: no answer\n" in text
+    assert lock.markdown({}, [], {}) == "No version moved.\n"
+
+
+# ---- What a run did --------------------------------------------------------------------------------------------------
+
+
+def test_a_run_says_what_it_uploaded(
+    registry: Place, catalogue: Catalogue, capsys: pytest.CaptureFixture[str], told: Path
+) -> None:
+    """Layers that the builder pushed, without those of the image below, and what the publisher itself wrote."""
+    run = registry.publish(catalogue, only=["alpha-base"], architectures=("amd64",), serving=("amd64",))
+    said = report.as_data(run)
+    built = {item["target"]: item["uploaded"] for item in said["outcomes"] if item["step"] == "build"}
+    own = len("alpha-base 1 amd64")
+    assert run.pushed == own + len("alpha-core 1 amd64"), "a layer of the image below was counted twice"
+    assert built["alpha-base"] > own and sum(built.values()) < said["uploaded"]
+    assert said["seconds"] >= 0
+    report.show(run, as_json=False)
+    text = f"{summary.size(said['uploaded'])} uploaded, "
+    assert text in capsys.readouterr().out and f"- {text}" in (told / ci.SUMMARY).read_text()
+    registry.registry.uploaded = 0
+    nothing = registry.publish(catalogue, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
+    report.show(nothing, as_json=False)
+    assert "everything is as it should be\n0 B uploaded, " in capsys.readouterr().out
+    registry.upstream["alpha"] = "tuesday"
+    same = registry.publish(catalogue, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
+    assert steps(same, "build") and same.pushed == 0, "the same layers were counted again"
+
+
+def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
+    registry: Place, catalogue: Catalogue, told: Path
+) -> None:
+    """Step, image, architecture, state, time, size, digest; what failed with why, what was left alone as a count."""
+    registry.publish(catalogue, only=["omega-core"])
+    run = registry.publish(catalogue, only=["*-core", "alpha-base"], date=NEXT, broken={"alpha-base"})
+    report.show(run, as_json=False)
+    text = (told / ci.SUMMARY).read_text()
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if line.startswith("| ")]
+    head, _, *rest = rows
+    assert head == ["step", "image", "architecture", "state", "time", "size", "digest", "what"]
+    found = {tuple(row[:3]): row[3:] for row in rest}
+    entry = run.agenda.known["alpha-core", "amd64"]
+    state, _, size, digest, _ = found["build", "`alpha-core`", "amd64"]
+    assert (state, size, digest) == ("done", summary.size(entry.size), f"`{entry.digest[:19]}`")
+    assert entry.size and entry.digest.startswith("sha256:")
+    state, _, size, digest, what = found["build", "`alpha-base`", "amd64"]
+    assert (state, size, digest, what) == ("failed", "", "", "building alpha-base failed")
+    assert found["promote", "`alpha-core`", ""][0] == "done"
+    assert not [key for key in found if "omega" in key[1]]
+    unchanged = sum(item.thing.target == "omega-core" for item in run.agenda.items)
+    assert unchanged == 2 and f"- {unchanged} left alone, as they should be\n" in text
+    assert "- build: 2 done\n" in text and "- build: 2 failed\n" in text

@@ -1,0 +1,253 @@
+"""The documentation: no broken link or anchor, neither on a forge nor on the site, which asks no other host for anything;
+and files that it describes are as it says."""
+
+from __future__ import annotations
+
+import json
+import re
+import urllib.parse
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from conftest import ROOT
+
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from scripts import docs
+from tests import map as test_map
+from tests.documented import Block, blocks, pages
+
+PAGES = pages()
+MAP_COMMAND = "uv run python -m tests.map"
+
+
+def prose(text: str) -> str:
+    """A page without its code."""
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^ *```.*?^ *```", "", text, flags=re.MULTILINE | re.DOTALL))
+
+
+def links(page: Path) -> list[str]:
+    """What a page links to, with the text of links left out, and pictures."""
+    return re.findall(r"\]\(([^)\s]+)\)", prose(page.read_text()))
+
+
+def anchors(page: Path) -> set[str]:
+    """The anchors of a page's headings, as forges make them."""
+    found: dict[str, int] = {}
+    text = re.sub(r"^ *```.*?^ *```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    for heading in re.findall(r"^#+ (.*)$", text, re.MULTILINE):
+        words = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).strip().lower()
+        slug = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
+        found[slug] = found.get(slug, -1) + 1
+    return {slug if not number else f"{slug}-{number}" for slug, last in found.items() for number in range(last + 1)}
+
+
+def broken(page: Path, link: str) -> str:
+    """What is wrong with a link; nothing where it is right."""
+    path, _, anchor = link.partition("#")
+    if "://" in link:
+        address = urllib.parse.urlsplit(link)
+        right = address.scheme == "https" and re.fullmatch(r"[\w-]+(\.[\w-]+)+", address.netloc)
+        return "" if right else "no https address"
+    target = (page.parent / path).resolve() if path else page
+    if not target.is_relative_to(ROOT) or not target.is_file():
+        return "no such file"
+    if anchor and (target.suffix != ".md" or anchor not in anchors(target)):
+        return f"no heading for #{anchor}"
+    return ""
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
+def test_no_link_is_broken(page: Path) -> None:
+    assert {link: wrong for link in links(page) if (wrong := broken(page, link))} == {}
+
+
+@pytest.mark.parametrize(
+    ("link", "wrong"),
+    [
+        ("docs/nothing.md", "no such file"),
+        ("../x", "no such file"),
+        ("docs", "no such file"),
+        ("docs/contract.md#start", ""),
+        ("docs/contract.md#stop", "no heading for #stop"),
+        ("#images", ""),
+        ("#nothing", "no heading for #nothing"),
+        ("http://example.org/", "no https address"),
+        ("https://example", "no https address"),
+        ("https://example.org/a#b", ""),
+    ],
+)
+def test_a_broken_link_is_found(link: str, wrong: str) -> None:
+    assert broken(ROOT / "README.md", link) == wrong
+
+
+# ---- The site --------------------------------------------------------------------------------------------------------
+
+
+class Reader(HTMLParser):
+    """The anchors of a page, what it links to, and what a browser fetches for it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.ids: set[str] = set()
+        self.links: list[str] = []
+        self.fetched: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        found = {name: value or "" for name, value in attrs}
+        self.ids.add(found.get("id", ""))
+        if tag == "a" and "href" in found:
+            self.links.append(found["href"])
+        elif "src" in found or ("href" in found and tag == "link" and found.get("rel") != "canonical"):
+            self.fetched.append(found.get("src") or found["href"])
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> dict[Path, Reader]:
+    """Every page of the site, read."""
+    folder = tmp_path_factory.mktemp("docs")
+    assert docs.main.main(["--output", str(folder)], standalone_mode=False) is None
+    found = {}
+    for file in (folder / "site").rglob("*.html"):
+        found[file] = Reader()
+        found[file].feed(file.read_text())
+    return found
+
+
+def test_the_site_is_built(site: dict[Path, Reader]) -> None:
+    names = {f"{file.parent.name}/{file.name}" for file in site}
+    assert {f"repository/{name}.html" for name in ("index", "SECURITY", "CONTRIBUTING")} <= names
+    assert len(site) >= len(PAGES)
+
+
+def test_every_link_on_the_site_leads_somewhere(site: dict[Path, Reader]) -> None:
+    wrong = []
+    for file, page in site.items():
+        for link in page.links:
+            path, _, anchor = link.partition("#")
+            if "://" in link or file.name == "404.html":
+                continue
+            target = (file.parent / urllib.parse.unquote(path)).resolve() if path else file
+            if target.is_dir():
+                target /= "index.html"
+            known = site[target].ids | {""} if target in site else {""}
+            if not target.is_file() or anchor not in known | {"__top"}:
+                wrong.append((file.name, link))
+    assert wrong == []
+
+
+def test_the_site_asks_no_other_host(site: dict[Path, Reader]) -> None:
+    assert [name for page in site.values() for name in page.fetched if re.match(r"(https?:)?//", name)] == []
+    root = next(file for file in site if file.name == "404.html").parent
+    styles = list(root.rglob("*.css"))
+    assert styles
+    assert [file.name for file in styles if re.search(r"(url\(|@import )[\"']?(https?:)?//", file.read_text())] == []
+
+
+def test_a_site_with_broken_links_is_not_built(tmp_path: Path) -> None:
+    """Files and headings that there are not, each told."""
+    docs.stage(ROOT, tmp_path)
+    gone = ("nothing.md", "../nothing.md", "contract.md#nothing")
+    with (tmp_path / "docs/limits.md").open("a") as page:
+        page.write("".join(f"\n[gone]({link})\n" for link in gone))
+    with pytest.raises(RosmlError) as caught:
+        docs.build(tmp_path)
+    said = re.sub(r"\x1b\[[0-9;]*m", "", caught.value.message)
+    for link in gone:
+        assert f"[gone]({link})" in said
+    assert "Traceback" not in said
+
+
+def test_every_page_is_in_the_navigation() -> None:
+    def leaves(node: Any) -> Iterator[str]:
+        if isinstance(node, str):
+            yield node
+        for inner in node.values() if isinstance(node, dict) else node if isinstance(node, list) else ():
+            yield from leaves(inner)
+
+    text = re.sub(r"!!python/\S+", "", (ROOT / "mkdocs.yml").read_text())
+    nav = list(leaves(yaml.safe_load(text)["nav"]))
+    assert sorted(nav) == sorted({docs.place_of(str(page.relative_to(ROOT))) for page in PAGES})
+
+
+# ---- What pages say --------------------------------------------------------------------------------------------------
+
+
+def test_the_readme_fits_on_two_screens_before_its_tables() -> None:
+    head, marker, _ = (ROOT / "README.md").read_text().partition("<!-- images:")
+    assert marker
+    assert head.count("\n") <= 100
+
+
+def test_the_map_of_tests_is_current() -> None:
+    assert test_map.render() == test_map.PAGE.read_text(), f"write it anew: {MAP_COMMAND}"
+
+
+def titled(name: str) -> Iterator[Block]:
+    return (block for page in PAGES for block in blocks(page) if block.title == name)
+
+
+@pytest.mark.parametrize("name", [".github/workflows/test.yml", ".gitlab-ci.yml", "compose.yaml"])
+def test_yaml_of_the_documentation_is_yaml(name: str, real: Catalogue) -> None:
+    [block] = titled(name)
+    content = yaml.safe_load(block.text)
+    assert isinstance(content, dict)
+    [image] = re.findall(r"(?:image|container): \S*/(ros\S*)", block.text)
+    assert image in tags(real)
+
+
+def test_a_dev_container_is_json() -> None:
+    [block] = titled(".devcontainer/devcontainer.json")
+    assert json.loads(block.text)["workspaceFolder"].startswith("/docker-ros/ws")
+
+
+def tags(catalogue: Catalogue) -> set[str]:
+    return {tag for image in catalogue.images for tag in image.tags}
+
+
+def test_every_image_that_a_page_builds_on_is_one_that_there_is(real: Catalogue) -> None:
+    found = [
+        (block.page, image)
+        for page in PAGES
+        for block in blocks(page)
+        for image in re.findall(r"^FROM <registry>/(\S+)", block.text, re.MULTILINE)
+    ]
+    assert len(found) >= 3
+    assert [item for item in found if item[1] not in tags(real)] == []
+
+
+def test_old_tags_lead_to_tags_that_there_are(real: Catalogue) -> None:
+    """The right columns of the page about moving from other images."""
+    rows = re.findall(r"^\| (`.*?) \| (.*) \|$", (ROOT / "docs/migrate.md").read_text(), re.MULTILINE)
+    assert len(rows) > 15
+    known, repository = tags(real), ""
+    for _, new in rows:
+        if new.startswith("none"):
+            continue
+        for tag in re.findall(r"`([^`]+)`", new):
+            repository = tag.partition(":")[0] if ":" in tag else repository
+            assert (tag if ":" in tag else f"{repository}:{tag}") in known, new
+
+
+def test_hooks_call_the_projects_own_linters() -> None:
+    """Each hook of pre-commit is what a test of tests/lint calls."""
+    linters = (ROOT / "tests/lint/test_lint.py").read_text()
+    hooks = [
+        hook
+        for repo in yaml.safe_load((ROOT / ".pre-commit-config.yaml").read_text())["repos"]
+        for hook in repo["hooks"]
+    ]
+    assert len(hooks) >= 5
+    for hook in hooks:
+        words = hook["entry"].split()
+        assert words[:3] == ["uv", "run", "--quiet"], hook
+        assert hook["language"] == "system" and hook["pass_filenames"] is False
+        call = words[3:]
+        if call[0] == "pytest":
+            assert all((ROOT / word).exists() for word in call[1:] if not word.startswith("-"))
+        else:
+            assert f'check("{call[0]}"' in linters, hook

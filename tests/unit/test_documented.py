@@ -1,0 +1,194 @@
+"""Every command that the documentation shows is one that there is, with options that it has; and each is run by a
+test, or says why it cannot be."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+import pytest
+import yaml
+from conftest import ROOT
+from test_workflows import COMMANDS, accepted
+
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.explain import explain
+from rosml.listing import members
+from scripts import bench, compose
+from tests.documented import documented, pages
+from tests.proofs import lacking
+
+PROOFS: dict[str, dict[str, str]] = yaml.safe_load((ROOT / "tests/documented.yaml").read_text())
+SCRIPTS = {**COMMANDS, "scripts/bench.py": bench.main, "scripts/compose.py": compose.main}
+MAKEFILE = (ROOT / "Makefile").read_text()
+EXTEND = "docs/extend.md"
+"""The page whose examples are not in our own matrix; test_extend.py follows it."""
+
+
+def spans() -> Iterator[tuple[str, str]]:
+    """Commands within sentences, each with its page."""
+    for page in pages():
+        prose = re.sub(r"^ *```.*?^ *```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+        for span in re.findall(r"`([^`]+)`", prose):
+            text = " ".join(span.split())
+            if re.match(r"([A-Z_]+=\S+ )*(make|uv run) \S", text):
+                yield text, str(page.relative_to(ROOT))
+
+
+SHOWN = [(command, page) for command, where in documented().items() for page in dict.fromkeys(where)]
+CALLS = list(dict.fromkeys([*SHOWN, *spans()]))
+
+
+def test_every_command_has_its_proof() -> None:
+    found = {command for command, _ in CALLS}
+    assert len(found) > 20
+    assert sorted(found - PROOFS.keys()) == [], "commands without a line in tests/documented.yaml"
+    assert sorted(PROOFS.keys() - found) == [], "lines in tests/documented.yaml for commands that no page shows"
+
+
+@pytest.mark.parametrize("command", PROOFS)
+def test_the_proof_is_there(command: str) -> None:
+    proof = PROOFS[command]
+    assert len(proof) == 1
+    [(kind, value)] = proof.items()
+    match kind:
+        case "test":
+            pages = [page for shown, page in CALLS if shown == command]
+            assert lacking(command, pages, value) == "", f"{value} does not run it, as far as its source tells"
+        case "suite" if value == "Makefile":
+            assert re.search(rf"^test: .*\b{command.removeprefix('make ')}\b", MAKEFILE, re.MULTILINE)
+        case "suite" if value == "tests/e2e":
+            assert (ROOT / command.split()[3]).parent == ROOT / value
+        case "suite":
+            assert re.search(rf"{re.escape(command)}( [A-Z]+=\S+)?$", (ROOT / value).read_text(), re.MULTILINE)
+        case "needs":
+            assert len(value) >= len("a GPU")
+        case _:
+            assert kind == "run" and value
+
+
+@pytest.mark.parametrize(
+    ("command", "test", "wants"),
+    [
+        (
+            "make image TARGET=bookworm-base",
+            "tests/e2e/test_ros.py::test_the_same_packages_give_the_same_layers",
+            "base",
+        ),
+        ("make publish", "tests/unit/test_bench.py::test_numbers", "all"),
+        ("make scanner", "tests/unit/test_bench.py::test_numbers", "scanner"),
+        ("cosign verify --key x", "tests/e2e/test_attached.py::test_signatures", "never skipped"),
+        (
+            "uv run scripts/publish.py prune --apply",
+            "tests/unit/test_built.py::test_results_of_a_checkout_are_recorded",
+            "prune",
+        ),
+        ("regctl image export --name x", "tests/e2e/test_publisher.py::test_status_says_how_things_stand", "--name"),
+    ],
+)
+def test_a_proof_that_is_none_is_found(command: str, test: str, wants: str) -> None:
+    assert wants in lacking(command, ["docs/nothing.md"], test)
+
+
+def test_a_proof_that_is_not_there() -> None:
+    with pytest.raises(KeyError):
+        lacking("make image", [], "tests/unit/test_bench.py::test_nothing_like_that")
+
+
+@pytest.mark.parametrize("command", [name for name, proof in PROOFS.items() if "run" in proof])
+def test_it_runs_as_it_stands(command: str) -> None:
+    """With the Python of this test, and nothing is set up."""
+    argv = ["bash", "-c", f"{command} BOOTSTRAP=: RUN={shlex.quote(sys.executable)}"]
+    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert PROOFS[command]["run"] in done.stdout
+
+
+# ---- What parsers say ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("command", "page"), CALLS)
+def test_parsers_accept_it(command: str, page: str, real: Catalogue) -> None:
+    parsed(words(command), real, examples=page == EXTEND)
+
+
+def words(command: str) -> list[str]:
+    """A command's words, without variables before it and without what an ellipsis stands for."""
+    found = [word for word in shlex.split(command) if "…" not in word]
+    while found and re.match(r"[A-Z_]+=", found[0]):
+        found = found[1:]
+    return found
+
+
+def parsed(argv: list[str], catalogue: Catalogue, examples: bool) -> None:
+    """Has a command's own parser read it; commands that are not ours are left to the tests that run them."""
+    if argv[0] == "make":
+        made(argv[1:], catalogue, examples)
+    elif argv[:2] == ["uv", "run"]:
+        ran(argv[2:])
+
+
+def made(given: list[str], catalogue: Catalogue, examples: bool) -> None:
+    """A call of make: targets that people are told of, variables that it has, values that mean something."""
+    targets = {line.split(":")[0] for line in MAKEFILE.splitlines() if re.match(r"[a-z0-9-]+:.* ## ", line)}
+    for word in given:
+        name, equals, value = word.partition("=")
+        if not equals:
+            assert word in targets, f"make has no target {word}"
+            continue
+        assert re.search(rf"^{name} [?:]=|\$\({name}\)", MAKEFILE, re.MULTILINE), f"make has no variable {name}"
+        if value and not examples:
+            known(name, value, catalogue)
+
+
+def known(variable: str, value: str, catalogue: Catalogue) -> None:
+    """Fails where a value names nothing that there is."""
+    if variable == "TARGET":
+        explain(catalogue, value, {})
+    elif variable == "GROUP":
+        assert members(catalogue, value.split())
+    elif variable == "STACK":
+        assert value in catalogue.matrix.stacks
+    elif variable == "ONLY":
+        assert [image for image in catalogue.images if Path(image.target).match(value)]
+
+
+def ran(given: list[str]) -> None:
+    """What `uv run` runs: a script with click's parser, a module that there is, or tests that there are."""
+    if given[0] == "python":
+        assert given[1] == "-m" and (ROOT / f"{given[2].replace('.', '/')}.py").is_file()
+    elif given[0] == "pytest":
+        assert (ROOT / given[1]).is_file(), given[1]
+        tests = (ROOT / given[1]).read_text()
+        assert given[2:] == [] or (given[2] == "-k" and re.search(rf"def test_\w*{given[3]}", tests)), given
+    else:
+        assert (ROOT / given[0]).is_file(), given[0]
+        if len(given) > 1:
+            accepted(SCRIPTS[given[0]], given[1:])
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        "make imge",
+        "make image TRAGET=bookworm-core",
+        "make image TARGET=bokworm-cor",
+        "make list GROUP=jazy",
+        "make locks STACK=cu999",
+        "make publish ONLY=bokworm-*",
+        "uv run scripts/publish.py imge",
+        "uv run scripts/publish.py all --onyl x",
+        "uv run scripts/nothing.py",
+        "uv run pytest tests/e2e/test_ros.py -k nothing_like_that",
+        "uv run python -m tests.nothing",
+    ],
+)
+def test_what_there_is_not_is_found(command: str, real: Catalogue) -> None:
+    with pytest.raises((AssertionError, click.UsageError, RosmlError)):
+        parsed(shlex.split(command), real, examples=False)

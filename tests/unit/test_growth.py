@@ -1,0 +1,141 @@
+"""What `make bench` measures in a registry: composed tags, and a run over everything that finds nothing to do; and that it
+leaves nothing behind. On a registry in this process, with images of some bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import pytest
+from conftest import parse, write_locks
+from registry_stand_in import StandIn, standing_in
+from stubs import services
+from test_inputs import copy
+from test_pipeline import TEXT
+
+from rosml import base_images, expand, growth, second_run, upstream
+from rosml.agenda import Item
+from rosml.comparison import NAMESPACE, Comparison, Side
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image, Payload
+from rosml.ledger import Entry
+from rosml.pipeline import Made, Pipeline
+from rosml.publish import Publisher
+from tests.e2e import parts
+
+TARGET = "alpha-core-torch-cu1"
+DAY = "2026-11-22T03:00:00Z"
+USUAL = Comparison(
+    target=TARGET,
+    ours=Side(),
+    usual=Side(build_and_push_seconds=60.0, registry_new_bytes=1_000),
+    versions={},
+    packages=1,
+    assembling_seconds=0.0,
+)
+
+
+class Builder(Pipeline):
+    """Puts images of some bytes where a builder would push real ones."""
+
+    def _ros(self, item: Item, image: Image, _entry: Entry) -> Made:
+        tiny = parts.ros(image.distribution, image.component, "3.12")
+        return Made(tiny.put_manifest(self.registry, self.repository(item.repository))[0], self._parts(item))
+
+    def _assemble(self, payload: Payload, _architecture: str) -> Made:
+        tiny = parts.payload(payload.part, payload.stack, "3.12", {"cuda": "12.8.90", "torch": "2.10.0"})
+        return Made(tiny.put_manifest(self.registry, self.repository("payload"))[0])
+
+
+@pytest.fixture
+def registry() -> Iterator[StandIn]:
+    with standing_in() as found:
+        yield found
+
+
+@pytest.fixture
+def catalogue(tmp_path: Path) -> Catalogue:
+    found = parse(TEXT)
+    write_locks(copy(tmp_path / "project"), found)
+    return expand.with_locks(found, expand.current_locks(found, tmp_path / "project"))
+
+
+@pytest.fixture
+def publisher(registry: StandIn, catalogue: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+    monkeypatch.setattr(upstream, "state", lambda *_: "monday")
+    monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
+    monkeypatch.setattr(growth, "Pipeline", Builder)
+    monkeypatch.setattr(growth, "TAGS", (2, 3))
+    found = services(tmp_path / "project", registry.address)
+    return Publisher(found, catalogue, lambda _: None, NAMESPACE, "amd64")
+
+
+def left(registry: StandIn, *words: str) -> Mapping[str, object]:
+    """What manifests and tags are in repositories whose names hold some words."""
+    manifests = [key for key in registry.manifests if any(word in key[0] for word in words)]
+    tags = {name: tags for name, tags in registry.tags.items() if tags and any(word in name for word in words)}
+    return {"manifests": manifests, "tags": tags} if manifests or tags else {}
+
+
+def test_tags_are_composed_counted_and_removed(publisher: Publisher, registry: StandIn) -> None:
+    found = growth.measure(publisher, TARGET, USUAL)
+    assert [row.tags for row in found.rows] == [2, 3]
+    for row in found.rows:
+        assert row.seconds > 0 and 500 < row.uploaded / row.tags < 10_000
+        assert (row.usual_seconds, row.usual_bytes) == (60.0 * row.tags, 1_000 * row.tags)
+    assert found.rows[1].uploaded > found.rows[0].uploaded
+    assert registry.count(r"^PUT /v2/bench/growth-\w+/manifests/\d+$") == 5
+    assert left(registry, "growth-", "night-") == {}
+
+
+def test_what_fails_leaves_nothing_behind_either(publisher: Publisher, registry: StandIn) -> None:
+    registry.fault("PUT", r"/v2/bench/growth-\w+/manifests/1$", 403)
+    with pytest.raises(RosmlError, match="403"):
+        growth.measure(publisher, TARGET, USUAL)
+    assert registry.count(r"^PUT /v2/bench/growth-\w+/manifests/0$") == 1
+    assert left(registry, "growth-", "night-") == {}
+    before = {key for key in registry.manifests if key[0] == "bench/ros"}
+    registry.fault("PUT", r"/v2/bench/growth-\w+/manifests/0$", 403)
+    with pytest.raises(RosmlError, match="403"):
+        growth.measure(publisher, TARGET, USUAL)
+    assert {key for key in registry.manifests if key[0] == "bench/ros"} == before
+
+
+# ---- A second run ----------------------------------------------------------------------------------------------------
+
+
+def test_a_second_run_finds_nothing_to_do(publisher: Publisher, catalogue: Catalogue, registry: StandIn) -> None:
+    found = second_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+    things: list[Image | Payload] = [*catalogue.images, *catalogue.payloads]
+    architectures = [name for thing in things for name in thing.architectures]
+    assert found.items == len(architectures)
+    assert (found.uploaded, found.steps) == (0, 0) and found.seconds > 0
+    asked = [line for line in registry.requests if "/manifests/" in line]
+    written = max(number for number, line in enumerate(asked) if line.startswith("PUT"))
+    after = asked[written + 1 :]
+    for image in catalogue.images:  # everything was there, and was asked for
+        for tag in image.tags:
+            repository, _, name = tag.partition(":")
+            assert f"HEAD /v2/bench/night/{repository}/manifests/{name}" in after
+    assert left(registry, "night") == {}
+
+
+def test_a_run_that_would_do_something_is_no_measurement(
+    publisher: Publisher, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch, registry: StandIn
+) -> None:
+    """The packages move while it is measured: nothing is built for that."""
+    days = iter(["monday"] * 2)  # one for each distribution
+    monkeypatch.setattr(upstream, "state", lambda *_: next(days, "tuesday"))
+    with pytest.raises(RosmlError, match="alpha-core because packages moved from monday to tuesday"):
+        second_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+    assert left(registry, "night") == {}
+
+
+def test_a_place_that_cannot_be_filled_is_empty_again(
+    publisher: Publisher, catalogue: Catalogue, registry: StandIn
+) -> None:
+    registry.fault("PUT", "/v2/bench/night/ros/manifests/alpha-base", 403)
+    with pytest.raises(RosmlError, match="403"):
+        second_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+    assert registry.count("^PUT /v2/bench/night/ledger/manifests/") > 20
+    assert left(registry, "night") == {}

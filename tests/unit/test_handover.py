@@ -1,0 +1,145 @@
+"""What a scan hands over to a job that may write, and what that one makes of it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import parse, write_locks
+from memory_registry import NEXT, PREFIX, Place, Run, place
+from scanning import Memory
+from stubs import services
+from test_inputs import copy
+from test_pipeline import TEXT
+
+from rosml import expand, handover, ledger
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.sbom import Sbom, Shelf
+
+CORE = ("alpha-core", "amd64")
+
+
+class Shelved(Memory):
+    """Keeps SBOMs beside the images of a registry in memory."""
+
+    def __init__(self, registry: Any) -> None:
+        super().__init__()
+        self.registry = registry
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.registry, name)
+
+    def manifest(self, repository: str, reference: str) -> Any:
+        known = [item for items in self.attached.values() for item in items if item.digest == reference]
+        return known[0] if known else self.registry.manifest(repository, reference)
+
+    def blob(self, repository: str, digest: str) -> bytes:
+        return self.blobs.get(digest) or bytes(self.registry.blob(repository, digest))
+
+
+@pytest.fixture
+def catalogue(tmp_path: Path) -> Catalogue:
+    project = copy(tmp_path / "project")
+    found = parse(TEXT.replace("components: [core, base]", "components: [core]"))
+    write_locks(project, found)
+    return expand.with_locks(found, expand.current_locks(found, project))
+
+
+@pytest.fixture
+def registry(catalogue: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
+    found = place(tmp_path / "project", services(tmp_path / "project"), monkeypatch)
+    found.publish(catalogue, only=["alpha-core"])
+    return found
+
+
+@pytest.fixture
+def run(registry: Place, catalogue: Catalogue) -> Callable[[], Run]:
+    return lambda: registry.run(catalogue, date=NEXT, only=["alpha-core"])
+
+
+def sbom(digest: str) -> Sbom:
+    purl = f"pkg:oci/ros@{digest.replace(':', '%3A')}"
+    document = {"bomFormat": "CycloneDX", "components": [], "metadata": {"component": {"purl": purl}}}
+    return Sbom(json.dumps(document).encode())
+
+
+def scan(found: Run, file: Path, outcome: str = "clean") -> str:
+    """Does what a scan does with the registry: an SBOM, and an entry."""
+    reader = handover.Reader(found.registry)
+    found.registry = reader
+    entry = found.agenda.known[CORE]
+    Shelf(reader, "trivy 1").store(f"{PREFIX}/ros", entry.digest, sbom(entry.digest))
+    changed = ledger.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
+    assert changed
+    found._write(found.agenda.by_key[CORE], changed)
+    reader.write(file, found.agenda.date)
+    return entry.digest
+
+
+def test_a_scan_writes_nothing_and_a_record_what_it_found(
+    run: Callable[[], Run], registry: Place, tmp_path: Path
+) -> None:
+    before = registry.registry.writes
+    digest = scan(run(), tmp_path / "scan.json")
+    assert registry.registry.writes == before
+    found = run()
+    assert found.agenda.known[CORE].scanned == ""
+    found.registry = shelved = Shelved(found.registry)
+    handover.record(found, tmp_path / "scan.json")
+    entry = run().agenda.known[CORE]
+    assert (entry.scanned, entry.scan, entry.digest) == ("clean", {"policy": "sha256:1"}, digest)
+    assert entry.passed == 5, "tests are no business of a scan"
+    kept = Shelf(shelved, "trivy 1").load(f"{PREFIX}/ros", digest)
+    assert kept and kept.content == sbom(digest).content
+    handover.record(found, tmp_path / "scan.json")
+    assert len(shelved.attached) == 1 == len(next(iter(shelved.attached.values())))
+
+
+def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp_path: Path) -> None:
+    scan(run(), tmp_path / "scan.json")
+    found = run()
+    found.registry = Shelved(found.registry)
+    entry = found.agenda.known[CORE]
+    found.agenda.known[CORE] = entry.made(f"sha256:{'7' * 64}")
+    handover.record(found, tmp_path / "scan.json")
+    assert run().agenda.known[CORE].scanned == ""
+    assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was made anew since it was scanned")]
+
+
+@pytest.mark.parametrize("work", ["put_manifest", "tag", "delete", "mount", "copy_blob"])
+def test_a_scan_does_nothing_else(run: Callable[[], Run], work: str) -> None:
+    reader = handover.Reader(run().registry)
+    with pytest.raises((AttributeError, KeyError)):
+        getattr(reader, work)(f"{PREFIX}/ros", "latest", {"annotations": {}}, "m")
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"version": 2},
+        {"entries": [{"target": "alpha-core", "architecture": "amd64", "digest": "x", "scanned": "clean"}]},
+        {"entries": [{"target": "a", "architecture": "b", "digest": f"sha256:{'1' * 64}", "scanned": "fine"}]},
+        {"entries": [{"target": "a", "architecture": "b", "digest": f"sha256:{'1' * 64}", "scanned": "clean", "x": 1}]},
+        {"sboms": [{"repository": "elsewhere/ros"}]},
+        {"sboms": [{"digest": f"sha256:{'1' * 64}"}]},
+        {"sboms": [{"content": "{}"}]},
+        {"sboms": [{"digest": "latest"}]},
+    ],
+)
+def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: Path, change: dict[str, Any]) -> None:
+    """All of it is refused: it comes from a job that nobody trusts with the registry."""
+    file = tmp_path / "scan.json"
+    scan(run(), file)
+    content = json.loads(file.read_text())
+    if "sboms" in change:
+        change = {"sboms": [content["sboms"][0] | change["sboms"][0]]}
+    file.write_text(json.dumps(content | change))
+    found = run()
+    with pytest.raises(RosmlError, match="holds no results of a scan") as caught:
+        handover.record(found, file)
+    assert caught.value.exit_code == 2
+    assert run().agenda.known[CORE].scanned == ""

@@ -1,0 +1,518 @@
+"""The registry client, against a registry in this process that goes wrong: what is tried again, what is not, and what is
+said. Against the real one: tests/e2e/test_compose.py."""
+
+from __future__ import annotations
+
+import base64
+import json
+import logging
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import pytest
+from registry_stand_in import DROP, StandIn, standing_in
+from stubs import executable
+
+from rosml import oci
+from rosml.credentials import DOCKER_HUB, Credentials, from_docker
+from rosml.errors import RosmlError
+from rosml.oci import Registry, parse
+
+NAME, SECRET = "somebody", "s3cret-Pass"
+MANIFEST = {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []}
+TYPE = "application/vnd.example.v1"
+
+
+@pytest.fixture(autouse=True)
+def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(oci, "WAIT", 0.001)
+    monkeypatch.setattr(oci, "LONGEST_WAIT", 0.01)
+    monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
+    monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
+
+
+@pytest.fixture
+def server() -> Iterator[StandIn]:
+    with standing_in() as found:
+        yield found
+
+
+@pytest.fixture
+def registry(server: StandIn) -> Iterator[Registry]:
+    with Registry(server.address) as found:
+        yield found
+
+
+def docker_config(tmp_path: Path, **content: Any) -> None:
+    (tmp_path / "docker").mkdir(exist_ok=True)
+    (tmp_path / "docker" / "config.json").write_text(json.dumps(content))
+
+
+def auth(name: str = NAME, secret: str = SECRET) -> dict[str, str]:
+    return {"auth": base64.b64encode(f"{name}:{secret}".encode()).decode()}
+
+
+# ---- References ------------------------------------------------------------------------------------------------------
+
+DIGEST = "sha256:" + "1" * 64
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        ("ghcr.io/me/ros:jazzy-base", ("ghcr.io", "me/ros", "jazzy-base")),
+        ("localhost/ros", ("localhost", "ros", "latest")),
+        ("127.0.0.1:5000/a/b/c_d:T.1", ("127.0.0.1:5000", "a/b/c_d", "T.1")),
+        (f"[::1]:5000/ros:x@{DIGEST}", ("[::1]:5000", "ros", DIGEST)),
+        (f"docker.io/library/ubuntu@{DIGEST}", ("docker.io", "library/ubuntu", DIGEST)),
+    ],
+)
+def test_references(text: str, parts: tuple[str, str, str]) -> None:
+    assert parse(text) == parts
+    assert parse(str(parse(text))) == parts
+
+
+@pytest.mark.parametrize(
+    "text", ["", "ros", "me/ros:x", "ghcr.io/", "ghcr.io/ME/ros", "ghcr.io/ros:", "ghcr.io/ros@sha256:12", "a.b/c:d:e", "a.b/c/../d"]
+)  # fmt: skip
+def test_what_is_no_reference(text: str) -> None:
+    with pytest.raises(RosmlError, match="no reference") as caught:
+        parse(text)
+    assert caught.value.exit_code == 2
+    assert "ghcr.io/me/ros:jazzy-base" in caught.value.remedy
+
+
+@pytest.mark.parametrize(("host", "scheme"), [("127.0.0.1:1", "http"), ("localhost", "http"), ("[::1]:1", "http"),
+                                              ("ghcr.io", "https"), ("127.example.org:5000", "https")])  # fmt: skip
+def test_plain_http_is_for_this_machine(host: str, scheme: str) -> None:
+    assert Registry(host)._base.scheme == scheme
+    assert Registry(host, plain=scheme == "https")._base.scheme != scheme
+
+
+# ---- What it does ----------------------------------------------------------------------------------------------------
+
+
+def test_manifests_and_tags(server: StandIn, registry: Registry) -> None:
+    digest = registry.put_manifest("a/b", "", MANIFEST)
+    assert registry.tags("a/b") == []
+    assert registry.manifest("a/b", "one") is None
+    assert registry.head("a/b", "one") == ""
+    registry.tag("a/b", digest, "one")
+    found = registry.manifest("a/b", "one")
+    assert found == oci.Manifest(MANIFEST, digest, oci.IMAGE, len(oci.encoded(MANIFEST)))
+    assert registry.head("a/b", "one") == digest
+    registry.delete("a/b", digest)
+    registry.delete("a/b", digest)
+    assert registry.manifest("a/b", digest) is None
+    with pytest.raises(RosmlError, match="no tag can point at it"):
+        registry.tag("a/b", digest, "two")
+
+
+def test_same_content_same_digest(registry: Registry) -> None:
+    turned = dict(reversed(MANIFEST.items()))
+    assert registry.put_manifest("a", "x", MANIFEST) == registry.put_manifest("a", "y", turned)
+
+
+def test_tags_come_in_pages(server: StandIn, registry: Registry) -> None:
+    server.page = 7
+    server.tags["a"] = {f"t{number:03}": "d" for number in range(50)}
+    assert registry.tags("a") == sorted(server.tags["a"])
+    assert server.count("tags/list") == 8
+
+
+def test_blobs(server: StandIn, registry: Registry) -> None:
+    digest = registry.put_blob("a", b"hello")
+    assert registry.blob("a", digest) == b"hello"
+    assert (registry.has_blob("a", digest), registry.has_blob("b", digest)) == (True, False)
+    registry.put_blob("a", b"hello")
+    assert server.count("^PUT") == 1, "what is there is not sent again"
+    assert registry.uploaded == 5
+
+
+def test_mount(server: StandIn, registry: Registry) -> None:
+    digest = registry.put_blob("a", b"hello")
+    assert registry.mount("b", digest, "a")
+    assert registry.has_blob("b", digest)
+    server.mounts = False
+    assert not registry.mount("c", digest, "a")
+    assert server.aborted == 1, "the upload that was begun instead is ended"
+    assert registry.uploaded == 5
+
+
+def test_copy_from_another_registry(registry: Registry) -> None:
+    data = bytes(range(256)) * 20_000
+    with standing_in() as other, Registry(other.address) as source:
+        digest = source.put_blob("far/away", data)
+        other.fault("GET", "/blobs/", 503)
+        other.fault("GET", "/blobs/", DROP)
+        registry.copy_blob("here", digest, len(data), source, "far/away")
+        assert registry.blob("here", digest) == data
+
+
+def test_copy_of_a_damaged_blob(server: StandIn, registry: Registry) -> None:
+    with standing_in() as other, Registry(other.address) as source:
+        digest = source.put_blob("a", b"hello")
+        other.blobs["a", digest] = b"jello"
+        with pytest.raises(RosmlError, match="has another digest"):
+            registry.copy_blob("here", digest, 5, source, "a")
+    assert not server.blobs
+
+
+def described(registry: Registry) -> dict[str, Any]:
+    """Puts a manifest; gives its descriptor."""
+    registry.put_manifest("a", "x", MANIFEST)
+    return oci.descriptor(oci.IMAGE, oci.encoded(MANIFEST))
+
+
+@pytest.mark.parametrize("api", [True, False])
+def test_referrers(server: StandIn, registry: Registry, api: bool) -> None:
+    server.referrers = api
+    subject = described(registry)
+    assert registry.referrers("a", subject["digest"]) == []
+    first = registry.attach("a", subject, TYPE, b"one", "text/plain", {"k": "v"})
+    second = registry.attach("a", subject, "application/other", b"two", "text/plain")
+    assert registry.attach("a", subject, TYPE, b"one", "text/plain", {"k": "v"}) == first, "the same again is the same"
+    assert [entry["digest"] for entry in registry.referrers("a", subject["digest"])] == [first, second]
+    (entry,) = registry.referrers("a", subject["digest"], TYPE)
+    assert (entry["digest"], entry["artifactType"]) == (first, TYPE)
+    manifest = registry.manifest("a", first)
+    assert manifest is not None
+    assert registry.blob("a", manifest.content["layers"][0]["digest"]) == b"one"
+    assert server.tags["a"].keys() == ({"x"} if api else {"x", subject["digest"].replace(":", "-")})
+
+
+@pytest.mark.parametrize("api", [False, True], ids=["tag", "api"])
+def test_what_is_attached_can_go(server: StandIn, registry: Registry, api: bool) -> None:
+    """By itself, also from the list that stands in for the API; or with what it is attached to."""
+    server.referrers = api
+    subject: dict[str, Any] = {"mediaType": oci.IMAGE, "digest": registry.put_manifest("a", "", MANIFEST), "size": 1}
+    before = server.manifests["a", subject["digest"]]
+    first, second = (registry.attach("a", subject, TYPE, data, "text/plain") for data in (b"one", b"two"))
+    assert server.manifests["a", subject["digest"]] == before, "the manifest itself changed"
+    registry.detach("a", subject["digest"], first)
+    assert [entry["digest"] for entry in registry.referrers("a", subject["digest"])] == [second]
+    assert registry.manifest("a", first) is None and registry.manifest("a", second) is not None
+    registry.forget("a", subject["digest"])
+    assert registry.tags("a") == [], "the list of what was attached to a manifest that is gone"
+    registry.forget("a", subject["digest"])
+
+
+def test_many_attach_at_once(registry: Registry) -> None:
+    subject = described(registry)
+    with ThreadPoolExecutor(8) as pool:
+        made = list(pool.map(lambda n: registry.attach("a", subject, TYPE, b"%d" % n, "text/plain"), range(24)))
+    assert {entry["digest"] for entry in registry.referrers("a", subject["digest"])} == set(made)
+    assert len(set(made)) == 24
+
+
+# ---- What goes wrong -------------------------------------------------------------------------------------------------
+
+FAULTS: list[int | str] = [429, 500, 502, 503, 504, DROP]
+
+
+@pytest.mark.parametrize("kind", FAULTS)
+def test_what_fails_for_a_moment_is_tried_again(server: StandIn, registry: Registry, kind: int | str) -> None:
+    registry.tags("a")  # it was reached
+    for method, path in (("GET", "/manifests/"), ("HEAD", "/manifests/"), ("PUT", "/manifests/"), ("GET", "/tags/"),
+                         ("POST", "/uploads/"), ("PUT", "/uploads/"), ("HEAD", "/blobs/"), ("GET", "/blobs/"),
+                         ("DELETE", "/manifests/")):  # fmt: skip
+        server.fault(method, path, kind, 3)
+    digest = registry.put_manifest("a", "x", MANIFEST)
+    assert registry.head("a", "x") == digest
+    assert registry.manifest("a", "x") is not None
+    assert registry.tags("a") == ["x"]
+    assert registry.blob("a", registry.put_blob("a", b"hello")) == b"hello"
+    registry.delete("a", digest)
+    assert not any(fault.times for fault in server.faults)
+
+
+@pytest.mark.parametrize("kind", FAULTS)
+def test_what_stays_wrong_is_an_error(server: StandIn, registry: Registry, kind: int | str) -> None:
+    registry.tags("a")
+    server.fault("GET", "/manifests/", kind, 1000)
+    with pytest.raises(RosmlError) as caught:
+        registry.manifest("a", "x")
+    assert server.address in caught.value.message
+    assert "/v2/a/manifests/x" in caught.value.message
+    assert "run it again" in caught.value.remedy
+    assert server.count("manifests") == oci.ATTEMPTS
+
+
+def test_a_registry_that_is_not_there_is_told_soon() -> None:
+    with pytest.raises(RosmlError, match=r"127\.0\.0\.1:1: GET .*refused") as caught:
+        Registry("127.0.0.1:1").manifest("a", "x")
+    assert "check its name" in caught.value.remedy
+
+
+def test_a_connection_that_drops_at_once_is_no_wrong_name(server: StandIn, registry: Registry) -> None:
+    server.fault("GET", "/manifests/", DROP, oci.ATTEMPTS - 1)
+    assert registry.manifest("a", "x") is None
+
+
+def test_retry_after(server: StandIn, registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It waits as long as the registry asks for, but no day."""
+    monkeypatch.setattr(oci, "LONGEST_WAIT", 1.2)
+    for asked, waited in (("1", 1.0), ("86400", 1.2), ("Sat, 01 Jan 2050 00:00:00 GMT", 1.2), ("soon", 0.0)):
+        server.fault("GET", "/tags/", 429, headers={"Retry-After": asked})
+        started = time.monotonic()
+        registry.tags("a")
+        assert waited <= time.monotonic() - started < waited + 0.8
+
+
+def test_a_blob_that_has_another_digest(server: StandIn, registry: Registry) -> None:
+    digest = registry.put_blob("a", b"hello")
+    server.blobs["a", digest] = b"jello"
+    with pytest.raises(RosmlError, match=f"{digest} has another digest") as caught:
+        registry.blob("a", digest)
+    assert "damaged" in caught.value.remedy
+
+
+def test_a_manifest_that_has_another_digest(server: StandIn, registry: Registry) -> None:
+    digest = registry.put_manifest("a", "x", MANIFEST)
+    server.manifests["a", digest] = (oci.IMAGE, b"{}")
+    with pytest.raises(RosmlError, match="has another digest"):
+        registry.manifest("a", digest)
+    with pytest.raises(RosmlError, match="has another digest"):
+        registry.tag("a", digest, "y")
+    assert "y" not in server.tags["a"]
+
+
+@pytest.mark.parametrize("body", [b"[]", b"<html>", b"null"])
+def test_an_answer_that_is_no_object(server: StandIn, registry: Registry, body: bytes) -> None:
+    server.fault("GET", "/manifests/", 200, body=body)
+    with pytest.raises(RosmlError, match="is no JSON object"):
+        registry.manifest("a", "x")
+
+
+def test_a_registry_says_why(server: StandIn, registry: Registry) -> None:
+    server.fault("PUT", "/manifests/", 400, body=b'{"errors": [{"code": "X", "message": "blob unknown"}]}')
+    with pytest.raises(RosmlError, match=r"PUT /v2/a/manifests/x: 400 \(blob unknown\)"):
+        registry.put_manifest("a", "x", MANIFEST)
+    with pytest.raises(RosmlError, match=r"/v2/a/blobs/sha256:1.*: 404"):
+        registry.blob("a", DIGEST)
+
+
+def test_a_registry_that_deletes_nothing(server: StandIn, registry: Registry) -> None:
+    server.fault("DELETE", "/manifests/", 405)
+    with pytest.raises(RosmlError, match="deletes nothing"):
+        registry.delete("a", "x")
+
+
+def test_threads_share_a_registry(server: StandIn, registry: Registry) -> None:
+    for path in ("/blobs/", "/uploads/"):
+        server.fault("HEAD", path, DROP, 5)
+        server.fault("PUT", path, 503, 5)
+    with ThreadPoolExecutor(16) as pool:
+        digests = list(pool.map(lambda n: registry.put_blob("a", b"%d" % n), range(200)))
+    assert [server.blobs["a", digest] for digest in digests] == [b"%d" % n for n in range(200)]
+
+
+# ---- Who asks --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("bearer", [True, False])
+def test_docker_login(server: StandIn, registry: Registry, tmp_path: Path, bearer: bool) -> None:
+    server.users, server.bearer = {NAME: SECRET}, bearer
+    docker_config(tmp_path, auths={f"http://{server.address}/v1/": auth()})
+    registry.put_blob("a", b"hello")
+    assert registry.mount("b", oci.digest_of(b"hello"), "a")
+    if bearer:
+        assert "repository:a:pull repository:b:pull,push" in server.tokens.values(), (
+            "a mount reads the other repository"
+        )
+        assert server.count("/token") == 3, "one for reading, one for writing, one for the mount"
+    else:
+        assert server.count("^HEAD") == 2, "who asks is said without being asked again"
+        assert server.count("^POST") == 2
+
+
+def test_anybody_gets_a_token_to_read(server: StandIn, registry: Registry) -> None:
+    server.bearer = True
+    assert registry.manifest("a", "x") is None
+    assert list(server.tokens.values()) == ["repository:a:pull"]
+
+
+def test_threads_share_a_token(server: StandIn, registry: Registry) -> None:
+    server.bearer = True
+    with ThreadPoolExecutor(16) as pool:
+        list(pool.map(lambda _: registry.head("a", "x"), range(64)))
+    assert len(server.tokens) <= 16
+
+
+def test_a_token_that_ended_is_replaced(server: StandIn, registry: Registry) -> None:
+    server.bearer = True
+    registry.head("a", "x")
+    server.tokens.clear()
+    server.tokens["another"] = ""  # the next one has another name
+    registry.head("a", "x")
+    registry.put_blob("a", b"hello")
+
+
+def test_identity_token(server: StandIn, registry: Registry, tmp_path: Path) -> None:
+    server.users, server.bearer, server.identity_token = {NAME: "x"}, True, SECRET
+    docker_config(tmp_path, auths={server.address: {"identitytoken": SECRET}})
+    assert registry.head("a", "x") == ""
+    assert list(server.tokens.values()) == ["repository:a:pull"]
+
+
+def helper(folder: Path, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+    """A credential helper named `stand-in`."""
+    (folder / "bin").mkdir(exist_ok=True)
+    executable(folder / "bin" / "docker-credential-stand-in", text)
+    monkeypatch.setenv("PATH", f"{folder / 'bin'}:/usr/bin:/bin")
+
+
+ANSWERS = f'test "$1" = get || exit 1; read -r server; echo "$server" >>"$0.asked"; echo \'{{"Username": "{NAME}", "Secret": "{SECRET}"}}\''
+
+
+@pytest.mark.parametrize("key", ["credHelpers", "credsStore"])
+def test_credential_helper(
+    server: StandIn, registry: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, key: str
+) -> None:
+    server.users = {NAME: SECRET}
+    docker_config(tmp_path, **{key: {server.address: "stand-in"} if key == "credHelpers" else "stand-in"})
+    helper(tmp_path, monkeypatch, ANSWERS)
+    registry.put_blob("a", b"hello")
+    assert (tmp_path / "bin/docker-credential-stand-in.asked").read_text() == f"{server.address}\n", "asked once"
+
+
+def test_helper_for_identity_tokens_and_for_docker_hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    docker_config(tmp_path, credsStore="stand-in", auths={"ghcr.io": auth()})
+    helper(tmp_path, monkeypatch, ANSWERS.replace(NAME, "<token>"))
+    assert from_docker(DOCKER_HUB) == Credentials(identity_token=SECRET)
+    assert (tmp_path / "bin/docker-credential-stand-in.asked").read_text() == "https://index.docker.io/v1/\n"
+    helper(tmp_path, monkeypatch, "echo 'credentials not found'; exit 1")
+    assert from_docker("ghcr.io") == Credentials(NAME, SECRET), "what the helper lacks may be in the file"
+    assert from_docker("quay.io") is None
+
+
+def test_helpers_that_fail(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    docker_config(tmp_path, credHelpers={"ghcr.io": "stand-in"})
+    with pytest.raises(RosmlError, match=r"docker-credential-stand-in, .* for ghcr.io: No such file") as caught:
+        from_docker("ghcr.io")
+    assert "docker login ghcr.io" in caught.value.remedy
+    helper(tmp_path, monkeypatch, f"echo {SECRET}")
+    with pytest.raises(RosmlError, match="does not answer as credential helpers do") as caught:
+        from_docker("ghcr.io")
+    assert SECRET not in caught.value.message
+
+
+@pytest.mark.parametrize("name", ["stand-in", "a\0b"])
+def test_a_helper_that_says_no_text(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """What cannot be decoded would be shown with what stands before it."""
+    docker_config(tmp_path, credHelpers={"ghcr.io": name})
+    helper(tmp_path, monkeypatch, f"printf '{SECRET}\\377'")
+    with pytest.raises(RosmlError) as caught:
+        from_docker("ghcr.io")
+    assert SECRET not in caught.value.message
+
+
+def test_a_user_without_a_home(monkeypatch: pytest.MonkeyPatch) -> None:
+    def home() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.delenv("DOCKER_CONFIG", raising=False)
+    monkeypatch.setattr(Path, "home", home)
+    assert from_docker("ghcr.io") is None
+
+
+def test_the_environment_counts_more_than_the_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    docker_config(tmp_path, auths={"ghcr.io": auth("other"), "quay.io": auth()}, credHelpers={"ghcr.io": "nowhere"})
+    monkeypatch.setenv("DOCKER_AUTH_CONFIG", json.dumps({"auths": {"ghcr.io": auth()}}))
+    assert from_docker("ghcr.io") == Credentials(NAME, SECRET)
+    assert from_docker("quay.io") == Credentials(NAME, SECRET), "what the variable lacks may be in the file"
+    monkeypatch.setenv("DOCKER_AUTH_CONFIG", json.dumps({"auths": {"https://index.docker.io/v1/": auth()}}))
+    assert from_docker(DOCKER_HUB) == Credentials(NAME, SECRET)
+
+
+@pytest.mark.parametrize("text", [SECRET, f'["{SECRET}"]', f'{{"auths": {{"ghcr.io": {{"auth": "{SECRET}%"}}}}}}'])
+def test_a_damaged_variable_is_not_shown(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+    monkeypatch.setenv("DOCKER_AUTH_CONFIG", text)
+    with pytest.raises(RosmlError, match="DOCKER_AUTH_CONFIG") as caught:
+        from_docker("ghcr.io")
+    assert SECRET not in caught.value.message + caught.value.remedy
+
+
+@pytest.mark.parametrize(
+    "text", ["{", "[]", '{"auths": {"ghcr.io": {"auth": "%%%"}}}', '{"auths": {"ghcr.io": {"auth": "YWJj"}}}']
+)
+def test_damaged_config(tmp_path: Path, text: str) -> None:
+    docker_config(tmp_path)
+    (tmp_path / "docker" / "config.json").write_text(text)
+    with pytest.raises(RosmlError, match=r"config\.json") as caught:
+        from_docker("ghcr.io")
+    assert "docker login" in caught.value.remedy or "log in" in caught.value.remedy
+
+
+@pytest.mark.parametrize("bearer", [True, False])
+@pytest.mark.parametrize("known", [True, False])
+def test_denied(server: StandIn, registry: Registry, tmp_path: Path, bearer: bool, known: bool) -> None:
+    server.users, server.bearer = {NAME: "another"}, bearer
+    if known:
+        docker_config(tmp_path, auths={server.address: auth()})
+    with pytest.raises(RosmlError) as caught:
+        registry.put_blob("a", b"hello")
+    assert f"docker login {server.address}" in caught.value.remedy
+    assert ("with the account" if known else "without an account") in caught.value.message
+
+
+def test_forbidden(server: StandIn, registry: Registry) -> None:
+    server.fault("POST", "/uploads/", 403)
+    with pytest.raises(RosmlError, match=r"push to a without an account .*403"):
+        registry.put_blob("a", b"hello")
+
+
+def test_no_password_goes_elsewhere(server: StandIn, registry: Registry, tmp_path: Path) -> None:
+    """Uploads and blobs may be on another host, as storage is: it is not told who asks."""
+    server.users = {NAME: SECRET}
+    docker_config(tmp_path, auths={server.address: auth()})
+    digest = registry.put_blob("a", b"hello")
+    with standing_in() as storage:
+        storage.blobs["a", digest] = b"hello"
+        there = f"http://{storage.address}/v2/a/blobs/"
+        server.fault("GET", "/blobs/", 307, headers={"Location": there + digest})
+        assert registry.blob("a", digest) == b"hello"
+        server.fault("POST", "/uploads/", 202, headers={"Location": there + "uploads/1?_state=s%3D"})
+        assert oci.digest_of(b"more") == registry.put_blob("a", b"more")
+        assert len(storage.headers) == 2
+        assert not any("authorization" in headers for headers in storage.headers)
+
+
+def test_no_password_in_the_clear(server: StandIn) -> None:
+    found = Registry("registry.example.org", credentials=lambda _: Credentials(NAME, SECRET))
+    found._challenge = oci._Challenge(True, "http://registry.example.org/token", "", frozenset())
+    with pytest.raises(RosmlError, match="in the clear"):
+        found._authorization(frozenset(), "")
+
+
+@pytest.mark.parametrize("bearer", [True, False])
+def test_nothing_secret_is_said(
+    server: StandIn, registry: Registry, tmp_path: Path, caplog: pytest.LogCaptureFixture, bearer: bool
+) -> None:
+    caplog.set_level(logging.DEBUG)
+    logging.getLogger("httpcore").setLevel(logging.INFO)  # which nobody switches on by accident
+    server.users, server.bearer = {NAME: SECRET}, bearer
+    docker_config(tmp_path, auths={server.address: auth()})
+    registry.put_blob("a", b"hello")
+    texts = [repr(registry), repr(registry._credentials), repr(vars(registry._credentials)), caplog.text]
+    for fault in (DROP, 500, 403, 404):
+        server.fault("PUT", "/uploads/", fault, 1000)
+        with pytest.raises(RosmlError) as caught:
+            registry.put_blob("a", b"%r" % fault)
+        texts += [caught.value.message, caught.value.remedy, repr(caught.value), caplog.text]
+        server.faults.clear()
+    del texts[2]  # vars() has them: it shows that the rest was looked at for the right words
+    for text in texts:
+        for word in (SECRET, auth()["auth"], "token-", "_state"):
+            assert word not in text
+
+
+def test_whether_one_may_push_is_asked_and_leaves_nothing(server: StandIn, registry: Registry) -> None:
+    registry.may_push("a")
+    assert (server.uploads, server.aborted, server.blobs) == (1, 1, {})
+    server.users = {NAME: SECRET}
+    with pytest.raises(RosmlError, match="without an account"):
+        registry.may_push("a")

@@ -1,0 +1,694 @@
+"""A publishing run: what is done, what is left alone, and that no tag points at what is untested, partial or older."""
+
+from __future__ import annotations
+
+import shutil
+import threading
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import SMALL, parse, write_locks
+from memory_registry import DAY, HOST, LATER, NEXT, PREFIX, Killed, MemoryRegistry, Pen, Place, Run, place
+from stubs import services
+from test_inputs import copy
+
+from rosml import agenda, expand, ledger, pipeline, promote, standing
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.inputs import Inputs
+
+TEXT = SMALL.replace("components: [core, base, desktop]", "components: [core, base]")
+BASE = "alpha-base-torch-cu1"
+
+
+@pytest.fixture(scope="module")
+def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return copy(tmp_path_factory.mktemp("sources") / "project")
+
+
+@pytest.fixture
+def project(tmp_path: Path, sources: Path) -> Path:
+    shutil.copytree(sources, tmp_path / "project")
+    return tmp_path / "project"
+
+
+@pytest.fixture
+def catalogue(project: Path) -> Catalogue:
+    found = parse(TEXT)
+    write_locks(project, found)
+    return expand.with_locks(found, expand.current_locks(found, project))
+
+
+@pytest.fixture
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
+    return place(project, services(project), monkeypatch)
+
+
+def steps(run: Run, step: str) -> set[tuple[str, str]]:
+    return {(target, architecture) for name, target, architecture in run.made if name == step}
+
+
+def waiting(run: Run, target: str) -> list[str]:
+    return [outcome.reason for outcome in run.outcomes if outcome.target == target and outcome.state == "waits"]
+
+
+def test_everything_is_published_once(registry: Place, catalogue: Catalogue) -> None:
+    run = registry.publish(catalogue)
+    assert not run.failed
+    registry.check(catalogue)
+    assert registry.tagged("ros").keys() >= {"alpha-core", "alpha-core-20261122", "alpha", "latest", "omega-base"}
+    assert registry.tagged("ros-torch").keys() >= {"alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "alpha", "latest"}
+    assert registry.tagged("payload").keys() >= {"torch-cu1-py312", "cuda-cu1", "torch-cpu-py314"}
+    assert len({registry.tagged("ros-torch")[name] for name in ("alpha-base-cu1", "alpha", "latest")}) == 1
+    before = registry.registry.writes
+    again = registry.publish(catalogue, date=NEXT)
+    assert (again.made, again.outcomes, registry.registry.writes) == ([], [], before)
+
+
+def test_a_change_makes_anew_what_it_reaches_and_nothing_else(
+    registry: Place, catalogue: Catalogue, project: Path
+) -> None:
+    registry.publish(catalogue)
+    before = registry.tagged("ros")
+    script = project / "components/torch/files.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    run = registry.publish(catalogue, date=NEXT)
+    assert steps(run, "build") == {
+        (payload.target, name)
+        for payload in catalogue.payloads
+        if payload.part == "torch"
+        for name in payload.architectures
+    }
+    assert {target for target, _ in steps(run, "compose")} == {
+        image.target for image in catalogue.images if "torch" in image.versions
+    }
+    assert registry.tagged("ros") == before
+    assert f"{BASE.replace('-torch', '')}-20261123" in registry.tagged("ros-torch")
+    registry.check(catalogue)
+
+
+def test_a_changed_test_runs_again_and_builds_nothing(registry: Place, catalogue: Catalogue, project: Path) -> None:
+    registry.publish(catalogue)
+    tags = registry.tagged("ros-torch")
+    test = project / "tests/structure/torch.yaml"
+    test.write_text(test.read_text() + "# another\n")
+    run = registry.publish(catalogue, date=NEXT)
+    assert steps(run, "build") == steps(run, "compose") == set()
+    assert steps(run, "test") >= {(BASE, "amd64")}
+    assert registry.tagged("ros-torch") == tags
+
+
+def test_packages_that_moved_are_installed_anew(registry: Place, catalogue: Catalogue) -> None:
+    """Where they turn out to be the same ones, nothing else happens."""
+    registry.publish(catalogue)
+    tags = registry.tagged("ros"), registry.tagged("ros-torch")
+    registry.upstream["alpha"] = "tuesday"
+    run = registry.publish(catalogue, date=NEXT)
+    assert {target for target, _ in steps(run, "build")} == {"alpha-core", "alpha-base"}
+    assert steps(run, "compose") == steps(run, "test") == set()
+    assert (registry.tagged("ros"), registry.tagged("ros-torch")) == tags
+    registry.upstream["alpha"] = "wednesday"
+    run = registry.publish(catalogue, date=NEXT, packages="2")
+    assert {target for target, _ in steps(run, "compose")} == {
+        image.target for image in catalogue.images if image.distribution == "alpha" and image.stack
+    }
+    assert registry.tagged("ros")["alpha-core"] != tags[0]["alpha-core"]
+    assert registry.tagged("ros")["omega-core"] == tags[0]["omega-core"]
+    registry.check(catalogue)
+
+
+def test_repositories_that_do_not_answer_change_nothing(registry: Place, catalogue: Catalogue) -> None:
+    registry.publish(catalogue)
+    registry.upstream["alpha"] = "down"
+    run = registry.publish(catalogue, date=NEXT)
+    assert run.made == []
+    assert any("alpha" in remark and "does not answer" in remark for remark in run.agenda.remarks)
+
+
+def test_a_poisoned_image_keeps_its_tags_and_stops_nobody_else(
+    registry: Place, catalogue: Catalogue, project: Path
+) -> None:
+    registry.publish(catalogue)
+    before = registry.tagged("ros-torch")
+    for name in ("torch", "ros"):
+        for script in sorted((project / f"components/{name}").glob("*.sh")):
+            script.write_text(script.read_text() + "# a change\n")
+    run = registry.publish(catalogue, date=NEXT, packages="2", poisoned={BASE})
+    assert run.failed
+    after = registry.tagged("ros-torch")
+    mine = {name for name in before if name.startswith("alpha-base") or name in ("alpha", "latest")}
+    assert {name: after[name] for name in mine if "-cpu" not in name} == {
+        name: before[name] for name in mine if "-cpu" not in name
+    }
+    assert after["alpha-core-cu1"] != before["alpha-core-cu1"]
+    assert any("tests failed" in reason for reason in waiting(run, BASE))
+    mended = registry.publish(catalogue, date=NEXT, packages="2")
+    assert mended.made == [("test", BASE, "amd64")]
+    assert registry.tagged("ros-torch")["latest"] != before["latest"]
+    registry.check(catalogue)
+
+
+def test_a_build_that_fails_is_told_with_what_waits_for_it(registry: Place, catalogue: Catalogue) -> None:
+    run = registry.publish(catalogue, broken={"alpha-base"})
+    assert run.failed
+    assert "alpha-base" not in registry.tagged("ros") and "alpha-core" in registry.tagged("ros")
+    assert any("alpha-base" in reason for reason in waiting(run, BASE))
+    entry = ledger.Ledger(registry.registry, PREFIX).read("alpha-base", "amd64")
+    assert entry and entry.failed["step"] == "build" and not entry.digest
+    done = set(run.made)
+    mended = registry.publish(catalogue)
+    assert not mended.failed
+    assert not done & set(mended.made)
+
+
+def test_an_index_waits_for_all_architectures(registry: Place, catalogue: Catalogue) -> None:
+    first = registry.publish(catalogue, architectures=("amd64",))
+    assert "alpha-core" not in registry.tagged("ros")
+    assert "alpha-base-cu1" in registry.tagged("ros-torch"), "it is for amd64 alone"
+    assert waiting(first, "alpha-core")
+    second = registry.publish(catalogue, architectures=("arm64",), date=NEXT)
+    assert not [key for key in second.made if key in first.made]
+    assert "alpha-core" in registry.tagged("ros")
+    registry.check(catalogue)
+
+
+def test_a_registry_may_serve_one_architecture(registry: Place, catalogue: Catalogue) -> None:
+    run = registry.publish(catalogue, architectures=("amd64",), serving=("amd64",))
+    assert not run.failed
+    assert "alpha-core" in registry.tagged("ros") and "latest" in registry.tagged("ros")
+
+
+def test_a_tag_never_loses_an_architecture(registry: Place, catalogue: Catalogue, project: Path) -> None:
+    registry.publish(catalogue)
+    before = registry.tagged("ros")
+    script = project / "components/ros/install.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    run = registry.publish(catalogue, architectures=("amd64",), serving=("amd64",), date=NEXT, packages="2")
+    assert registry.tagged("ros")["alpha-core"] == before["alpha-core"]
+    assert any("would lose arm64" in reason for reason in waiting(run, "alpha-core"))
+
+
+def test_a_tag_never_moves_to_something_older(registry: Place, catalogue: Catalogue, project: Path) -> None:
+    registry.publish(catalogue, date=NEXT)
+    before = registry.tagged("ros")
+    script = project / "components/ros/install.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    run = registry.publish(catalogue, date=DAY, packages="2")
+    assert registry.tagged("ros")["latest"] == before["latest"]
+    assert any("something newer" in reason for reason in waiting(run, "alpha-base"))
+
+
+def test_one_index_has_one_content(registry: Place, catalogue: Catalogue) -> None:
+    odd = {("alpha-core", "arm64"): {"io.rosml.python": "3.10"}}
+    run = registry.publish(catalogue, odd=odd)
+    assert run.failed
+    assert "alpha-core" not in registry.tagged("ros")
+    (failed,) = [outcome for outcome in run.outcomes if outcome.state == "failed"]
+    assert "python is nothing on amd64, 3.10 on arm64" in failed.reason
+
+
+def test_a_day_has_one_date_and_its_second_tag_another_name(
+    registry: Place, catalogue: Catalogue, project: Path
+) -> None:
+    registry.publish(catalogue)
+    script = project / "components/ros/install.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    first = registry.tagged("ros")["alpha-core-20261122"]
+    registry.publish(catalogue, date=DAY.replace("03:", "05:"), packages="2")
+    tags = registry.tagged("ros")
+    assert tags["alpha-core-20261122"] == first, "a dated tag moved"
+    assert tags["alpha-core-20261122.2"] == tags["alpha-core"] != first
+
+
+def test_tags_move_from_the_lasting_ones_to_the_floating_ones(
+    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whoever pulls a floating tag finds what it spells out as well, wherever a run ends."""
+    moved: list[str] = []
+
+    def tag(services: Any, reference: str, target: str, name: str) -> None:
+        if reference.endswith("/ros-torch"):
+            moved.append(name)
+        registry.registry.tag(services, reference, target, name)
+
+    monkeypatch.setattr("rosml.registry.tag", tag)
+    registry.publish(catalogue, only=[BASE])
+    assert moved == ["alpha-base-cu1-20261122", "alpha-base-cu1-torch2.10.0", "alpha-base-cu1", "alpha", "latest"]
+
+
+def test_a_run_past_midnight_has_one_date(
+    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The clock goes on with every look at it; what the run is called does not."""
+    moment = datetime(2026, 11, 22, 23, 59, 58, tzinfo=UTC)
+    looked: list[str] = []
+
+    def clock() -> str:
+        looked.append((moment + timedelta(seconds=len(looked))).strftime(pipeline.TIME))
+        return looked[-1]
+
+    monkeypatch.setattr(pipeline, "now", clock)
+    date = clock()
+    run = registry.publish(catalogue, date=date)
+    assert date.startswith("2026-11-22") and looked[-1].startswith("2026-11-23"), "nobody looked at the clock"
+    assert {entry.date for entry in run.agenda.known.values()} == {date}
+    for repository in ("ros", "ros-torch", "payload"):
+        tags = registry.tagged(repository)
+        dated = {name for name in tags if "-2026" in name}
+        assert dated and all(name.endswith("-20261122") for name in dated)
+        for name in tags.values():
+            index = registry.registry.manifest(f"{PREFIX}/{repository}", name)
+            assert index and index.content["annotations"][pipeline.DATE] == date
+    again = registry.publish(catalogue, date=clock())
+    assert (again.made, again.outcomes) == ([], [])
+
+
+def test_undo_brings_tags_back(registry: Place, catalogue: Catalogue, project: Path) -> None:
+    registry.publish(catalogue)
+    before = registry.tagged("ros")
+    script = project / "components/ros/install.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    run = registry.publish(catalogue, date=NEXT, packages="2")
+    registry.registry.tag(registry.services, f"{HOST}/{PREFIX}/ros", before["alpha-core"], "omega-core")  # somebody's
+    promote.undo(run)
+    after = registry.tagged("ros")
+    assert after.pop("omega-core") == before["alpha-core"], "a tag that somebody else moved was moved"
+    assert after == {name: target for name, target in before.items() if name != "omega-core"}
+    held = registry.publish(catalogue, date=LATER, packages="2")
+    assert {**registry.tagged("ros"), "omega-core": ""} == {**before, "omega-core": ""}, "undone in vain"
+    assert any("moved back on 2026-11-23" in reason for reason in waiting(held, "alpha-core"))
+    script.write_text(script.read_text() + "# mended\n")
+    registry.publish(catalogue, date=LATER, packages="3")
+    assert registry.tagged("ros")["alpha-core"] not in (before["alpha-core"], "")
+    with pytest.raises(RosmlError, match="no record of a run of 2020"):
+        promote.undo(run, "2020-01-01T00:00:00Z")
+
+
+def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, catalogue: Catalogue) -> None:
+    """As on a registry that deletes no tags: every run has dated ones, which were nowhere before."""
+    registry.publish(catalogue)
+    before = registry.tagged("ros")
+    registry.upstream["alpha"] = "tuesday"
+    run = registry.publish(catalogue, date=NEXT, packages="2")
+    assert registry.tagged("ros")["alpha-core"] != before["alpha-core"]
+    registry.registry.refuses.add("delete a tag")
+    promote.undo(run)
+    after = registry.tagged("ros")
+    assert {name: after[name] for name in before} == before
+    assert run.failed and "alpha-core-20261123" in after
+
+
+def test_a_tag_that_does_not_move_keeps_no_other_image_back(
+    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def tag(services: Any, reference: str, target: str, name: str) -> None:
+        if name.startswith("alpha-core"):
+            raise RosmlError(f"the tag {name} is protected")
+        registry.registry.tag(services, reference, target, name)
+
+    monkeypatch.setattr("rosml.registry.tag", tag)
+    run = registry.publish(catalogue)
+    failed = {outcome.target for outcome in run.outcomes if outcome.state == "failed"}
+    assert "alpha-core" in failed and all(target.startswith("alpha-core") for target in failed)
+    assert {"alpha-base", "omega-core"} <= registry.tagged("ros").keys()
+
+
+def test_a_registry_that_is_down_is_not_asked_for_every_image(
+    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = []
+
+    def down(*arguments: Any) -> None:
+        asked.append(arguments)
+        monkeypatch.setattr(registry.registry, "head", down)
+        raise RosmlError("the registry does not answer")
+
+    monkeypatch.setattr("rosml.registry.tag", down)
+    with pytest.raises(RosmlError, match="does not answer"):
+        registry.publish(catalogue)
+    assert len(asked) == 2
+
+
+def test_what_is_gone_from_the_registry_is_made_anew(registry: Place, catalogue: Catalogue) -> None:
+    registry.publish(catalogue)
+    entry = ledger.Ledger(registry.registry, PREFIX).read("alpha-core", "amd64")
+    assert entry
+    del registry.registry.manifests[f"{PREFIX}/ros"][entry.digest]
+    run = registry.publish(catalogue, date=NEXT)
+    assert steps(run, "build") == {("alpha-core", "amd64")}
+
+
+def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Place, catalogue: Catalogue) -> None:
+    """A payload is not scanned by itself: it goes with an image that has it."""
+    policy = "sha256:1"
+    registry.publish(catalogue, scanning=policy)
+    assert not any(registry.tagged(name) for name in ("ros", "ros-torch", "payload"))
+    run = registry.run(catalogue, date=NEXT, scanning=policy)
+    for key, item in run.agenda.by_key.items():
+        if item.kind != "payload" and item.target != "omega-core":
+            entry = replace(run.agenda.known[key], scanned="clean", scan={"policy": policy})
+            run._write(item, entry)
+    registry.publish(catalogue, date=NEXT, scanning=policy)
+    assert "alpha-core" in registry.tagged("ros") and "omega-core" not in registry.tagged("ros")
+    assert "torch-cu1-py312" in registry.tagged("payload")
+    again = registry.publish(catalogue, date="2026-11-24T03:00:00Z", scanning=policy)
+    assert {outcome.target for outcome in again.outcomes} == {"omega-core"}
+
+
+def test_force_makes_everything_anew_once(registry: Place, catalogue: Catalogue) -> None:
+    first = registry.publish(catalogue)
+    run = registry.publish(catalogue, date=NEXT, force=True)
+    assert sorted(steps(run, "build")) == sorted(steps(first, "build"))
+    assert len(run.made) == len(set(run.made))
+
+
+@pytest.mark.parametrize("after", [False, True], ids=["before", "after"])
+def test_killed_at_any_write(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch, after: bool) -> None:
+    """Every write of a run is the last one once. Nothing partial has a tag, and the next run finishes the work."""
+    small = parse(TEXT.replace("components: [core, base]", "components: [core]"))
+    small = expand.with_locks(small, expand.current_locks(small, project))
+    inputs = Inputs(project, small)
+    options: dict[str, Any] = {"only": ["alpha-core", "alpha-core-torch-cu1"], "inputs": inputs}
+
+    def signing() -> Place:
+        found = place(project, services(project), monkeypatch)
+        found.pen = Pen(found.registry)
+        return found
+
+    whole = signing()
+    reference = whole.publish(small, **options)
+    assert whole.registry.writes > 80
+    for number in range(1, whole.registry.writes + 1):
+        here = signing()
+        here.registry.die_at, here.registry.die_after = number, after
+        run = here.run(small, **options)
+        with pytest.raises(Killed):
+            for step in ("build", "compose", "test", "index", "promote"):
+                getattr(run, step)()
+        here.check(small)
+        recorded = {
+            key for key, entry in here.run(small, **options).agenda.known.items() if entry.digest and not entry.failed
+        }
+        again = here.publish(small, date=NEXT, **options)
+        here.check(small)
+        assert not again.failed
+        assert not (steps(again, "build") | steps(again, "compose")) & recorded, "what was done is done again"
+        for repository in ("ros", "ros-torch", "payload"):
+            undated = {name for name in whole.tagged(repository) if "-2026" not in name}
+            assert undated <= here.tagged(repository).keys(), f"write {number}: tags are missing"
+    assert {step for step, *_ in reference.made} == {"build", "compose", "test"}
+
+
+def test_two_publishers_at_the_same_time(registry: Place, catalogue: Catalogue) -> None:
+    """In one checkout they take turns, and neither does what the other has done."""
+    runs = [registry.run(catalogue, date=date) for date in (DAY, NEXT)]
+    errors: list[BaseException] = []
+
+    def work(run: Run) -> None:
+        try:
+            for step in ("build", "compose", "test", "index", "promote"):
+                getattr(run, step)()
+        except BaseException as error:
+            errors.append(error)
+
+    threads = [threading.Thread(target=work, args=(run,)) for run in runs]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not errors
+    registry.check(catalogue)
+    assert not set(runs[0].made) & set(runs[1].made)
+    last = registry.publish(catalogue, date="2026-11-24T03:00:00Z")
+    assert not last.failed and not steps(last, "build")
+    registry.check(catalogue)
+
+
+def test_a_registry_that_refuses_leaves_the_others_alone(registry: Place, catalogue: Catalogue) -> None:
+    registry.publish(catalogue, only=["alpha-core"])
+    before = registry.tagged("ros")
+    registry.registry.refuses.add("move a tag")
+    refused = registry.publish(catalogue)
+    assert refused.failed and any("refuses to move a tag" in outcome.reason for outcome in refused.outcomes)
+    assert registry.tagged("ros") == before
+    registry.registry.refuses.clear()
+    run = registry.publish(catalogue)
+    assert not run.made
+    assert "alpha-base" in registry.tagged("ros")
+
+
+def test_selection(catalogue: Catalogue) -> None:
+    assert [image.target for image in agenda.select(catalogue, ["alpha-core"])] == ["alpha-core"]
+    assert all(image.distribution == "omega" for image in agenda.select(catalogue, ["omega"]))
+    assert {image.framework for image in agenda.select(catalogue, ["*-torch-*"])} == {"torch"}
+    with pytest.raises(RosmlError, match="no image named 'alpha-cor'; did you mean 'alpha-core'"):
+        agenda.select(catalogue, ["alpha-cor"])
+
+
+@pytest.mark.parametrize(
+    "text",
+    (
+        *("", "ghcr.io", "ghcr.io/", "ghcr.io/Me/x", "https://ghcr.io/me", "ghcr.io//x", "a b/c"),
+        *("[:::]/x", "../x", "a..b/x", "-/x", "localhost:70000/x", "localhost:0/x", "localhost:\u0665/x"),
+    ),
+)
+def test_a_place_that_is_none(text: str) -> None:
+    with pytest.raises(RosmlError, match="no place for images"):
+        pipeline.destination(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "today", "9999-99-99T99:99:99Z", "\u0662\u0660\u0662\u0666-11-22T03:00:00Z", "2026-1-2T3:4:5Z", f"{DAY}\n"],
+)
+def test_a_date_that_is_none(text: str) -> None:
+    assert pipeline.checked_date(DAY) == DAY
+    with pytest.raises(RosmlError, match="is no time"):
+        pipeline.checked_date(text)
+
+
+def test_an_architecture_that_is_none(catalogue: Catalogue) -> None:
+    agenda.require_architectures(catalogue, ["amd64", "arm64"])
+    with pytest.raises(RosmlError, match="no architecture named 'amd46'; did you mean 'amd64'"):
+        agenda.require_architectures(catalogue, ["amd46"])
+
+
+def test_places() -> None:
+    assert pipeline.destination("[::1]:5000/x") == pipeline.Destination("[::1]:5000", "x")
+    assert pipeline.destination("127.0.0.1:5000/rosml") == pipeline.Destination("127.0.0.1:5000", "rosml")
+    assert pipeline.destination("ghcr.io/me/ros-ml/") == pipeline.Destination("ghcr.io", "me/ros-ml")
+
+
+def test_a_damaged_entry_is_as_good_as_none() -> None:
+    registry = MemoryRegistry()
+    book = ledger.Ledger(registry, PREFIX)
+    for content in (
+        "",
+        "[]",
+        '{"target": "x"}',
+        '{"target": "x", "architecture": "amd64", "later": 1}',
+        '{"target": 1}',
+    ):
+        book.artifact("x.amd64", b"{}", {ledger.ANNOTATION: content})
+        assert book.read("x", "amd64") is None
+    entry = ledger.Entry(
+        "x", "amd64", digest="sha256:1", parts={"a": "b"}, superseded=("sha256:0",), seconds={"build": 1.5}
+    )
+    book.write(entry, {"argument A": "1"})
+    assert book.read("x", "amd64") == entry
+    assert book.inputs("x", "amd64") == {"argument A": "1"}
+    book.write(entry.made("sha256:2"))
+    assert book.inputs("x", "amd64") == {"argument A": "1"}
+    assert book.read("x", "amd64").superseded == ("sha256:0", "sha256:1")  # type: ignore[union-attr]
+
+
+# ---- Dates, and entries, that somebody wrote -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("date", "clock", "fine"),
+    [
+        ("2026-11-23T02:00:00Z", DAY, True),
+        (NEXT, DAY, True),
+        ("2026-11-23T03:00:01Z", DAY, False),
+        ("2099-01-01T00:00:00Z", DAY, False),
+        ("1999-01-01T00:00:00Z", DAY, True),
+    ],
+)
+def test_a_run_of_the_future(date: str, clock: str, fine: bool) -> None:
+    if fine:
+        pipeline.require_not_ahead(date, clock)
+        return
+    with pytest.raises(RosmlError, match=f"{date} is in the future: it is {clock}") as caught:
+        pipeline.require_not_ahead(date, clock)
+    assert caught.value.exit_code == 2 and "--force" in caught.value.remedy
+
+
+def test_a_tag_of_the_future_says_so_and_moves_when_forced(
+    registry: Place, catalogue: Catalogue, project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pipeline, "now", lambda: NEXT)
+    registry.publish(catalogue, only=["alpha-core"], date="2099-01-01T00:00:00Z")
+    pinned = registry.tagged("ros")["alpha-core"]
+    script = project / "components/ros/install.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    run = registry.publish(catalogue, only=["alpha-core"], date=NEXT, packages="2")
+    assert registry.tagged("ros")["alpha-core"] == pinned
+    assert any("of 2099-01-01T00:00:00Z, which is in the future" in reason for reason in waiting(run, "alpha-core"))
+    (found,) = standing.standings(run.agenda, registry.registry, PREFIX, NEXT)
+    assert found.reason.endswith("its date 2099-01-01T00:00:00Z is in the future")
+    registry.publish(catalogue, only=["alpha-core"], date=LATER, packages="2", force=True)
+    assert registry.tagged("ros")["alpha-core"] != pinned
+
+
+def odd_index(registry: Place, tag: str, **annotations: Any) -> str:
+    """Gives what a tag points at other annotations, as somebody may who can push."""
+    path = f"{PREFIX}/ros"
+    found = registry.registry.manifest(path, tag)
+    assert found
+    content = found.content | {"annotations": found.content["annotations"] | annotations}
+    return registry.registry.put_manifest(path, tag, content, found.media_type)
+
+
+@pytest.mark.parametrize("date", ["yesterday", "2026-11-22", "zzz", 5, ["x"]])
+def test_a_date_that_is_none_is_told_and_holds_no_tag(
+    registry: Place, catalogue: Catalogue, project: Path, date: Any
+) -> None:
+    registry.publish(catalogue, only=["alpha-core"])
+    there = odd_index(registry, "alpha-core", **{pipeline.DATE: date})
+    script = project / "components/ros/install.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    run = registry.run(catalogue, only=["alpha-core"], date=NEXT, packages="2")
+    (found,) = standing.standings(run.agenda, registry.registry, PREFIX, NEXT)
+    assert "its date is none" in found.reason and found.age is None
+    said: list[str] = []
+    run.say = said.append
+    for step in ("build", "compose", "test", "index", "promote"):
+        getattr(run, step)()
+    assert not run.failed
+    assert registry.tagged("ros")["alpha-core"] != there
+    assert any("which is no date: taken for older" in line for line in said)
+
+
+def forge(registry: Place, target: str, architecture: str, **facts: Any) -> None:
+    """Writes an entry of the ledger by hand."""
+    book = ledger.Ledger(registry.registry, PREFIX)
+    entry = book.read(target, architecture)
+    assert entry
+    book.write(replace(entry, **facts))
+
+
+def test_the_digest_of_another_image_gets_no_index(registry: Place, catalogue: Catalogue, project: Path) -> None:
+    registry.publish(catalogue)
+    before = registry.tagged("ros")
+    core = ledger.Ledger(registry.registry, PREFIX).read("alpha-core", "amd64")
+    assert core
+    forge(registry, "alpha-base", "amd64", digest=core.digest)
+    run = registry.run(catalogue, date=NEXT, only=["alpha-base"])
+    run.index()
+    run.promote()
+    (failed,) = [outcome for outcome in run.outcomes if outcome.state == "failed"]
+    assert f"the ledger's entry alpha-base.amd64 names {core.digest}, which is alpha-core for amd64" in failed.reason
+    assert registry.tagged("ros") == before
+
+
+def test_the_digest_of_another_architecture_gets_no_index(registry: Place, catalogue: Catalogue) -> None:
+    registry.publish(catalogue)
+    other = ledger.Ledger(registry.registry, PREFIX).read("alpha-core", "arm64")
+    assert other
+    forge(registry, "alpha-core", "amd64", digest=other.digest)
+    run = registry.run(catalogue, date=NEXT, only=["alpha-core"])
+    run.index()
+    assert any("which is alpha-core for arm64" in outcome.reason for outcome in run.outcomes)
+
+
+@pytest.mark.parametrize("what", ["title", "members", "gone"])
+def test_the_index_of_another_image_gets_no_tag(registry: Place, catalogue: Catalogue, what: str) -> None:
+    registry.publish(catalogue)
+    book = ledger.Ledger(registry.registry, PREFIX)
+    own, other = book.read("alpha-core", "index"), book.read("alpha-base", "index")
+    assert own and other
+    digest = {"title": other.digest, "gone": "sha256:" + "0" * 64}.get(what, "")
+    if what == "members":
+        whole = registry.registry.manifest(f"{PREFIX}/ros", own.digest)
+        assert whole
+        part = whole.content | {"manifests": whole.content["manifests"][:1]}
+        digest = registry.registry.put_manifest(f"{PREFIX}/ros", "odd", part, whole.media_type)
+    forge(registry, "alpha-core", "index", digest=digest)
+    run = registry.run(catalogue, date=NEXT, only=["alpha-core"])
+    run.agenda.present.add(("alpha-core", "index"))
+    before = registry.tagged("ros")
+    run.promote()
+    assert run.failed and registry.tagged("ros") == before
+    reason = next(outcome.reason for outcome in run.outcomes if outcome.state == "failed")
+    says = {"title": "that of alpha-base", "members": "of other images", "gone": "not in the registry any more"}
+    assert says[what] in reason
+
+
+def test_a_second_undo_says_that_nothing_is_left(registry: Place, catalogue: Catalogue) -> None:
+    registry.publish(catalogue)
+    registry.upstream["alpha"] = "tuesday"
+    run = registry.publish(catalogue, date=NEXT, packages="2")
+    assert promote.undo(run)
+    again = registry.run(catalogue)
+    assert promote.undo(again, NEXT) == []
+    assert [(o.state, o.reason) for o in again.outcomes] == [("done", "nothing was left to move back")]
+
+
+# ---- Others at work --------------------------------------------------------------------------------------------------
+
+
+def test_what_another_run_did_in_the_meantime_is_not_done_again(registry: Place, catalogue: Catalogue) -> None:
+    """Two runs of one date, which began at the same time."""
+    one, other = registry.run(catalogue), registry.run(catalogue)
+    for step in ("build", "compose", "test"):
+        getattr(one, step)()
+    said: list[str] = []
+    other.say = said.append
+    for step in ("build", "compose", "test", "index", "promote"):
+        getattr(other, step)()
+    assert one.made and other.made == []
+    assert not other.failed and any("another run did it in the meantime" in line for line in said)
+    registry.check(catalogue)
+    assert "alpha-core" in registry.tagged("ros")
+
+
+def test_what_another_run_failed_at_is_tried(registry: Place, catalogue: Catalogue) -> None:
+    one = registry.run(catalogue, only=["alpha-core"], broken={"alpha-core"})
+    other = registry.run(catalogue, only=["alpha-core"])
+    one.build()
+    other.build()
+    assert steps(other, "build") == {("alpha-core", "amd64"), ("alpha-core", "arm64")}
+
+
+def test_a_run_that_may_not_push_is_told_before_its_first_work(registry: Place, catalogue: Catalogue) -> None:
+    registry.registry.refuses.add("push")
+    run = registry.run(catalogue)
+    with pytest.raises(RosmlError, match="nobody push"):
+        run.build()
+    assert run.made == [] and registry.registry.writes == 0
+    registry.registry.refuses.clear()
+    registry.publish(catalogue)
+    registry.registry.refuses.add("push")
+    assert registry.publish(catalogue, date=NEXT).outcomes == [], "with nothing to do nothing is asked"
+
+
+def test_what_was_in_an_images_place_is_forgotten_when_it_is_gone(
+    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(pipeline, "SUPERSEDED", 3)
+    for number in range(6):
+        registry.upstream["alpha"] = f"day {number}"
+        registry.publish(catalogue, only=["alpha-core"], date=f"2026-11-0{number + 1}T03:00:00Z", packages=str(number))
+    book = ledger.Ledger(registry.registry, PREFIX)
+    many = book.read("alpha-core", "amd64")
+    assert many and len(many.superseded) == 5, "what is there stays known: prune removes it"
+    for digest in many.superseded[:4]:
+        del registry.registry.manifests[f"{PREFIX}/ros"][digest]
+    registry.upstream["alpha"] = "another day"
+    registry.publish(catalogue, only=["alpha-core"], date="2026-11-07T03:00:00Z", packages="7")
+    few = book.read("alpha-core", "amd64")
+    assert few and few.superseded == (many.superseded[4], many.digest)

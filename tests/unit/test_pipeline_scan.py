@@ -1,0 +1,84 @@
+"""Scans within a publishing run: what the policy stops gets no tag, and nobody else suffers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from memory_registry import NEXT, Place, Run, place
+from scanning import World, advisory, rules
+from stubs import services
+from test_pipeline import BASE, catalogue, project, sources, waiting  # noqa: F401 (fixtures)
+
+from rosml.expand import Catalogue
+from rosml.pipeline import policy_digest
+from rosml.scan import Outcome
+from rosml.trivy import ScannerFailed
+
+
+@pytest.fixture
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:  # noqa: F811
+    return place(project, services(project), monkeypatch)
+
+
+@pytest.fixture
+def world(tmp_path: Path) -> World:
+    return World(tmp_path, advisories={"torch": [advisory("CVE-2026-2", "CRITICAL", "3.0")]})
+
+
+def scanned(registry: Place, catalogue: Catalogue, world: World, **options: object) -> Run:  # noqa: F811
+    """A run of which a clean scan is asked before tags."""
+    run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
+    for step in ("build", "compose", "test"):
+        getattr(run, step)()
+    for item in run.agenda.items:
+        packages = ("bash",) if item.kind == "ros" else (item.thing.part,) if item.kind == "payload" else ()  # type: ignore[union-attr]
+        if packages:
+            world.part("x", *packages, ros=item.kind == "ros")
+            world.images[run.agenda.known[item.key].digest] = world.images.popitem()[1]
+    trivy = world.trivy()
+    trivy.fetch(rules().policy.database)
+    run.scan(rules(), trivy)
+    run.index()
+    run.promote()
+    return run
+
+
+def test_what_the_policy_stops_gets_no_tag(
+    registry: Place,
+    catalogue: Catalogue,  # noqa: F811
+    world: World,
+) -> None:
+    run = scanned(registry, catalogue, world)
+    assert run.failed
+    assert "alpha-core" in registry.tagged("ros") and "alpha-core-cu1" in registry.tagged("ros-cuda")
+    assert registry.tagged("ros-torch") == {}
+    assert any("scan: policy failed" in reason for reason in waiting(run, BASE))
+    entry = run.agenda.known[BASE, "amd64"]
+    assert entry.scan["failing"] == ["CVE-2026-2"] and entry.scan["findings"] == {"critical": 1}
+    calls = world.calls("sbom")
+    parts = {item.key for item in run.agenda.items if item.kind != "joined"}
+    assert len(calls) == len(parts), "a part that images share is scanned once"
+
+    again = scanned(registry, catalogue, world, date=NEXT)
+    assert world.calls("sbom") == calls, "the same database, the same policy: nothing to scan"
+    assert not again.made
+
+    world.advisories.clear()  # the next database
+    world.updated = "2026-11-23T00:00:00Z"
+    mended = scanned(registry, catalogue, world, date=NEXT)
+    assert not mended.failed and not mended.made
+    assert "alpha-base-cu1" in registry.tagged("ros-torch")
+    registry.check(catalogue)
+
+
+def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-core"])
+    for step in ("build", "test"):
+        getattr(run, step)()
+    found = run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
+    assert found.outcome is Outcome.SCANNER_FAILED
+    run.index()
+    run.promote()
+    assert registry.tagged("ros") == {}
+    assert any("scanner failed" in reason for reason in waiting(run, "alpha-core"))

@@ -1,0 +1,117 @@
+"""Where images came from: what is said of base images, of the checkout and of who builds; nothing that tells of a machine.
+What a publishing run attaches: test_attached.py."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from rosml import provenance
+from rosml.provenance import Definition, Machine
+
+DATE = "2026-11-22T03:00:00Z"
+DIGEST = "sha256:" + "1" * 64
+GITHUB = {
+    "GITHUB_ACTIONS": "true",
+    "GITHUB_SERVER_URL": "https://github.com",
+    "GITHUB_REPOSITORY": "me/rosml",
+    "GITHUB_WORKFLOW_REF": "me/rosml/.github/workflows/nightly.yml@refs/heads/main",
+    "GITHUB_RUN_ID": "7",
+    "GITHUB_RUN_ATTEMPT": "2",
+}
+
+
+def git(folder: Path, *arguments: str) -> str:
+    identity = ("-c", "user.name=N", "-c", "user.email=n@example.org")
+    done = subprocess.run(["git", "-C", str(folder), *identity, *arguments], capture_output=True, text=True, check=True)
+    return done.stdout.strip()
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    folder = tmp_path / "checkout"
+    (folder / "locks").mkdir(parents=True)
+    (folder / "locks/a.txt").write_text("torch==1\n")
+    git(folder.parent, "init", "-q", str(folder))
+    git(folder, "add", ".")
+    git(folder, "commit", "-qm", "first")
+    return folder
+
+
+def test_who_builds() -> None:
+    assert Machine.here(DATE, {}) == Machine(provenance.OWN_MACHINE, DATE)
+    found = Machine.here(DATE, GITHUB)
+    assert found.builder == "https://github.com/me/rosml/.github/workflows/nightly.yml@refs/heads/main"
+    assert found.invocation == "https://github.com/me/rosml/actions/runs/7/attempts/2"
+    # Variables that are left over on somebody's machine make it no workflow.
+    assert Machine.here(DATE, GITHUB | {"GITHUB_ACTIONS": ""}).builder == provenance.OWN_MACHINE
+
+
+@pytest.mark.parametrize(
+    ("reference", "mirror", "repository"),
+    [
+        (f"debian:bookworm@{DIGEST}", "", "docker.io%2Flibrary%2Fdebian"),
+        (f"docker-image://ubuntu:24.04@{DIGEST}", "", "docker.io%2Flibrary%2Fubuntu"),
+        (f"me/debian:1@{DIGEST}", "", "docker.io%2Fme%2Fdebian"),
+        (f"ghcr.io/me/debian@{DIGEST}", "", "ghcr.io%2Fme%2Fdebian"),
+        (f"127.0.0.1:5000/library/assembler@{DIGEST}", "", "127.0.0.1%3A5000%2Flibrary%2Fassembler"),
+        (f"debian:bookworm@{DIGEST}", "mirror:5000", "mirror%3A5000%2Flibrary%2Fdebian"),
+        (f"docker.io/library/debian:bookworm@{DIGEST}", "mirror:5000", "mirror%3A5000%2Flibrary%2Fdebian"),
+        (f"mine:5000/debian@{DIGEST}", "mirror:5000", "mine%3A5000%2Fdebian"),
+    ],
+)
+def test_base_images(reference: str, mirror: str, repository: str) -> None:
+    found = provenance.base(reference, mirror)
+    assert found["uri"].endswith(f"?repository_url={repository}")
+    assert found["digest"] == {"sha256": "1" * 64}
+    made = repository.startswith("mirror")
+    assert found.get("annotations") == ({"made with": "mmdebstrap"} if made else None), "it is not Docker Hub's"
+
+
+def test_the_checkout(checkout: Path, tmp_path: Path) -> None:
+    head = git(checkout, "rev-parse", "HEAD")
+    assert provenance.source(checkout) == [{"name": "source", "digest": {"gitCommit": head}}]
+    git(checkout, "remote", "add", "origin", "https://me:s3cret@github.com/me/rosml.git?x=s3cret")
+    (found,) = provenance.source(checkout)
+    assert found["uri"] == "git+https://github.com/me/rosml.git"
+    (checkout / "plan.json").write_text("{}")
+    assert provenance.source(checkout) == [found], "what a job leaves beside it decides no image"
+    (checkout / "locks/a.txt").write_text("torch==2\n")
+    (dirty,) = provenance.source(checkout)
+    assert "differ" in dirty["annotations"]["differs"] and dirty["digest"] == {"gitCommit": head}
+    git(checkout, "remote", "set-url", "origin", "/home/me/rosml")
+    assert "uri" not in provenance.source(checkout)[0], "a path of this machine"
+    assert provenance.source(tmp_path) == [], "no checkout"
+    assert provenance.source(checkout / "locks") == [], "a checkout of something else around it"
+
+
+def test_locks_and_packages(checkout: Path) -> None:
+    sha = subprocess.run(["sha256sum", str(checkout / "locks/a.txt")], capture_output=True, text=True, check=True)
+    assert provenance.locks(checkout, ["locks/a.txt"]) == [
+        {"name": "locks/a.txt", "digest": {"sha256": sha.stdout.split()[0]}}
+    ]
+    assert provenance.packages("http://packages.example", "") == []
+
+
+def test_the_statement() -> None:
+    definition = Definition({"target": "t", "stack": ""}, "abc", ({"name": "x"},))
+    said = provenance.statement("rosml/ros", DIGEST, definition, Machine("b", "i"), DATE, DATE)
+    assert said == {
+        "_type": "https://in-toto.io/Statement/v1",
+        "subject": [{"name": "rosml/ros", "digest": {"sha256": "1" * 64}}],
+        "predicateType": "https://slsa.dev/provenance/v1",
+        "predicate": {
+            "buildDefinition": {
+                "buildType": provenance.BUILD_TYPE,
+                "externalParameters": {"target": "t"},
+                "internalParameters": {"inputs": "abc"},
+                "resolvedDependencies": [{"name": "x"}],
+            },
+            "runDetails": {
+                "builder": {"id": "b"},
+                "metadata": {"invocationId": "i", "startedOn": DATE, "finishedOn": DATE},
+            },
+        },
+    }

@@ -1,0 +1,293 @@
+"""What may go: what no kept tag leads to, and nothing else."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from datetime import date, timedelta
+from pathlib import Path
+
+import pytest
+from memory_registry import DAY, PREFIX, Place, place
+from stubs import services
+from test_pipeline import BASE, catalogue, project, sources  # noqa: F401 (fixtures)
+
+from rosml import expand, ledger, promote, prune, standing
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+from rosml.prune import Pruner
+
+FIRST = date(2026, 9, 1)
+
+
+@pytest.fixture
+def nights(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch) -> Place:  # noqa: F811
+    """Six nights a week apart, each with other packages."""
+    found = place(project, services(project), monkeypatch)
+    for number in range(6):
+        found.upstream["alpha"] = f"week {number}"
+        day = FIRST + timedelta(days=7 * number)
+        found.publish(catalogue, only=["alpha"], date=f"{day}T03:00:00Z", packages=str(number))
+    return found
+
+
+def pruner(nights: Place, catalogue: Catalogue, days: int = 20, newest: int = 2) -> Pruner:  # noqa: F811
+    return Pruner(nights.registry, PREFIX, catalogue, FIRST + timedelta(days=36), days, newest)
+
+
+def reachable(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    """Everything that a tag leads to is there."""
+    for repository in {image.repository for image in catalogue.images} | {"payload"}:
+        path = f"{PREFIX}/{repository}"
+        for tag, target in nights.tagged(repository).items():
+            index = nights.registry.manifest(path, target)
+            assert index, f"{repository}:{tag}"
+            for member in index.content["manifests"]:
+                assert nights.registry.manifest(path, member["digest"]), f"{repository}:{tag}"
+
+
+def test_a_dry_run_removes_nothing(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    before = nights.registry.writes
+    found = pruner(nights, catalogue).find()
+    assert found.tags and found.manifests and found.records
+    assert nights.registry.writes == before
+
+
+def test_old_nights_go_with_what_only_they_led_to(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    tags, count = nights.tagged("ros"), len(nights.registry.manifests[f"{PREFIX}/ros"])
+    here = pruner(nights, catalogue)
+    found = here.find()
+    assert ("ros", "alpha-core-20260901") in found.tags and ("ros", "alpha-core-20260908") in found.tags
+    list(here.remove(found))
+    left = nights.tagged("ros")
+    assert {name for name in tags if name not in left} == {
+        f"alpha-{part}-{day}" for part in ("core", "base", "desktop") for day in ("20260901", "20260908", "20260915")
+    } & tags.keys()
+    assert len(nights.registry.manifests[f"{PREFIX}/ros"]) < count
+    reachable(nights, catalogue)
+    again = here.find()
+    assert (again.tags, again.manifests, again.records) == ([], [], [])
+    run = nights.publish(catalogue, only=["alpha"], date="2026-10-20T03:00:00Z", packages="5")
+    assert run.made == [], "pruning took what the next run needs"
+
+
+def test_what_a_kept_record_brings_back_stays(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    here = pruner(nights, catalogue, days=10, newest=0)
+    list(here.remove(here.find()))
+    run = nights.run(catalogue, only=["alpha"])
+    promote.undo(run)
+    reachable(nights, catalogue)
+
+
+def test_a_registry_that_deletes_no_tags(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    nights.registry.refuses.add("delete a tag")
+    here = pruner(nights, catalogue)
+    found = here.find()
+    found.records.clear()
+    lines = list(here.remove(found))
+    assert any(" with sha256:" in line for line in lines)
+    assert "alpha-core-20260901" not in nights.tagged("ros")
+    reachable(nights, catalogue)
+
+
+def test_payloads_that_did_not_change_stay(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    found = pruner(nights, catalogue, days=0, newest=0).find()
+    assert not [item for item in found.manifests if item[0] == "payload"]
+
+
+def test_an_entry_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    ledger.Ledger(nights.registry, PREFIX).artifact("alpha-core.amd64", b"{}", {ledger.ANNOTATION: "?"})
+    with pytest.raises(RosmlError, match=r"alpha-core.amd64 cannot be read"):
+        pruner(nights, catalogue).find()
+
+
+@pytest.mark.parametrize("moves", [5, [5], ["x"], [{"repository": "ros"}], [{"old": ""}]])
+def test_a_record_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalogue, moves: object) -> None:  # noqa: F811
+    data = json.dumps({"moves": moves}).encode()
+    ledger.Ledger(nights.registry, PREFIX).artifact("undo.20261001T030000Z", data, {})
+    with pytest.raises(RosmlError, match=r"undo.20261001T030000Z cannot be read"):
+        pruner(nights, catalogue).find()
+
+
+def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    now = "2026-10-08T03:00:00Z"
+
+    def states(**options: object) -> dict[str, standing.Standing]:
+        run = nights.run(catalogue, **options)  # type: ignore[arg-type]
+        found = standing.standings(run.agenda, nights.registry, PREFIX, now, run.serving)
+        return {item.target: item for item in found}
+
+    found = states()
+    assert found["alpha-core"].state == "published" and found["alpha-core"].age == 2 * 86400
+    assert found["alpha-core"].platforms == ("amd64", "arm64")
+    assert (
+        found["omega-core"].state == "missing"
+        and found["omega-core"].reason == "amd64: it was never made; arm64: it was never made"
+    )
+    nights.upstream["alpha"] = "week 7"
+    found = states()
+    assert found["alpha-core"].state == "stale" and "packages moved" in found["alpha-core"].reason
+    assert found[BASE].state == "stale"
+    nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", poisoned={BASE})
+    found = states()
+    assert found[BASE].state == "failed" and "tests failed" in found[BASE].reason
+    assert found["alpha-core"].state == "published"
+    assert states(architectures=("amd64",))["alpha-core"].state == "published", "another machine's work is no fault"
+    nights.publish(catalogue, only=["omega-core"], architectures=("amd64",), serving=("amd64",))
+    assert states(serving=("amd64",))["omega-core"].state == "published", "what is not served is not missed"
+    assert states()["omega-core"].state == "stale"
+    assert standing.age(None) == "" and standing.age(59) == "59 s" and standing.age(7300) == "2 h"
+    assert '"failed": 1' in standing.as_json(list(found.values()))
+
+
+def test_what_cannot_be_had_is_told_apart(
+    project: Path,  # noqa: F811
+    catalogue: Catalogue,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Without a lock, or without the base image on this machine: neither is missing work. The table says it for each image."""
+    here = place(project, services(project), monkeypatch)
+    here.publish(catalogue, only=["alpha-core"], date="2026-11-19T03:00:00Z")
+    here.services = services(project, docker_hub=False, mirror=True)
+    lock = next(name for name in catalogue.by_target[BASE].locks if name.endswith("/torch.txt"))
+    lacking = expand.with_locks(catalogue, catalogue.locks - {lock})
+    (project / lock).unlink()
+    run = here.run(lacking, only=["alpha-core", "alpha-base", BASE, "alpha-core-ml-cu1"])
+    found = list(standing.standings(run.agenda, here.registry, PREFIX, DAY))
+    states = {item.target: (item.state, item.reason) for item in found if not item.target.startswith("payload")}
+    why = "unbuildable here: docker.io/library/ubuntu:24.04 is on Docker Hub, which does not answer"
+    assert states == {
+        "alpha-core": ("published", ""),
+        "alpha-base": ("unbuildable", why),
+        BASE: ("unlocked", "1 of its locks are missing"),
+        "alpha-core-ml-cu1": ("unlocked", "1 of its locks are missing"),
+    }
+    counts = json.loads(standing.as_json(found))["counts"]
+    assert (counts["published"], counts["unbuildable"], counts["unlocked"]) == (1, 1, 2)
+    standing.print_table(found)
+    lines = {line.split()[0]: " ".join(line.split()[1:]) for line in capsys.readouterr().out.splitlines() if line}
+    assert lines["image"] == "state age platforms why"
+    assert lines["alpha-core"] == "published 3 d amd64, arm64"
+    assert lines["alpha-base"] == f"unbuildable {why}"
+    assert lines[BASE] == "unlocked 1 of its locks are missing"
+    total = lines[str(len(found))]
+    assert total.startswith("images: 1 published") and total.endswith("2 unlocked, 1 unbuildable")
+
+
+def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    """A dated tag goes, and its index is what a kept record brings back: the digest must not go with the tag."""
+    nights.registry.refuses.add("delete a tag")
+    here = pruner(nights, catalogue, days=0, newest=0)
+    here.today = FIRST + timedelta(days=35)
+    found = here.find()
+    record = next(name for name in nights.registry.tags(f"{PREFIX}/ledger") if name == "undo.20261006T030000Z")
+    moves = [move for move in promote.read(nights.run(catalogue, only=["alpha"]), record) if move.old]
+    assert moves
+    list(here.remove(found))
+    for move in moves:
+        assert nights.registry.manifest(f"{PREFIX}/{move.repository}", move.old), f"{move.repository}:{move.tag}"
+    assert not [name for name in nights.registry.tags(f"{PREFIX}/ledger") if name in found.records]
+
+
+def test_a_tag_of_somebody_else_stays(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    path = f"{PREFIX}/ros"
+    for day in ("20200101", "20200102"):
+        nights.registry.put_manifest(path, f"backup-{day}", {"layers": [], "day": day}, "application/json")
+    nights.registry.put_manifest(path, "odd", {"manifests": None}, "application/json")
+    found = pruner(nights, catalogue, days=0, newest=0).find()
+    assert found.tags and not [tag for _, tag in found.tags if "backup" in tag]
+
+
+def test_how_images_stand_after_a_failure_is_over(nights: Place, catalogue: Catalogue, project: Path) -> None:  # noqa: F811
+    def state(target: str) -> tuple[str, str]:
+        run = nights.run(catalogue, only=["alpha"])
+        found = standing.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+        return next((item.state, item.reason) for item in found if item.target == target)
+
+    script = project / "components/ros/install.sh"
+    before = script.read_text()
+    script.write_text(before + "# a fault\n")
+    nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="5", broken={"alpha-core"})
+    assert state("alpha-core")[0] == "failed"
+    script.write_text(before)
+    assert state("alpha-core") == ("published", "")
+
+
+def test_an_index_that_cannot_be_made_has_failed(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    nights.upstream["alpha"] = "week 7"
+    odd = {("alpha-core", "arm64"): {"org.opencontainers.image.version": "another"}}
+    nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", odd=odd)
+    run = nights.run(catalogue, only=["alpha"])
+    found = {i.target: i for i in standing.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
+    assert found["alpha-core"].state == "failed" and "not the same on all" in found["alpha-core"].reason
+
+
+@pytest.mark.parametrize("date", ["yesterday", "2026-11-22", "9999-99-99T99:99:99Z"])
+def test_a_date_that_is_none_has_no_age(nights: Place, catalogue: Catalogue, date: str) -> None:  # noqa: F811
+    path = f"{PREFIX}/ros"
+    content = {"manifests": None, "annotations": {"io.rosml.date": date}}
+    nights.registry.put_manifest(path, "alpha-core", content, "application/json")
+    run = nights.run(catalogue, only=["alpha-core"])
+    (found,) = standing.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+    assert (found.state, found.age, found.platforms) == ("stale", None, ())
+
+
+def between(nights: Place, work: Callable[[], object], monkeypatch: pytest.MonkeyPatch, what: str = "@") -> None:
+    """Has something happen right after the first manifest, or tag, was removed."""
+    delete = nights.registry.delete
+    waiting = [work]
+
+    def deleting(repository: str, reference: str) -> None:
+        delete(repository, reference)
+        if waiting and reference.startswith("sha256:") == (what == "@"):
+            waiting.pop()()
+
+    monkeypatch.setattr(nights.registry, "delete", deleting)
+
+
+@pytest.mark.parametrize("when", ["tags go", "manifests go"])
+def test_what_a_run_comes_to_need_while_others_go_stays(
+    nights: Place,
+    catalogue: Catalogue,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+    when: str,
+) -> None:
+    """The packages are those of an old night again: its images, which may go, are needed once more."""
+    monkeypatch.setattr(prune, "LOOK_SECONDS", 0.0)
+    here = pruner(nights, catalogue, days=0, newest=0)
+    found = here.find()
+    again: list[str] = []
+
+    def run() -> None:
+        nights.upstream["alpha"] = "week 1 again"
+        done = nights.publish(catalogue, only=["alpha"], date="2026-10-07T03:00:00Z", packages="1")
+        again.extend(entry.digest for entry in done.agenda.known.values())
+        assert not done.failed
+
+    between(nights, run, monkeypatch, ":" if when == "tags go" else "@")
+    lines = list(here.remove(found))
+    gone = {digest for _, digest in found.manifests}
+    assert gone & set(again), "nothing that may go was needed again: this test says nothing"
+    assert any("stays: something leads to it again" in line for line in lines)
+    reachable(nights, catalogue)
+    assert nights.publish(catalogue, only=["alpha"], date="2026-10-08T03:00:00Z", packages="1").made == []
+
+
+def test_a_dated_tag_that_moved_stays(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    here = pruner(nights, catalogue, days=0, newest=0)
+    found = here.find()
+    repository, tag = next(item for item in found.tags if item[0] == "ros")
+    path = f"{PREFIX}/{repository}"
+    other = nights.registry.head(path, "alpha-core")
+    assert other != nights.registry.head(path, tag)
+    nights.registry.names[path][tag] = other
+    lines = list(here.remove(found))
+    assert f"{repository}:{tag} stays: it has moved since" in lines
+    assert nights.registry.head(path, tag) == other
+
+
+def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+    content = {"manifests": [], "annotations": {"io.rosml.date": "yesterday"}}
+    nights.registry.put_manifest(f"{PREFIX}/ros", "mine-20200101", content, "application/json")
+    assert ("ros", "mine-20200101") not in pruner(nights, catalogue, days=0, newest=0).find().tags

@@ -1,0 +1,558 @@
+"""Scanning: what is scanned how often, what the policy makes of it, and that no failure is taken for a clean image."""
+
+from __future__ import annotations
+
+import json
+import re
+import time
+from datetime import date, timedelta
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import ROOT
+from scanning import HOST, NOW, VERSION, Memory, World, advisory, digest, image, rules, shelf
+
+from rosml import sbom, scan, trivy
+from rosml.errors import RosmlError
+from rosml.programs import pinned_version
+from rosml.scan import Outcome
+from rosml.trivy import ScannerFailed, Trivy
+
+IGNORE = "- {id: CVE-2026-1, reason: not reachable, expires: 2027-01-31}\n"
+
+
+@pytest.fixture
+def world(tmp_path: Path) -> World:
+    """A ROS image, two payloads, and a database that knows something of the image and of one payload."""
+    known = {"libc6": [advisory("CVE-2026-1")], "torch": [advisory("CVE-2026-2", "CRITICAL", "3.0")]}
+    return World(tmp_path, advisories=known)
+
+
+def scanned(world: World, *images: scan.Image, memory: Memory | None = None, **options: Any) -> scan.Run:
+    """Scans images with a database that was fetched anew."""
+    program = world.trivy(**options.pop("trivy", {}))
+    found = options.pop("rules", None) or rules()
+    program.fetch(found.policy.database)
+    facts = {"now": NOW, "whole": True, **options}
+    return scan.scan_images(images, found, program, shelf(memory), **facts)
+
+
+def base(world: World) -> scan.Part:
+    return world.part("alpha-base", "bash", "libc6", ros=True)
+
+
+# ---- outcomes -------------------------------------------------------------------------------------------------------
+def test_clean(world: World) -> None:
+    run = scanned(world, image("alpha-core", world.part("alpha-core", "bash", ros=True)))
+    assert run.outcome is Outcome.CLEAN
+    assert run.outcome.exit_code == 0
+    found = run.images[0]
+    assert (found.reason, found.packages, found.findings) == ("no findings", 1, ())
+    assert found.parts == {"alpha-core": digest("alpha-core")}
+    assert found.database is not None
+    assert (found.database.updated, found.database.source) == ("2026-11-22T00:00:00Z", "example.org/db:2")
+
+
+def test_the_policy_stops_an_image(world: World) -> None:
+    run = scanned(world, image("alpha-base-torch", base(world), world.part("torch", "torch", "numpy")))
+    assert run.outcome is Outcome.POLICY_FAILED
+    assert run.outcome.exit_code == 3
+    found = run.images[0]
+    assert found.reason == "2 findings that the policy does not allow: CVE-2026-2 in torch, CVE-2026-1 in libc6"
+    assert [(it.severity, it.id, it.package, it.installed, it.fixed, it.part) for it in found.failing] == [
+        ("critical", "CVE-2026-2", "torch", "1.0", "3.0", "torch"),
+        ("high", "CVE-2026-1", "libc6", "1.0", "2.0", "alpha-base"),
+    ]
+    assert found.packages == 4
+
+
+@pytest.mark.parametrize(
+    ("severity", "fixed", "changes", "outcome"),
+    [
+        ("HIGH", "2.0", {}, Outcome.POLICY_FAILED),
+        ("CRITICAL", "2.0", {}, Outcome.POLICY_FAILED),
+        ("MEDIUM", "2.0", {}, Outcome.CLEAN),
+        ("UNKNOWN", "2.0", {}, Outcome.CLEAN),
+        ("HIGH", "", {}, Outcome.CLEAN),
+        ("HIGH", "", {"fixable_only": "false"}, Outcome.POLICY_FAILED),
+        ("LOW", "2.0", {"fail": "[low]"}, Outcome.POLICY_FAILED),
+        ("HIGH", "2.0", {"fail": "[critical]"}, Outcome.CLEAN),
+    ],
+)
+def test_severity_and_fix_decide(
+    world: World, severity: str, fixed: str, changes: dict[str, str], outcome: Outcome
+) -> None:
+    world.advisories = {"libc6": [advisory("CVE-2026-1", severity, fixed)]}
+    run = scanned(world, image("alpha-base", base(world)), rules=rules(**changes))
+    assert run.outcome is outcome
+    assert len(run.images[0].findings) == 1
+
+
+def test_one_image_does_not_stop_another(world: World) -> None:
+    world.fail = {digest("broken"): "crash"}
+    run = scanned(
+        world,
+        image("a", world.part("broken", "bash", ros=True)),
+        image("b", world.part("good", "bash", ros=True)),
+        image("c", base(world)),
+    )
+    assert [it.outcome for it in run.images] == [Outcome.SCANNER_FAILED, Outcome.CLEAN, Outcome.POLICY_FAILED]
+    assert run.outcome is Outcome.SCANNER_FAILED
+    assert run.outcome.exit_code == 4
+
+
+def test_findings_of_the_other_parts_are_told_where_one_part_failed(world: World) -> None:
+    """And the outcome is not theirs: nobody knows the whole image."""
+    payload = world.part("torch", "torch")
+    world.fail = {payload.digest: "crash"}
+    found = scanned(world, image("alpha-base-torch", base(world), payload)).images[0]
+    assert found.outcome is Outcome.SCANNER_FAILED
+    assert [it.id for it in found.failing] == ["CVE-2026-1"]
+
+
+def test_an_image_without_parts_is_not_clean(world: World) -> None:
+    assert scanned(world, image("alpha-base")).outcome is Outcome.SCANNER_FAILED
+
+
+# ---- the scanner fails ----------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("call", ["image", "sbom"])
+@pytest.mark.parametrize(
+    ("how", "says"),
+    [
+        ("crash", "run error: it crashed * for two * reasons"),
+        ("killed", "exit code -9"),
+        ("silent", "exit code 7"),
+        ("nothing", "ended well, and wrote no JSON object"),
+        ("{", "ended well, and wrote no JSON object"),
+        ("[]", "ended well, and wrote no JSON object"),
+        ("{}", "trivy did not write a"),
+    ],
+)
+def test_the_scanner_fails(world: World, call: str, how: str, says: str) -> None:
+    world.fail = {call: how}
+    run = scanned(world, image("alpha-base", base(world)))
+    assert run.outcome is Outcome.SCANNER_FAILED
+    assert says in run.images[0].reason
+
+
+@pytest.mark.parametrize(
+    ("call", "limit"), [("image", {"sbom_seconds": 0.3}), ("sbom", {"scan_seconds": 0.3})], ids=["image", "sbom"]
+)
+def test_the_scanner_hangs(world: World, call: str, limit: dict[str, float]) -> None:
+    """With a child of its own that keeps its output open."""
+    world.fail = {call: "hang"}
+    run = scanned(world, image("alpha-base", base(world)), trivy=limit)
+    assert run.outcome is Outcome.SCANNER_FAILED
+    assert run.images[0].reason == "trivy did not end within 0 s"
+    child = Path("/proc") / (world.folder / "child").read_text() / "stat"
+    for _ in range(100):  # its state follows its name; a zombie (Z) waits for nothing but its burial
+        if not child.exists() or child.read_text().rpartition(")")[2].split()[0] == "Z":
+            break
+        time.sleep(0.05)
+    else:
+        pytest.fail("a part of it is still running")
+
+
+@pytest.mark.parametrize(
+    "report",
+    [
+        {"SchemaVersion": 2, "Results": [{"Type": "debian", "Vulnerabilities": [{"VulnerabilityID": "CVE-2026-1"}]}]},
+        {"SchemaVersion": 2, "Results": [3]},
+        {"SchemaVersion": 2, "Results": [{"Type": "t", "Vulnerabilities": [{**advisory("C", "DREADFUL")}]}]},
+        {"SchemaVersion": 2},
+        {"SchemaVersion": 3, "Results": []},
+    ],
+)
+def test_a_report_that_is_none(world: World, report: dict[str, Any]) -> None:
+    world.fail = {"sbom": json.dumps(report)}
+    assert scanned(world, image("alpha-base", base(world))).outcome is Outcome.SCANNER_FAILED
+
+
+def test_packages_that_were_not_looked_at(world: World) -> None:
+    """Trivy says little of an operating system that it does not know: no finding is no good news then."""
+    world.fail = {"missed": 1}
+    found = scanned(world, image("alpha-core", world.part("alpha-core", "bash", "tar", ros=True))).images[0]
+    assert found.outcome is Outcome.SCANNER_FAILED
+    assert found.reason == "alpha-core: trivy looked at 1 of 2 packages"
+
+
+@pytest.mark.parametrize(
+    ("packages", "system", "says"),
+    [((), "12", "no Debian package"), (("bash",), "", "no operating system")],
+)
+def test_a_ros_image_without_packages_is_not_clean(
+    world: World, packages: tuple[str, ...], system: str, says: str
+) -> None:
+    found = scanned(world, image("a", world.part("a", *packages, ros=True, system=system))).images[0]
+    assert found.outcome is Outcome.SCANNER_FAILED
+    assert says in found.reason
+
+
+def test_a_payload_without_packages_is_noted(world: World) -> None:
+    found = scanned(world, image("a", world.part("a", "bash", ros=True), world.part("headers"))).images[0]
+    assert found.outcome is Outcome.CLEAN
+    assert found.notes == ("headers: has no package that the scanner knows",)
+
+
+def test_a_system_without_advisories_is_noted(world: World) -> None:
+    world.eosl = True
+    found = scanned(world, image("a", world.part("a", "bash", ros=True))).images[0]
+    assert found.notes[0].startswith("a: debian 12.15 gets no advisories any more")
+
+
+def test_an_sbom_of_another_image_is_not_taken(world: World) -> None:
+    part = base(world)
+    other = json.dumps(
+        {
+            "bomFormat": "CycloneDX",
+            "metadata": {
+                "component": {"name": f"r@{digest('other')}", "bom-ref": "x", "type": "container"},
+                "tools": {"components": []},
+            },
+            "components": [
+                {"bom-ref": "a", "type": "operating-system", "name": "debian", "version": "12"},
+                {"bom-ref": "b", "type": "library", "name": "bash", "purl": "pkg:deb/debian/bash@1"},
+            ],
+        }
+    )
+    world.fail = {part.digest: other}
+    found = scanned(world, image("alpha-base", part)).images[0]
+    assert found.outcome is Outcome.SCANNER_FAILED
+    assert f"it is of r@{digest('other')}" in found.reason
+
+
+# ---- the program ----------------------------------------------------------------------------------------------------
+def test_another_version(world: World) -> None:
+    world.version = "0.64.1"
+    with pytest.raises(ScannerFailed, match=r"is trivy 0\.64\.1, and 0\.65\.0 is pinned") as caught:
+        world.trivy()
+    assert caught.value.exit_code == 4
+    assert caught.value.remedy == "run 'make scanner'"
+
+
+@pytest.mark.parametrize("text", [None, "{", "{}", "[]", '{"trivy": "/nowhere/trivy"}'])
+def test_no_program(tmp_path: Path, text: str | None) -> None:
+    (tmp_path / ".state").mkdir()
+    (tmp_path / "tools/go/trivy").mkdir(parents=True)
+    (tmp_path / "tools/go/trivy/go.mod").write_text(f"\tgithub.com/aquasecurity/trivy v{VERSION} // indirect\n")
+    if text is not None:
+        (tmp_path / ".state/scanner.json").write_text(text)
+    with pytest.raises(ScannerFailed) as caught:
+        Trivy.find(tmp_path)
+    assert caught.value.remedy == "run 'make scanner'"
+
+
+def test_the_projects_pins(tmp_path: Path) -> None:
+    assert pinned_version(ROOT, "trivy", ScannerFailed) == VERSION
+    assert re.fullmatch(r"3\.\d+\.\d+", pinned_version(ROOT, "cosign", RosmlError))
+    with pytest.raises(ScannerFailed, match="No such file"):
+        pinned_version(tmp_path, "trivy", ScannerFailed)
+    (tmp_path / "tools/go/trivy").mkdir(parents=True)
+    (tmp_path / "tools/go/trivy/go.mod").write_text("module trivy\n")
+    with pytest.raises(ScannerFailed, match="pins no trivy"):
+        pinned_version(tmp_path, "trivy", ScannerFailed)
+
+
+def test_nothing_of_the_user_changes_what_is_found(world: World, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither variables nor files in the folder; how to reach a registry is theirs to say."""
+    program = world.trivy()
+    program.environment = {"TRIVY_SEVERITY": "LOW", "TRIVY_INSECURE": "true", "TRIVY_PASSWORD": "secret", "HOME": "/h"}
+    program.run("--version", seconds=10)
+    seen = json.loads((world.folder / "environment").read_text())
+    assert "TRIVY_SEVERITY" not in seen
+    assert (seen["TRIVY_INSECURE"], seen["TRIVY_PASSWORD"], seen["HOME"]) == ("true", "secret", "/h")
+    assert seen["FOLDER"] != str(Path.cwd())
+    assert "secret" not in repr(program)
+
+
+def test_an_sbom_is_read_from_the_registry_by_digest(world: World) -> None:
+    program = world.trivy()
+    part = base(world)
+    world.write()
+    program.sbom(part.reference)
+    assert world.calls("cyclonedx")[0].split()[-1] == f"{HOST}/rosml/alpha-base@{part.digest}"
+    assert "--image-src remote" in world.calls("cyclonedx")[0]
+
+
+# ---- the database ---------------------------------------------------------------------------------------------------
+def test_no_database(world: World) -> None:
+    run = scan.scan_images(
+        [image("a", base(world)), image("b", base(world))], rules(), world.trivy(), shelf(), now=NOW, whole=True
+    )
+    assert [it.outcome for it in run.images] == [Outcome.SCANNER_FAILED] * 2
+    assert "there is no database of vulnerabilities" in run.images[0].reason
+    assert run.images[0].database is None
+    assert not world.calls("sbom")
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{}", "[]", '{"UpdatedAt": "yesterday"}', '{"UpdatedAt": "0001-01-01T00:00:00Z"}']
+)
+def test_a_damaged_database(world: World, text: str) -> None:
+    program = world.trivy()
+    program.fetch(rules().policy.database)
+    (program.folder / "db/metadata.json").write_text(text)
+    run = scan.scan_images([image("a", base(world))], rules(), program, shelf(), now=NOW, whole=True)
+    assert run.outcome is Outcome.SCANNER_FAILED
+    assert "is damaged" in run.images[0].reason
+
+
+def test_a_database_of_another_format(world: World) -> None:
+    world.schema = 3
+    with pytest.raises(ScannerFailed, match="has format 3, and trivy reads 2"):
+        scanned(world, image("a", base(world)))
+
+
+@pytest.mark.parametrize(
+    ("hours", "says"),
+    [(48, ""), (49, "was made 52 hours ago"), (24 * 30, "was made 30 days ago"), (-5, "made in the future")],
+)
+def test_the_age_of_the_database(world: World, hours: int, says: str) -> None:
+    now = NOW - timedelta(hours=3) + timedelta(hours=hours)
+    if hours == 49:
+        now += timedelta(hours=3)
+    run = scanned(world, image("a", world.part("a", "bash", ros=True)), now=now)
+    assert run.outcome is (Outcome.SCANNER_FAILED if says else Outcome.CLEAN)
+    assert says in run.images[0].reason
+
+
+def test_the_next_repository_is_asked(world: World) -> None:
+    world.sources = ("example.net/db:2",)
+    found = rules(database="{repositories: [example.org/db:2, example.net/db:2], max_age_hours: 48}").policy.database
+    said: list[str] = []
+    assert world.trivy().fetch(found, say=said.append).source == "example.net/db:2"
+    assert said == [f"fetch the database of vulnerabilities from example.{name}/db:2" for name in ("org", "net")]
+
+
+def test_no_repository_answers(world: World) -> None:
+    """Nor is the database of yesterday taken for today's."""
+    program = world.trivy()
+    program.fetch(rules().policy.database)
+    world.sources = ()
+    world.write()
+    with pytest.raises(ScannerFailed) as caught:
+        program.fetch(rules().policy.database)
+    assert caught.value.message.endswith("run error: example.org/db:2: MANIFEST_UNKNOWN")
+    assert caught.value.message.count("MANIFEST_UNKNOWN") == 1
+    assert len(world.calls("--download-db-only")) == 1 + trivy.ATTEMPTS
+    with pytest.raises(ScannerFailed, match="there is no database"):
+        program.database()
+
+
+def test_shards_fetch_the_same_state(world: World) -> None:
+    state = f"example.net/db@{digest('state')}"
+    world.sources = (state,)
+    pinned = trivy.resolve(rules(database="{repositories: [example.net/db], max_age_hours: 48}").policy.database, _head)
+    assert pinned == state
+    assert world.trivy().fetch(rules().policy.database, pinned).source == state
+
+
+def _head(reference: str) -> str:
+    if reference == "example.net/db:2":
+        return digest("state")
+    if reference.startswith("down"):
+        raise RosmlError("it is down")
+    return ""
+
+
+def test_no_state_to_share() -> None:
+    asked = rules(database="{repositories: ['down:5000/db:2', example.org/none], max_age_hours: 48}").policy.database
+    with pytest.raises(ScannerFailed) as caught:
+        trivy.resolve(asked, _head)
+    assert caught.value.message.splitlines()[1:] == [
+        "    down:5000/db:2: it is down",
+        "    example.org/none:2: there is no such tag",
+    ]
+
+
+def test_a_database_that_changes_during_the_run(world: World) -> None:
+    program = world.trivy()
+    program.fetch(rules().policy.database)
+    scanner = scan.Scanner(program, shelf(), program.database())
+    part = base(world)
+    world.advisories = {"bash": [advisory("CVE-2026-3")]}
+    world.write()
+    program.fetch(rules().policy.database)
+    with pytest.raises(ScannerFailed, match="changed during the run"):
+        scanner.report(part)
+
+
+@pytest.mark.parametrize(
+    ("buckets", "says"),
+    [
+        ("debian 11, pip::GitHub", "alpha-core: the database knows nothing of debian 12"),
+        ("debian 12", "torch: the database knows nothing of pip::"),
+    ],
+)
+def test_a_database_that_knows_nothing_of_the_system(world: World, buckets: str, says: str) -> None:
+    """Trivy itself would find nothing, and say nothing of it."""
+    world.buckets, world.advisories = buckets, {}
+    parts = (world.part("alpha-core", "bash", ros=True), world.part("torch", "torch"))
+    run = scanned(world, image("alpha-core-torch", *parts))
+    assert run.outcome is Outcome.SCANNER_FAILED
+    assert run.images[0].reason == says
+
+
+# ---- once -----------------------------------------------------------------------------------------------------------
+def test_a_shared_part_is_scanned_once(world: World) -> None:
+    torch = world.part("torch", "torch")
+    parts = [world.part(name, "bash", ros=True) for name in ("a", "b", "c")]
+    run = scanned(world, *(image(f"{part.name}-torch", part, torch) for part in parts))
+    assert [len(it.findings) for it in run.images] == [1, 1, 1]
+    assert len(world.calls("cyclonedx")) == 4
+    assert len(world.calls("sbom")) == 4
+
+
+def test_a_shared_part_fails_once(world: World) -> None:
+    torch = world.part("torch", "torch")
+    world.fail = {torch.digest: "crash"}
+    run = scanned(world, *(image(name, world.part(name, "bash", ros=True), torch) for name in ("a", "b")))
+    assert {it.outcome for it in run.images} == {Outcome.SCANNER_FAILED}
+    assert len(world.calls("cyclonedx")) == 3
+
+
+def test_the_next_night_reads_no_layer(world: World) -> None:
+    memory = Memory()
+    parts = (base(world), world.part("torch", "torch"))
+    first = scanned(world, image("a", *parts), memory=memory)
+    (world.folder / "calls").unlink()
+    second = scanned(world, image("a", *parts), memory=memory)
+    assert not world.calls("cyclonedx")
+    assert len(world.calls("sbom")) == 2
+    assert first.images[0].findings == second.images[0].findings
+
+
+@pytest.mark.parametrize("change", [{"scanner": "trivy 0.64.0"}, {"format": "0"}])
+def test_an_sbom_of_another_scanner_is_made_anew(
+    world: World, change: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    memory, part = Memory(), base(world)
+    program = world.trivy()
+    with monkeypatch.context() as patch:
+        if "format" in change:
+            patch.setattr(sbom, "FORMAT", change["format"])
+        other = shelf(memory, change.get("scanner", f"trivy {VERSION}"))
+    other.store(part.repository, part.digest, sbom.Sbom(b"{}"))
+    program.fetch(rules().policy.database)
+    run = scan.scan_images([image("a", part)], rules(), program, shelf(memory), now=NOW, whole=True)
+    assert run.images[0].packages == 2
+    assert len(memory.attached[part.repository, part.digest]) == 2
+
+
+@pytest.mark.parametrize("content", [b"", b"[]", b"{}", b'{"bomFormat": "CycloneDX", "components": [1]}'])
+def test_something_else_in_the_place_of_an_sbom(world: World, content: bytes) -> None:
+    memory, part = Memory(), base(world)
+    shelf(memory).store(part.repository, part.digest, sbom.Sbom(content))
+    run = scanned(world, image("a", part), memory=memory)
+    assert run.images[0].reason == "what is kept as an SBOM is none"
+    assert run.outcome is Outcome.SCANNER_FAILED
+
+
+def test_a_registry_that_fails(world: World) -> None:
+    class Broken(Memory):
+        def referrers(self, repository: str, digest: str, artifact_type: str = "") -> list[dict[str, Any]]:
+            raise RosmlError("the registry answers 503", "try again")
+
+    found = scanned(world, image("a", base(world)), memory=Broken()).images[0]
+    assert found.outcome is Outcome.SCANNER_FAILED
+    assert found.reason.endswith("the registry answers 503")
+
+
+# ---- SBOMs ----------------------------------------------------------------------------------------------------------
+def test_an_sbom_is_the_same_wherever_and_whenever_it_is_made(world: World) -> None:
+    program = world.trivy()
+    part = base(world)
+    world.write()
+    made = {
+        sbom.Sbom.of(program.sbom(f"{host}/rosml/alpha-base@{part.digest}"), part.digest).content
+        for host in (HOST, HOST, "example.org")
+    }
+    assert len(made) == 1
+    text = made.pop().decode()
+    assert HOST not in text
+    document = json.loads(text)
+    assert document["metadata"]["component"]["name"] == f"rosml/alpha-base@{part.digest}"
+    assert "timestamp" not in document["metadata"]
+    references = {item["bom-ref"] for item in document["components"]}
+    assert references >= {name for item in document["dependencies"] for name in item["dependsOn"]}
+
+
+# ---- ignore entries -------------------------------------------------------------------------------------------------
+def test_an_entry_ignores(world: World) -> None:
+    run = scanned(world, image("alpha-base", base(world)), rules=rules(IGNORE))
+    assert run.outcome is Outcome.CLEAN
+    assert run.images[0].findings[0].ignored == "not reachable"
+    assert run.images[0].matched == (0,)
+
+
+def test_an_expired_entry_ignores_nothing_and_fails_the_run(world: World) -> None:
+    over = rules(IGNORE.replace("2027-01-31", "2026-11-21"))
+    run = scanned(world, image("alpha-base", base(world)), image("c", world.part("c", "bash", ros=True)), rules=over)
+    assert [it.outcome for it in run.images] == [Outcome.POLICY_FAILED, Outcome.CLEAN]
+    assert run.problems == (
+        "scan.yaml:6:3: ignore[0]: CVE-2026-1 was ignored until 2026-11-21; look at it again: "
+        "give it a new date, or remove it",
+    )
+
+
+def test_an_expired_entry_fails_a_run_without_findings(world: World) -> None:
+    over = rules(IGNORE.replace("2027-01-31", "2026-11-21"))
+    run = scanned(world, image("c", world.part("c", "bash", ros=True)), rules=over, whole=False)
+    assert run.images[0].outcome is Outcome.CLEAN
+    assert run.outcome is Outcome.POLICY_FAILED
+
+
+def test_an_entry_that_matches_nothing_fails_the_run(world: World) -> None:
+    found = rules(IGNORE + IGNORE.replace("CVE-2026-1", "CVE-2026-9"))
+    run = scanned(world, image("alpha-base", base(world)), rules=found)
+    assert run.images[0].outcome is Outcome.CLEAN
+    assert run.outcome is Outcome.POLICY_FAILED
+    assert run.problems == ("scan.yaml:7:3: ignore[1]: CVE-2026-9 is in no image that the entry is for; remove it",)
+
+
+def test_an_entry_for_other_images_matches_nothing_here(world: World) -> None:
+    found = rules(IGNORE.replace("reason", 'targets: "omega-*", reason'))
+    run = scanned(world, image("alpha-base", base(world)), rules=found)
+    assert run.images[0].outcome is Outcome.POLICY_FAILED
+    assert len(run.problems) == 1
+
+
+@pytest.mark.parametrize("case", ["a part of the run", "an image of which nothing is known"])
+def test_an_entry_is_not_called_useless_too_soon(world: World, case: str) -> None:
+    found = rules(IGNORE.replace("CVE-2026-1", "CVE-2026-9"))
+    if case == "a part of the run":
+        run = scanned(world, image("alpha-base", base(world)), rules=found, whole=False)
+    else:
+        world.fail = {digest("broken"): "crash"}
+        run = scanned(world, image("b", world.part("broken", "bash", ros=True)), rules=found)
+    assert run.problems == ()
+
+
+def test_shards_are_summed_up(world: World) -> None:
+    """An entry that matches in one shard is not useless because of another."""
+    found = rules(IGNORE + IGNORE.replace("CVE-2026-1", "CVE-2026-9"))
+    one = scanned(world, image("alpha-base", base(world)), rules=found, whole=False)
+    two = scanned(world, image("c", world.part("c", "bash", ros=True)), rules=found, whole=False)
+    whole = scan.summarise([*one.images, *two.images], found, NOW.date(), whole=True)
+    assert [problem.split(": ")[2][:10] for problem in whole.problems] == ["CVE-2026-9"]
+
+
+def test_shards_with_different_databases(world: World) -> None:
+    one = scanned(world, image("c", world.part("c", "bash", ros=True)))
+    world.advisories = {}
+    two = scanned(world, image("c", world.part("c", "bash", ros=True)))
+    run = scan.summarise([*one.images, *two.images], rules(), NOW.date(), whole=True)
+    assert run.problems == ("the images were held against 2 states of the database: give all shards the same one",)
+    assert run.outcome is Outcome.POLICY_FAILED
+
+
+def test_entries_expire_by_the_runs_date(world: World) -> None:
+    """Whatever the machine's clock says by the time an image is scanned."""
+    program = world.trivy()
+    program.fetch(rules().policy.database)
+    scanner = scan.Scanner(program, shelf(), program.database())
+    part = base(world)
+    world.write()
+    for day, outcome in ((date(2027, 1, 31), Outcome.CLEAN), (date(2027, 2, 1), Outcome.POLICY_FAILED)):
+        assert scan.scan("alpha-base", "amd64", [part], rules(IGNORE), scanner, day).outcome is outcome

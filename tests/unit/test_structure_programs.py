@@ -1,0 +1,193 @@
+"""The parts of the structure tests that can be told without an image: what they take for wrong, and what they let pass."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import runpy
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import ROOT
+
+STRUCTURE = ROOT / "tests/structure"
+
+
+def program(name: str) -> dict[str, Any]:
+    """The functions of a Python program of the structure tests."""
+    return runpy.run_path(str(STRUCTURE / name))
+
+
+# ---- One runtime of OpenMP -------------------------------------------------------------------------------------------
+
+GNU = "/usr/lib/x86_64-linux-gnu/libgomp.so.1.0.0"
+TORCH = "/usr/local/lib/python3.11/dist-packages/torch/lib/libgomp.so.1"
+TENSORFLOW = "/usr/local/lib/python3.11/dist-packages/tensorflow.libs/libomp-f1025659.so.5"
+LLVM = "/usr/lib/aarch64-linux-gnu/libomp.so.5"
+INTEL = "/usr/local/lib/libiomp5.so"
+
+RUNTIMES = {
+    "none": ([], "x86_64", True),
+    "one": ([GNU], "x86_64", True),
+    "PyTorch's own": ([TORCH], "aarch64", True),
+    "two of GNU's": ([GNU, TORCH], "x86_64", False),
+    "TensorFlow's for arm64 beside GNU's": ([GNU, TENSORFLOW], "aarch64", True),
+    "the same on amd64": ([GNU, TENSORFLOW], "x86_64", False),
+    "TensorFlow's beside two of GNU's": ([GNU, TORCH, TENSORFLOW], "aarch64", False),
+    "LLVM's, but not TensorFlow's": ([GNU, LLVM], "aarch64", False),
+    "Intel's": ([GNU, INTEL], "x86_64", False),
+}
+
+
+@pytest.mark.parametrize("name", RUNTIMES)
+def test_runtimes_of_openmp_in_one_process(name: str) -> None:
+    paths, machine, well = RUNTIMES[name]
+    mapped = ["7f00-7f01 rw-p 00000000 00:00 0", "7f02-7f03 r-xp 00000000 08:01 7 /usr/lib/libcompute.so"]
+    mapped += [
+        f"7f0{i}-7f1{i} {kind} 00000000 08:01 {i} {path}" for i, path in enumerate(paths) for kind in ("r--p", "r-xp")
+    ]
+    found = program("programs/coexist/process.py")["runtimes_too_many"]("\n".join(mapped), machine)
+    assert found == ([] if well else sorted(paths))
+
+
+def test_orders_of_imports() -> None:
+    """Each is the first one once; of every two, each comes first in some order."""
+    names = list("abcdef")
+    tried = program("programs/coexist/process.py")["orders"](names)
+    assert [order[0] for order in tried] == names
+    assert all(sorted(order) == names for order in tried)
+    before = {(one, other) for order in tried for place, one in enumerate(order) for other in order[place + 1 :]}
+    assert before == set(itertools.permutations(names, 2))
+
+
+# ---- The banner, and what was recorded -------------------------------------------------------------------------------
+
+PROMISED = {
+    "os": "ubuntu-24.04",
+    "python": "3.12",
+    "ros": "2",
+    "ros_distro": "jazzy",
+    "rmw": "rmw_cyclonedds_cpp",
+    "cuda": "12.8.90",
+    "cudnn": "9.10.2.21",
+    "nccl": "2.27.5",
+    "torch": "2.10.0",
+    "tensorflow": "2.20.0",
+}
+RECORDED = {
+    "image-os": "Ubuntu 24.04.3 LTS",
+    "image-architecture": "amd64",
+    "image-python": "3.12.3",
+    "image-cmake": "3.28.3",
+    "ros-distro": "jazzy",
+    "ros-version": "2",
+    "nvidia-cuda-runtime-cu12": "12.8.90",
+    "nvidia-cudnn-cu12": "9.10.2.21",
+    "nvidia-nccl-cu12": "2.27.5",
+    "torch": "2.10.0",
+    "tensorflow": "2.20.0",
+}
+SYSTEM = {"ID": "ubuntu", "VERSION_ID": "24.04", "VERSION_CODENAME": "noble", "PRETTY_NAME": "Ubuntu 24.04.3 LTS"}
+
+
+def banner(folder: Path, recorded: dict[str, str], *middleware: str) -> str:
+    """What banner.sh says of an image with these records, below another folder than /."""
+    (folder / "versions.d").mkdir(parents=True)
+    (folder / "versions.d/all").write_text("".join(f"{name} {version}\n" for name, version in recorded.items()))
+    index = folder / "jazzy/share/ament_index/resource_index/rmw_typesupport"
+    index.mkdir(parents=True)
+    for name in middleware:
+        (index / name).touch()
+    script = (ROOT / "components/base/banner.sh").read_text()
+    for path, there in (("/usr/local/share/rosml/", f"{folder}/"), ("/opt/ros/", f"{folder}/")):
+        assert path in script
+        script = script.replace(path, there)
+    environment = {"PATH": os.environ["PATH"], "ROS_DISTRO": "jazzy"}
+    return subprocess.run(["bash", "-c", script], env=environment, capture_output=True, text=True, check=True).stdout
+
+
+ROS_2 = ("rmw_cyclonedds_cpp", "rmw_fastrtps_cpp", "rmw_implementation")
+
+FAULTS: dict[str, tuple[dict[str, str], dict[str, str | None], tuple[str, ...], list[str]]] = {
+    "as promised": ({}, {}, ROS_2, []),
+    "another CUDA": (
+        {"nvidia-cuda-runtime-cu12": "12.6.77"},
+        {},
+        ROS_2,
+        ["recorded of cuda: {'nvidia-cuda-runtime-cu12': '12.6.77'}, expected 12.8.90",
+         "the banner's CUDA: 12.6.77, expected 12.8.90"],
+    ),
+    "another cuDNN": (
+        {"nvidia-cudnn-cu12": "9.1"},
+        {},
+        ROS_2,
+        ["recorded of cudnn: {'nvidia-cudnn-cu12': '9.1'}, expected 9.10.2.21",
+         "the banner's cuDNN: 9.1, expected 9.10.2.21"],
+    ),
+    "another NCCL": (
+        {},
+        {"nccl": "2.26.0"},
+        ROS_2,
+        ["recorded of nccl: {'nvidia-nccl-cu12': '2.27.5'}, expected 2.26.0"],
+    ),
+    "a build for the CPU is of the same version": ({"torch": "2.10.0+cpu"}, {}, ROS_2, []),
+    "another PyTorch": (
+        {"torch": "2.9.1"},
+        {},
+        ROS_2,
+        ["recorded of torch: {'torch': '2.9.1'}, expected 2.10.0", "the banner's PyTorch: 2.9.1, expected 2.10.0"],
+    ),
+    "a TensorFlow that nobody promised": (
+        {},
+        {"tensorflow": None},
+        ROS_2,
+        ["recorded of tensorflow: {'tensorflow': '2.20.0'}, expected None",
+         "the banner's TensorFlow: 2.20.0, expected None"],
+    ),
+    "a promised one that is not there": (
+        {"tensorflow": ""},
+        {},
+        ROS_2,
+        ["recorded of tensorflow: nothing, expected 2.20.0", "the banner's TensorFlow: None, expected 2.20.0"],
+    ),
+    "another ROS": ({"ros-distro": "kilted"}, {}, ROS_2, ["the banner's ROS: kilted (ROS 2), expected jazzy (ROS 2)"]),
+    "a middleware that is missing": (
+        {},
+        {},
+        ("rmw_fastrtps_cpp",),
+        ["the banner's RMW: rmw_fastrtps_cpp (installed: rmw_fastrtps_cpp), expected rmw_fastrtps_cpp, and installed: "
+         "rmw_fastrtps_cpp rmw_cyclonedds_cpp"],
+    ),
+    "middleware where ROS has its own": (
+        {},
+        {"ros": "1"},
+        ("rmw_fastrtps_cpp",),
+        ["the banner's ROS: jazzy (ROS 2), expected jazzy (ROS 1)",
+         "the banner's RMW: rmw_fastrtps_cpp (installed: rmw_fastrtps_cpp), expected none: ROS 1 has one of its own"],
+    ),
+    "another Python": ({"image-python": "3.13.1"}, {}, ROS_2, ["the banner's Python: 3.13.1, expected 3.12"]),
+    "another system": (
+        {},
+        {"os": "ubuntu-22.04"},
+        ROS_2,
+        ["the operating system's name in matrix.yaml: ubuntu-22.04, expected ['noble', 'ubuntu-24.04']"],
+    ),
+    "its codename": ({}, {"os": "noble"}, ROS_2, []),
+    "a banner of another system": (
+        {"image-os": "Debian GNU/Linux 12 (bookworm)"},
+        {},
+        ROS_2,
+        ["the banner's OS: Debian GNU/Linux 12 (bookworm), amd64, expected Ubuntu 24.04.3 LTS"],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_versions_of_an_image(name: str, tmp_path: Path) -> None:
+    records, promises, middleware, wanted = FAULTS[name]
+    recorded = {key: value for key, value in {**RECORDED, **records}.items() if value}
+    promised = {key: value for key, value in {**PROMISED, **promises}.items() if value}
+    said = banner(tmp_path, recorded, *middleware)
+    assert program("checks/versions.py")["wrong"](said, recorded, SYSTEM, promised) == wanted

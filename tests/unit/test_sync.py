@@ -1,0 +1,105 @@
+"""Where a distribution's packages come from, and of when that repository is."""
+
+from __future__ import annotations
+
+import http.server
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from rosml import sync
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue
+
+SOURCE = sync.Source("live", "", "http://packages.ros.org/ros2/ubuntu", "noble")
+
+
+def test_as_the_matrix_says(real: Catalogue) -> None:
+    found = sync.source(real.matrix, "jazzy", {})
+    assert found == SOURCE
+    final = sync.source(real.matrix, "noetic", {})
+    assert final == sync.Source("final", "", "http://snapshots.ros.org/noetic/final/ubuntu", "focal")
+    assert sync.source(real.matrix, "bookworm", {}) is None
+
+
+def test_otherwise_for_once(real: Catalogue) -> None:
+    found = sync.source(real.matrix, "foxy", {"ROS_CHANNEL": "live"})
+    assert found and found.address == "http://packages.ros.org/ros2/ubuntu"
+    found = sync.source(real.matrix, "jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
+    assert found and found.address == "http://snapshots.ros.org/jazzy/2026-08-07/ubuntu"
+
+
+@pytest.mark.parametrize(
+    ("name", "environ", "words"),
+    [
+        ("jazzy", {"ROS_CHANNEL": "fina"}, "no channel 'fina'"),
+        ("jazzy", {"ROS_CHANNEL": "snapshot"}, "a snapshot is of a day"),
+        ("jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "yesterday"}, "no day 'yesterday'"),
+        ("jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "20260807"}, "no day '20260807'"),
+        ("jazzy", {"ROS_SNAPSHOT": "2026-08-07"}, "the channel live has no days"),
+        ("jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2999-01-01"}, "still to come"),
+        ("rolling", {"ROS_CHANNEL": "final"}, "until further notice: it has no final snapshot yet"),
+        ("bookworm", {"ROS_CHANNEL": "final"}, "the ROS packages of bookworm are bookworm's own"),
+    ],
+)
+def test_what_there_is_not(real: Catalogue, name: str, environ: dict[str, str], words: str) -> None:
+    with pytest.raises(RosmlError, match=words) as caught:
+        sync.source(real.matrix, name, environ)
+    assert caught.value.exit_code == 2
+    assert caught.value.remedy
+
+
+ANSWERS = {
+    "good": "Origin: ROS\nDate: Fri, 20 Nov 2026 22:14:09 +0100\nCodename: noble\n",
+    "dateless": "Origin: ROS\n",
+    "odd": "Date: some day\n",
+}
+
+
+@pytest.fixture(scope="module")
+def mirror() -> Iterator[str]:
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            name, _, path = self.path.lstrip("/").partition("/")
+            known = name in ANSWERS and path == "packages.ros.org/ros2/ubuntu/dists/noble/InRelease"
+            self.send_response(200 if known else 404)
+            self.end_headers()
+            self.wfile.write(ANSWERS[name].encode() if known else b"")
+
+        def log_message(self, format: str, *args: object) -> None:
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.05}, daemon=True).start()
+    yield f"http://127.0.0.1:{server.server_port}"
+    server.shutdown()
+    server.server_close()
+
+
+def test_of_when_it_is(mirror: str) -> None:
+    assert sync.published(SOURCE, {"ROS_APT_MIRROR": f"{mirror}/good/"}) == "2026-11-20T21:14:09Z"
+
+
+@pytest.mark.parametrize(
+    ("name", "words"), [("absent", "does not answer"), ("dateless", "says no date"), ("odd", "says no date")]
+)
+def test_nobody_knows(mirror: str, name: str, words: str) -> None:
+    with pytest.raises(RosmlError, match=words):
+        sync.published(SOURCE, {"ROS_APT_MIRROR": f"{mirror}/{name}"})
+
+
+def test_a_mirror_that_is_no_address() -> None:
+    with pytest.raises(RosmlError, match="does not answer"):
+        sync.published(SOURCE, {"ROS_APT_MIRROR": "nonsense"})
+
+
+def test_remembered(tmp_path: Path) -> None:
+    assert sync.remembered(tmp_path, SOURCE) == ""
+    sync.remember(tmp_path, SOURCE, "2026-11-20T21:14:09Z")
+    assert sync.remembered(tmp_path, SOURCE) == "2026-11-20T21:14:09Z"
+    other = sync.Source("final", "", "http://snapshots.ros.org/noetic/final/ubuntu", "focal")
+    assert sync.remembered(tmp_path, other) == ""
+    (tmp_path / "ros-sync.json").write_text("[1]")
+    assert sync.remembered(tmp_path, SOURCE) == ""

@@ -1,0 +1,52 @@
+"""Turns of calls in one checkout."""
+
+from __future__ import annotations
+
+import multiprocessing
+from multiprocessing.synchronize import Event
+from pathlib import Path
+
+import pytest
+
+from rosml.publish import _blobs
+from rosml.turn import turn
+
+
+def hold(file: Path, begun: Event, end: Event) -> None:
+    with turn(file, lambda: None):
+        begun.set()
+        end.wait(20)
+
+
+@pytest.mark.parametrize("killed", [False, True])
+def test_one_after_the_other(tmp_path: Path, killed: bool) -> None:
+    """The second one says that it waits, and goes on when the first has ended, by itself or killed."""
+    context = multiprocessing.get_context("fork")
+    begun, end = context.Event(), context.Event()
+    other = context.Process(target=hold, args=(tmp_path / "turns/bookworm-core", begun, end))
+    other.start()
+    assert begun.wait(20)
+    said: list[str] = []
+
+    def waiting() -> None:
+        said.append("waits")
+        if killed:
+            other.kill()
+        else:
+            end.set()
+
+    with turn(tmp_path / "turns/bookworm-core", waiting):
+        other.join(20)
+    assert (said, other.exitcode) == (["waits"], -9 if killed else 0)
+
+
+def test_nobody_to_wait_for(tmp_path: Path) -> None:
+    for name in ("a", "b", "a"):
+        with turn(tmp_path / name, lambda: (_ for _ in ()).throw(AssertionError("waits"))):
+            pass
+
+
+def test_what_the_registry_has(tmp_path: Path) -> None:
+    assert _blobs(tmp_path) == set()
+    (tmp_path / "docker/registry/v2/blobs/sha256/ab/abcd").mkdir(parents=True)
+    assert _blobs(tmp_path) == {"abcd"}

@@ -1,0 +1,308 @@
+"""The workflows contain no logic: every step is a command that there is, with options that it has, on a machine that may
+do no more than it must."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import subprocess
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+import pytest
+import yaml
+from conftest import ROOT
+
+from scripts import catalogue, generate_bake, lock, publish
+
+FOLDER = ROOT / ".github/workflows"
+NAMES = ("ci", "locks", "nightly")
+
+READ = {"contents": "read"}
+PULL = {**READ, "packages": "read"}
+PUSH = {**READ, "packages": "write"}
+PERMISSIONS = {
+    ("ci", "check"): READ,
+    ("ci", "unit"): READ,
+    ("ci", "images"): READ,
+    ("locks", "upgrade"): READ,
+    ("locks", "propose"): {"contents": "write", "pull-requests": "write"},
+    ("nightly", "plan"): PULL,
+    ("nightly", "images"): PUSH,
+    ("nightly", "scan"): PULL,
+    ("nightly", "promote"): {**PUSH, "id-token": "write"},
+    ("nightly", "prune"): PULL,
+    ("nightly", "catalogue"): PULL,
+    ("nightly", "pages"): {"pages": "write", "id-token": "write"},
+}
+"""What each job may do."""
+
+ACTIONS = {
+    "actions/checkout": "v6.0.2",
+    "actions/upload-artifact": "v6.0.0",
+    "actions/download-artifact": "v7.0.0",
+    "actions/upload-pages-artifact": "v4.0.0",
+    "actions/deploy-pages": "v4.0.5",
+    "docker/login-action": "v3.6.0",
+    "peter-evans/create-pull-request": "v8.0.0",
+}
+"""All that is not ours, and its version; a version has one commit."""
+
+WRITERS = {"build", "compose", "test", "record", "index", "promote"}
+"""Steps that write into the registry."""
+
+COMMANDS: dict[str, click.Command] = {
+    "scripts/publish.py": publish.cli,
+    "scripts/lock.py": lock.main,
+    "scripts/generate_bake.py": generate_bake.main,
+    "scripts/catalogue.py": catalogue.main,
+}
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step, and where it is."""
+
+    workflow: str
+    job: str
+    number: int
+    content: dict[str, Any]
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """Variables that it sees, of which each must be one that somebody sets."""
+        found = load(self.workflow)
+        parts = (found, found["jobs"][self.job], self.content)
+        return {name: str(value) for part in parts for name, value in (part.get("env") or {}).items()}
+
+    def __str__(self) -> str:
+        return f"{self.workflow}-{self.job}-{self.number}"
+
+
+def text(name: str) -> str:
+    return (FOLDER / f"{name}.yml").read_text()
+
+
+def load(name: str) -> dict[str, Any]:
+    content: dict[str, Any] = yaml.safe_load(text(name))
+    return content
+
+
+def steps() -> Iterator[Step]:
+    for workflow in NAMES:
+        for job, content in load(workflow)["jobs"].items():
+            for number, step in enumerate(content["steps"]):
+                yield Step(workflow, job, number, step)
+
+
+RUNS = [step for step in steps() if "run" in step.content]
+
+
+def test_these_are_all() -> None:
+    assert sorted(path.name for path in FOLDER.iterdir()) == [f"{name}.yml" for name in NAMES]
+
+
+# ---- Commands --------------------------------------------------------------------------------------------------------
+
+
+def words(step: Step) -> list[str]:
+    """The words of a step's command; variables stay as they are written."""
+    command = step.content["run"].strip()
+    assert "\n" not in command, "one command"
+    assert "${{" not in command, "a value that becomes part of a command can become another command"
+    lexer = shlex.shlex(command, posix=True, punctuation_chars=True)
+    lexer.whitespace_split = True
+    found = list(lexer)
+    assert not [word for word in found if re.fullmatch(r"[();<>|&]+", word)], "no shell beside the command"
+    assert "`" not in command and "$(" not in command
+    for variable in re.findall(r"\$\{?(\w+)", command):
+        assert f'"${variable}"' in command, "quoted, and nothing but the variable"
+        assert variable in step.environment, f"nobody sets {variable}"
+    return found
+
+
+@pytest.mark.parametrize("step", RUNS, ids=str)
+def test_every_command_is_one_that_there_is(step: Step) -> None:
+    argv = words(step)
+    if argv[0] == "make":
+        # Dry: a target that is not there, or a variable that it does not know, is not silently nothing.
+        done = subprocess.run(
+            ["make", "--dry-run", *argv[1:]], cwd=ROOT, capture_output=True, text=True, check=False, env=os.environ
+        )
+        assert done.returncode == 0, done.stderr
+        for word in argv[1:]:
+            name, _, value = word.partition("=")
+            assert not value or f"$({name})" in (ROOT / "Makefile").read_text()
+        listed = subprocess.run(["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+        assert f"  make {argv[1]} " in listed, "one that people are told of"
+        return
+    assert argv[:2] == ["uv", "run"], "make, or uv run with a script"
+    assert Path(argv[2]).suffix == ".py" and (ROOT / argv[2]).is_file()
+    accepted(COMMANDS[argv[2]], argv[3:])
+
+
+def accepted(command: click.Command, arguments: list[str]) -> None:
+    """Has click's own parser read a command line; nothing is checked for being there, and nothing runs."""
+    if isinstance(command, click.Group):
+        assert arguments[0] in command.commands, f"no command {arguments[0]}"
+        return accepted(command.commands[arguments[0]], arguments[1:])
+    context = click.Context(command)
+    _, rest, _ = command.make_parser(context).parse_args(list(arguments))
+    assert not rest
+    return None
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (["fly"], "no command"),
+        (["plan", "--fly"], "No such option"),
+        (["plan", "--output"], "requires an argument"),
+        (["plan", "extra"], "extra"),
+    ],
+)
+def test_what_there_is_not_is_told(arguments: list[str], reason: str) -> None:
+    with pytest.raises((AssertionError, click.UsageError)) as caught:
+        accepted(publish.cli, arguments)
+    assert reason in str(caught.value) or reason in repr(arguments)
+
+
+def test_variables_of_make_are_known_to_it() -> None:
+    """`make publish` and `make diff` take theirs from the environment."""
+    content = (ROOT / "Makefile").read_text()
+    for step in RUNS:
+        if step.content["run"].startswith("make"):
+            for name in step.environment:
+                assert re.search(rf"^{name} \?=", content, re.MULTILINE) or step.workflow == "nightly", name
+
+
+# ---- Rights ----------------------------------------------------------------------------------------------------------
+
+
+def test_permissions_are_the_least() -> None:
+    found = {(name, job): content.get("permissions") for name in NAMES for job, content in load(name)["jobs"].items()}
+    assert found == PERMISSIONS
+    assert [load(name)["permissions"] for name in NAMES] == [{}, {}, {}]
+
+
+def test_no_secret_but_the_jobs_own_token() -> None:
+    for name in NAMES:
+        assert "secrets" not in re.sub(r"#.*", "", text(name))
+        uses = re.findall(r"\$\{\{[^}]*token[^}]*\}\}", text(name))
+        assert set(uses) <= {"${{ github.token }}"}
+        assert "pull_request_target" not in text(name)
+
+
+def test_a_checkout_leaves_no_credentials() -> None:
+    for step in steps():
+        if str(step.content.get("uses")).startswith("actions/checkout@"):
+            assert step.content["with"]["persist-credentials"] is False
+
+
+def test_the_scanner_may_not_publish() -> None:
+    """No job that runs it has the right, and none that has the right runs anything of the scanner's."""
+    for step in RUNS:
+        argv = words(step)
+        permissions = PERMISSIONS[step.workflow, step.job]
+        if "scanner" in argv or argv[2:4] == ["scripts/publish.py", "scan"]:
+            assert "write" not in permissions.values()
+        if argv[2:3] == ["scripts/publish.py"]:
+            assert (argv[3] in WRITERS) == (permissions.get("packages") == "write") or argv[3] == "status"
+            if argv[3] == "scan":
+                assert "--output" in argv, "or it would write into the registry"
+
+
+def test_one_variable_says_whether_indexes_are_signed() -> None:
+    """It installs the signer, and has the commands sign; nobody else shows who they are."""
+    job = load("nightly")["jobs"]["promote"]
+    (install,) = [step for step in job["steps"] if step.get("run") == "make signer"]
+    assert install["if"] == "${{ vars.ROSML_SIGN == 'true' }}"
+    assert job["env"] == {"ROSML_SIGN": "${{ vars.ROSML_SIGN }}"}
+    for name in ("index", "promote"):
+        (option,) = [item for item in publish.cli.commands[name].params if item.name == "sign"]
+        assert isinstance(option, click.Option) and option.envvar == "ROSML_SIGN" and option.is_flag
+    for value, expected in (("", False), ("false", False), ("true", True)):
+        context = click.Context(publish.cli.commands["promote"])
+        os.environ["ROSML_SIGN"] = value
+        try:
+            assert option.handle_parse_result(context, {}, [])[0] is expected
+        finally:
+            del os.environ["ROSML_SIGN"]
+    tokens = [key for key, rights in PERMISSIONS.items() if "id-token" in rights]
+    assert tokens == [("nightly", "promote"), ("nightly", "pages")]
+
+
+def test_what_may_publish_a_site_runs_nothing() -> None:
+    """Neither a checkout nor a command: nothing but the page that another job left."""
+    for step in steps():
+        if PERMISSIONS[step.workflow, step.job].get("pages") == "write":
+            assert "run" not in step.content and "checkout" not in step.content["uses"]
+    assert "vars.ROSML_PAGES == 'true'" in load("nightly")["jobs"]["pages"]["if"], "only where somebody wants it"
+
+
+def test_nobody_logs_in_for_a_pull_request() -> None:
+    for step in steps():
+        if str(step.content.get("uses")).startswith("docker/login-action@"):
+            assert step.workflow == "nightly"
+            assert step.content["with"]["password"] == "${{ github.token }}"
+
+
+def test_actions_are_pinned() -> None:
+    pins: dict[str, set[str]] = {}
+    for name in NAMES:
+        for line in text(name).splitlines():
+            if "uses:" in line:
+                found = re.search(r"uses: ([\w./-]+)@([0-9a-f]{40}) # (v\d+\.\d+\.\d+)( # zizmor: ignore.*)?$", line)
+                assert found, line
+                assert ACTIONS[found[1]] == found[3]
+                pins.setdefault(found[1], set()).add(found[2])
+    assert pins.keys() == ACTIONS.keys()
+    assert all(len(commits) == 1 for commits in pins.values())
+
+
+# ---- Runs ------------------------------------------------------------------------------------------------------------
+
+
+def test_no_job_hangs_for_ever() -> None:
+    for name in NAMES:
+        for job in load(name)["jobs"].values():
+            assert 0 < job["timeout-minutes"] < 360, "GitHub ends a job after six hours"
+
+
+def test_a_run_that_publishes_is_not_cancelled() -> None:
+    assert load("nightly")["concurrency"] == {"group": "publish", "cancel-in-progress": False}
+    assert load("locks")["concurrency"]["cancel-in-progress"] is False
+    assert "github.ref" in load("ci")["concurrency"]["group"]
+
+
+def test_one_image_blocks_only_itself() -> None:
+    """Other shards go on, and so do the next steps and jobs, which leave alone what is not there."""
+    jobs = load("nightly")["jobs"]
+    assert jobs["images"]["strategy"]["fail-fast"] is False
+    for name in ("scan", "promote"):
+        assert jobs[name]["if"] == "${{ !cancelled() && needs.plan.result == 'success' }}"
+    for step in RUNS:
+        argv = words(step)
+        if argv[2:3] == ["scripts/publish.py"] and argv[3] in WRITERS - {"build", "record"}:
+            assert step.content["if"] == "${{ !cancelled() }}"
+
+
+def test_the_date_is_chosen_once() -> None:
+    """By the plan, which all other steps are given."""
+    for step in RUNS:
+        argv = words(step)
+        if argv[2:3] == ["scripts/publish.py"] and argv[3] in WRITERS | {"scan"}:
+            assert argv[4:6] == ["--plan", "plan.json"]
+            assert "--date" not in argv
+
+
+def test_machines_have_a_release() -> None:
+    """What is called latest is another one tomorrow."""
+    for name in NAMES:
+        assert "latest" not in text(name)
+        for job in load(name)["jobs"].values():
+            assert job["runs-on"] in ("ubuntu-24.04", "${{ matrix.shard.runner }}")
