@@ -8,6 +8,7 @@ import shlex
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +17,7 @@ from rosml import certificates
 from rosml.errors import RosmlError
 from rosml.progress import BuildProgress
 from rosml.services import Services
+from rosml.turn import turn
 
 # What BuildKit prints when something outside the build is wrong, and what helps.
 _REMEDIES = (
@@ -102,8 +104,17 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
     return env
 
 
+def turn_file(services: Services) -> Path:
+    """What builds in one builder wait for."""
+    return (services.buildx_config or services.state) / "turns" / services.builder
+
+
 def run(services: Services, bake: Bake, progress: BuildProgress | None = None) -> tuple[BuildProgress, dict[str, str]]:
     """Builds a target; lines for people go to standard error, everything to `.state/log/<name>.log`.
+
+    Builds in one builder take turns. BuildKit solves builds that run at the same time in one graph; one that begins while
+    another one holds the steps that they share runs steps anew whose results are in the cache
+    (https://github.com/moby/buildkit/issues/4674): gigabytes of payloads were assembled three times.
 
     Returns:
         The progress with all steps, and what buildx says about the target, e.g. `containerimage.digest`.
@@ -112,6 +123,18 @@ def run(services: Services, bake: Bake, progress: BuildProgress | None = None) -
         RosmlError: the build failed; the message has the failed step's last lines.
         KeyboardInterrupt: the user stopped it; the builder was told.
     """
+    begin = time.monotonic()
+    with turn(
+        turn_file(services),
+        lambda: print(f"  waiting for another build in builder '{services.builder}'", file=sys.stderr),
+    ):
+        waited = time.monotonic() - begin
+        progress, metadata = _run(services, bake, progress)
+        progress.waited += waited
+        return progress, metadata
+
+
+def _run(services: Services, bake: Bake, progress: BuildProgress | None) -> tuple[BuildProgress, dict[str, str]]:
     folder = services.state / "log"
     folder.mkdir(parents=True, exist_ok=True)
     log_path = folder / f"{bake.name}.log"

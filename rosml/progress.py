@@ -26,6 +26,8 @@ _MOUNT = re.compile(r"--mount=\S+\s*")
 HEARTBEAT_SECONDS = 20.0
 """A step that is silent for as long is named again, so that nobody takes it for dead."""
 
+WAITING = "waiting for the builder"
+"""The phase in which another build had its turn."""
 TAIL_LINES = 20
 """How many of a step's last lines are shown when it fails."""
 
@@ -105,6 +107,9 @@ class BuildProgress:
         out: where lines for people go.
         log: where everything goes, in plain text.
         clock: monotonic seconds; replaced in tests.
+
+    Attributes:
+        waited: seconds that the build waited for another one in the same builder before it began.
     """
 
     def __init__(
@@ -112,6 +117,7 @@ class BuildProgress:
     ) -> None:
         self.steps: dict[str, Step] = {}
         self.other: deque[str] = deque(maxlen=TAIL_LINES)
+        self.waited = 0.0
         self._out = out
         self._log = log
         self._clock = clock
@@ -162,7 +168,7 @@ class BuildProgress:
 
     def phases(self) -> dict[str, float]:
         """Seconds of work by phase, longest first. Steps run side by side: the sum may exceed the wall time."""
-        totals: dict[str, float] = {}
+        totals: dict[str, float] = {WAITING: self.waited}
         for step in self.steps.values():
             if not step.internal:
                 totals[step.phase] = totals.get(step.phase, 0.0) + step.seconds

@@ -580,7 +580,7 @@ def test_buildkit_config(tmp_path: Path) -> None:
     assert toml["grpc"]["address"] == ["unix:///s"]
     assert toml["registry"]["docker.io"]["mirrors"] == ["127.0.0.1:5001"]
     assert toml["registry"]["127.0.0.1:5001"] == {"http": True, "insecure": True}
-    assert toml["worker"]["oci"]["gcpolicy"] == [{"all": True, "maxUsedSpace": "30GB", "minFreeSpace": "12GB"}]
+    assert toml["worker"]["oci"]["gcpolicy"] == [{"all": True, "maxUsedSpace": "40GB", "minFreeSpace": "12GB"}]
     certificate = tmp_path / "ca.crt"
     certificate.write_text("one")
     trusted = {"reg.example:5000": [str(certificate)], "127.0.0.1:5001": ["ours"], "docker.io": ["a mirror's"]}

@@ -18,7 +18,7 @@ from stubs import answering_registry, buildx, calls, services
 from rosml import builder
 from rosml.builder import Bake
 from rosml.errors import RosmlError
-from rosml.progress import BuildProgress
+from rosml.progress import WAITING, BuildProgress
 from rosml.services import Services
 
 NAME = "[a ros 1/2] RUN --mount=type=secret,id=ca-bundle /run/components/ros/install.sh ros-core"
@@ -116,6 +116,31 @@ def test_progress_of_the_caller(tmp_path: Path, registry: str, bake: Bake) -> No
     progress, _ = builder.run(having(tmp_path, registry, says(vertex())), bake, mine)
     assert progress is mine
     assert list(mine.steps) == [NAME]
+
+
+def test_builds_in_one_builder_take_turns(
+    tmp_path: Path, registry: str, bake: Bake, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Two checkouts, one builder: each build has ended before the next one begins, and knows how long it waited."""
+    shared = tmp_path / "buildx-config"
+    roots = [tmp_path / name for name in ("one", "other")]
+    found: list[float] = []
+
+    def build(root: Path) -> None:
+        text = f"echo begin >>{tmp_path}/order; sleep 0.3; echo end >>{tmp_path}/order"
+        progress, _ = builder.run(having(root, registry, text, buildx_config=str(shared)), bake)
+        found.append(progress.phases().get(WAITING, 0.0))
+
+    for root in roots:
+        root.mkdir()
+    threads = [threading.Thread(target=build, args=(root,)) for root in roots]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert (tmp_path / "order").read_text().split() == ["begin", "end"] * 2
+    assert min(found) < 0.2 < max(found)
+    assert capfd.readouterr().err.count("waiting for another build in builder 'rosml'") == 1
 
 
 @pytest.mark.parametrize("content", ["", "{", "{}", '{"b": {"containerimage.digest": "x"}}', "[]", '{"a": null}'])

@@ -27,7 +27,7 @@ START_SECONDS = 60.0
 INSPECT_SECONDS = 30.0
 UNUSABLE = (":", ",", "\\", '"')
 """Characters that a path of an overlay's layer must not have."""
-CACHE_BYTES = "30GB"
+CACHE_BYTES = "40GB"
 """Most disk the builder's cache keeps."""
 FREE_BYTES = "12GB"
 """Disk the builder leaves free: it prunes its cache below that."""
