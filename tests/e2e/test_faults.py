@@ -161,7 +161,7 @@ def test_interrupted_in_the_middle(
 ) -> None:
     before = published(TARGET)
     install = checkout / "components" / "ros" / "install.sh"
-    install.write_text(install.read_text() + f"sleep 60 # {number.name}\n")
+    install.write_text(install.read_text() + f"sleep 60 # {time.time_ns()}\n")
     process = subprocess.Popen(
         [sys.executable, str(checkout / "scripts" / "publish.py"), "image", TARGET, "--namespace", NAMESPACE],
         cwd=checkout,
