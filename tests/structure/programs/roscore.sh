@@ -5,13 +5,19 @@ work=$(mktemp -d)
 port=$(python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
 export ROS_MASTER_URI=http://127.0.0.1:$port ROS_IP=127.0.0.1 ROS_HOME=$work/ros HOME=$work
 trap 'jobs -p | xargs --no-run-if-empty kill 2>/dev/null || true; wait 2>/dev/null || true; rm -rf "$work"' EXIT
-roscore -p "$port" >"$work/roscore.log" 2>&1 &
+start_core() {
+  roscore -p "$port" >>"$work/roscore.log" 2>&1 &
+  core=$!
+}
+start_core
 
 # until_it_answers COMMAND…: waits for a command to succeed, two minutes at most: a machine may be busy, or emulated.
+# roslaunch itself gives its master ten seconds, and ends; the next one finds the files in memory.
 until_it_answers() {
   local end=$((SECONDS + 120))
   while ((SECONDS < end)); do
     if "$@" >/dev/null 2>&1; then return; fi
+    kill -0 "$core" 2>/dev/null || start_core
     sleep 0.1
   done
   "$@" || { cat "$work/roscore.log" >&2; return 1; }
