@@ -1,4 +1,4 @@
-"""Calls in one checkout that take turns, because they write the same files."""
+"""Calls that take turns: in one checkout because they write the same files, in one builder because its cache wants it."""
 
 from __future__ import annotations
 
