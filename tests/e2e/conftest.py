@@ -5,13 +5,14 @@ They publish into a namespace of their own, so that they never move a tag that s
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import logging
 import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,9 +23,13 @@ from rosml import ROOT, expand, registry
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.services import Services
+from tests.e2e.builders import builder
 
 NAMESPACE = "rosml-test"
 LOG = logging.getLogger("e2e")
+
+HANGS = 1800.0
+"""Seconds after which a command that a test waits for hangs. Its build may wait for longer ones in the same builder."""
 
 # What a build needs of a checkout; the rest is documentation and tests.
 CHECKOUT = (
@@ -40,13 +45,25 @@ CHECKOUT = (
 )
 
 
-LONGEST_FIRST = ("images", "tensorflow", "contract", "ros", "publisher", "documentation", "compose", "attached")
-"""Test files that are begun before the others. Two run side by side (`--dist=loadfile`): what one waits for, such as a
-download or a registry, the other one computes in. Nothing long is left to run alone at the end."""
+FIRST = (
+    "images",
+    "fleet",
+    "publisher",
+    "secure_registry",
+    "attached",
+    "workflows",
+    "tensorflow",
+    "contract",
+    "ros",
+    "documentation",
+    "compose",
+)
+"""Test files that are begun before the others. Two run side by side (`--dist=loadfile`): while one of them builds the
+first real images, the other one runs those that have a builder of their own. Nothing long is left to run alone at the end."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    rank = {f"test_{name}": number for number, name in enumerate(LONGEST_FIRST)}
+    rank = {f"test_{name}": number for number, name in enumerate(FIRST)}
     items.sort(key=lambda item: rank.get(item.path.stem, len(rank)))
     for item in items:
         if item.path.parent == Path(__file__).parent:
@@ -96,6 +113,17 @@ def services() -> Services:
     except RosmlError as error:
         pytest.fail(f"{error.message}; {error.remedy}", pytrace=False)
     return found
+
+
+@pytest.fixture(scope="session")
+def beside(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Services]:
+    """The services with a builder for small projects, which would wait for minutes where real images are built."""
+    if services.builder_kind != "buildkitd":  # a container of Docker: one is enough of them
+        yield services
+        return
+    name = f"beside-{os.getpid()}"
+    with builder(name, tmp_path_factory.mktemp("beside") / "builder", services):
+        yield dataclasses.replace(services, builder=name, builder_kind="user")
 
 
 @pytest.fixture(scope="session")

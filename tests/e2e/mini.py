@@ -262,7 +262,9 @@ def make(folder: Path, services: Services) -> Mini:
     for name in ("registry", "base", "regctl", "bin"):
         if (ROOT / ".state" / name).exists():
             (folder / ".state" / name).symlink_to(ROOT / ".state" / name)
-    shutil.copy(ROOT / ".state" / "services.json", folder / ".state" / "services.json")
+    facts = json.loads((ROOT / ".state" / "services.json").read_text())
+    own = {"builder": services.builder, "builder_kind": services.builder_kind}
+    (folder / ".state" / "services.json").write_text(json.dumps(facts | own))
     found = Mini(folder, services, "").elsewhere()
     found.mark()
     return found

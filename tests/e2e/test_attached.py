@@ -26,8 +26,8 @@ ONLY = ("--only", "bookworm-core-tensorflow-cpu")
 
 
 @pytest.fixture(scope="module")
-def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
-    return minis.make(tmp_path_factory.mktemp("mini"), services)
+def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+    return minis.make(tmp_path_factory.mktemp("mini"), beside)
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ import pytest
 
 from rosml import ROOT, registry
 from rosml.services import Services
-from tests.e2e.conftest import NAMESPACE, Published, publish, run
+from tests.e2e.conftest import HANGS, NAMESPACE, Published, publish, run
 
 TARGET = "bookworm-core"
 
@@ -169,7 +169,7 @@ def test_interrupted_in_the_middle(
         text=True,
     )
     log = checkout / ".state" / "log" / f"build-{TARGET}.log"
-    deadline = time.monotonic() + 120
+    deadline = time.monotonic() + HANGS
     while time.monotonic() < deadline and not (log.exists() and "$" in log.read_text()):
         time.sleep(0.2)
     time.sleep(3)

@@ -22,10 +22,11 @@ from rosml.ledger import Ledger
 from rosml.services import Services
 from tests.e2e import mini as minis
 from tests.e2e import secure
+from tests.e2e.builders import builder
 from tests.e2e.conftest import Run, run
 from tests.e2e.mini import Mini
 from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
-from tests.e2e.test_fleet import NOTHING, builder
+from tests.e2e.test_fleet import NOTHING
 
 ONLY = ("--only", "bookworm-core*", "--serve", "amd64")
 SECRETS = (PASSWORD, encoded(NAME, PASSWORD), encoded(NAME, "wrong-" + PASSWORD), json.dumps(PASSWORD)[1:-1])

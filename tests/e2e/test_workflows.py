@@ -60,9 +60,9 @@ else:
 
 
 @pytest.fixture(scope="module")
-def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     """The small project with a scanner and a policy, in a git repository."""
-    mini = minis.make(tmp_path_factory.mktemp("mini"), services)
+    mini = minis.make(tmp_path_factory.mktemp("mini"), beside)
     shutil.copy(ROOT / "scan.yaml", mini.folder)
     program = mini.folder / "trivy-stand-in"
     program.write_text(SCANNER.format(python=sys.executable, version=pinned_version(ROOT, "trivy", RosmlError)))

@@ -407,8 +407,8 @@ def test_five_hundred_images_on_two_architectures_at_once() -> None:
     small = expand.catalogue(source.parse(SMALL.encode())).matrix
     rows = {f"d{number}": small.distributions["alpha"] for number in range(28)}
     catalogue = expand.expand(model.Matrix.model_construct(**{**dict(small), "distributions": rows}))
-    start = time.perf_counter()
+    start = time.process_time()
     inputs = Inputs(ROOT, catalogue)
     found = {inputs.together(image) for image in catalogue.images}
     assert len(found) == len(catalogue.images) == 504
-    assert time.perf_counter() - start < 0.5
+    assert time.process_time() - start < 0.5

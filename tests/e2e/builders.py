@@ -1,0 +1,91 @@
+"""Builders beside the one that `make up` started: a machine of a fleet, or one that a small project has to itself."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from machine import services as setup
+from rosml import ROOT
+from rosml.services import Services
+
+
+@dataclass
+class Builder:
+    """A buildkitd of its own with an empty cache, under a name that buildx knows."""
+
+    name: str
+    process: subprocess.Popen[bytes]
+    folder: Path
+
+
+@contextmanager
+def builder(
+    name: str,
+    folder: Path,
+    services: Services,
+    root: Path | None = None,
+    certificates: Mapping[str, Sequence[str]] | None = None,
+    env: Mapping[str, str] | None = None,
+) -> Iterator[Builder]:
+    """Starts one. `root`: where it keeps its cache. `certificates`: files that it trusts for registries, by host. `env`:
+    what its environment has beside this one's."""
+    if services.builder_kind != "buildkitd":
+        pytest.skip("needs a buildkitd of our own, which this machine's Docker takes the place of")
+    folder.mkdir()
+    runc = re.search(r'^  binary = "(.*)"$', (ROOT / ".state/run/buildkitd.toml").read_text(), re.MULTILINE)
+    socket = folder / "buildkitd.sock"
+    own = {"root": root or folder / "root", "socket": socket, "otel": folder / "otel.sock", "runc": runc and runc[1]}
+    own_texts = {key: str(value) for key, value in own.items()}
+    text = setup.buildkit_config(services.registry, services.mirror, own_texts, certificates)
+    (folder / "buildkitd.toml").write_text(text)
+    command = [str(ROOT / ".state/bin/buildkitd"), "--config", str(folder / "buildkitd.toml")]
+    with (folder / "log").open("wb") as log:
+        process = subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=log,
+            env={**os.environ, **(env or {})},
+            start_new_session=True,
+        )
+    buildx = [*services.buildx]
+    try:
+        deadline = time.monotonic() + 30
+        while not socket.exists():
+            assert process.poll() is None and time.monotonic() < deadline, (folder / "log").read_text()[-2000:]
+            time.sleep(0.1)
+        create = [*buildx, "create", "--name", name, "--driver", "remote", f"unix://{socket}"]
+        subprocess.run(create, env=services.environment(), check=True, capture_output=True)
+        yield Builder(name, process, folder)
+    finally:
+        subprocess.run([*buildx, "rm", name], env=services.environment(), capture_output=True, check=False)
+        process.terminate()
+        try:
+            process.wait(timeout=20)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        _clear(folder)
+
+
+def _clear(folder: Path) -> None:
+    """Ends what a builder that was killed has left: its containers, and their mounts."""
+    for line in reversed(Path("/proc/self/mounts").read_text().splitlines()):
+        if (place := line.split()[1]).startswith(str(folder)):
+            subprocess.run(["umount", "--lazy", place], check=False)
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            if str(folder) in (process / "cmdline").read_text() or str(folder) in os.readlink(process / "root"):
+                os.kill(int(process.name), signal.SIGKILL)
+        except OSError:
+            continue
