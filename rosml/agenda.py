@@ -15,7 +15,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal
 
-from rosml import base_images, ledger, restore, upstream
+from rosml import base_images, ledger, restore
+from rosml import upstream as upstreams
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload, repository_of
 from rosml.inputs import TARGET, Inputs
@@ -373,6 +374,7 @@ def survey(
     scanning: str = "",
     date: str = "",
     inputs: Inputs | None = None,
+    upstream: Mapping[str, str] | None = None,
 ) -> Agenda:
     """Asks the registry and the repositories of packages how things are.
 
@@ -386,6 +388,8 @@ def survey(
         scanning: digest of the scanner's policy; empty where nothing is scanned.
         date: of the run.
         inputs: of the catalogue's targets, where they were read before.
+        upstream: of when the packages of distributions are, by a plan. All steps of a run take them to be of one moment:
+            what moves between two of them is the next run's.
 
     Raises:
         RosmlError: the registry does not answer, or there is no such image or architecture.
@@ -397,7 +401,7 @@ def survey(
         catalogue,
         inputs or Inputs(services.root, catalogue),
         {},
-        {},
+        dict(upstream or {}),
         set(),
         select(catalogue, only),
         tuple(architectures) or (native,),
@@ -435,12 +439,15 @@ def _ask(agenda: Agenda) -> None:
     rows: Mapping[str, Image] = {
         item.thing.distribution: item.thing
         for item in agenda.items
-        if item.kind == "ros" and isinstance(item.thing, Image) and not agenda.hindrance(item)
+        if item.kind == "ros"
+        and isinstance(item.thing, Image)
+        and not agenda.hindrance(item)
+        and item.thing.distribution not in agenda.upstream
     }
 
     def asked(name: str) -> str | RosmlError:
         try:
-            return upstream.state(agenda.catalogue.matrix, name)
+            return upstreams.state(agenda.catalogue.matrix, name)
         except RosmlError as error:
             return error
 

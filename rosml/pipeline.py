@@ -124,6 +124,7 @@ class Planned:
     architectures: tuple[str, ...]
     serve: tuple[str, ...] = ()
     force: bool = False
+    upstream: Mapping[str, str] = field(default_factory=dict)
 
 
 def read_plan(file: Path, shard: str = "") -> Planned:
@@ -151,12 +152,13 @@ def read_plan(file: Path, shard: str = "") -> Planned:
             (_text(part["architecture"]),) if shard else _texts(content["architectures"]),
             _texts(content["serve"]),
             content["force"],
+            {_text(name): _text(moment) for name, moment in content["upstream"].items()},
         )
         if not (found.targets and found.architectures):  # which would mean all that there are
             raise ValueError("it names no images")
         if not isinstance(content["force"], bool):
             raise TypeError(f"{content['force']!r} is neither true nor false")
-    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise RosmlError(
             f"{file} is no plan: {error}", "write it with: publish.py plan --output FILE", exit_code=2
         ) from None
@@ -635,7 +637,9 @@ class Pipeline:
             if not same or entry.scanned == scanning.Outcome.SCANNER_FAILED.value:
                 images[item.key] = scanning.Image(item.target, item.architecture, tuple(self._scanned_parts(item)))
         moment = datetime.fromisoformat(self.agenda.date.replace("Z", "+00:00"))
-        whole = len(images) == sum(item.kind != "payload" for item in self.agenda.items)
+        # Of those that are not there nothing can be known: they may lack a lock.
+        there = {item.key for item in self.agenda.items if item.kind != "payload"} & self.agenda.present
+        whole = images.keys() == there and len(self.agenda.images) == len(self.agenda.catalogue.images)
         started = time.monotonic()
         run = self._scan(list(images.values()), rules, trivy, moment, whole)
         seconds = (time.monotonic() - started) / max(1, len(run.images))
@@ -649,7 +653,12 @@ class Pipeline:
                 "findings": dict(Counter(finding.severity for finding in found.findings)),
                 "failing": sorted({finding.id for finding in found.failing}),
             }
-            entry = replace(self.agenda.known[key], scanned=found.outcome.value, scan=facts, changed=self.agenda.date)
+            known = self.ledger.read(*key)
+            if known is None or known.digest != self.agenda.known[key].digest:
+                text = "another run has made it anew since it was scanned"
+                self.outcomes.append(Outcome("scan", *key, "waits", text, seconds))
+                continue
+            entry = replace(known, scanned=found.outcome.value, scan=facts, changed=self.agenda.date)
             self._write(self.agenda.by_key[key], entry)
             clean = found.outcome is scanning.Outcome.CLEAN
             reason = found.reason if clean else f"{found.outcome.value}: {found.reason}"
@@ -663,10 +672,11 @@ class Pipeline:
     def _scan(
         self, images: list[scanning.Image], rules: Rules, trivy: Trivy | ScannerFailed, moment: datetime, whole: bool
     ) -> scanning.Run:
+        targets = self.agenda.catalogue.by_target
         if isinstance(trivy, ScannerFailed):
-            return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole)
+            return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole, targets)
         shelf = Shelf(self.registry, f"trivy {trivy.version}")
-        return scanning.scan_images(images, rules, trivy, shelf, now=moment, whole=whole, say=self.say)
+        return scanning.scan_images(images, rules, trivy, shelf, now=moment, whole=whole, targets=targets, say=self.say)
 
     def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
         """The ROS image and the payloads that an image is the sum of."""
@@ -686,12 +696,10 @@ class Pipeline:
             started = time.monotonic()
             entries = [self.agenda.known[key] for key in self.members(thing)]
             digests = {entry.architecture: entry.digest for entry in entries}
-            before = self.agenda.known.get((thing.target, INDEX))
             inputs = self.agenda.inputs.together(thing)
-            there = (thing.target, INDEX) in self.agenda.present
-            if before and there and before.parts == digests and before.inputs == inputs and not before.failed:
+            if self._indexed(thing, digests, inputs):
                 continue
-            entry = before or Entry(thing.target, INDEX)
+            entry = self.agenda.known.get((thing.target, INDEX)) or Entry(thing.target, INDEX)
             try:
                 digest = self._index(thing, entries, inputs)
                 facts = {
@@ -713,6 +721,30 @@ class Pipeline:
             self.outcomes.append(Outcome("index", thing.target, "", state, reason, time.monotonic() - started))
             if state == "done":
                 self.signed(thing)
+
+    def _indexed(self, thing: Image | Payload, digests: Mapping[str, str], inputs: str) -> bool:
+        """Whether there is an index of these very images: by what the run knew when it began, or made by another one since."""
+        key = thing.target, INDEX
+
+        def fits(entry: Entry | None) -> bool:
+            if (
+                entry is None
+                or key not in self.agenda.present
+                or (self.agenda.force and entry.date != self.agenda.date)
+            ):
+                return False
+            return entry.parts == digests and entry.inputs == inputs and not entry.failed
+
+        if fits(self.agenda.known.get(key)):
+            return True
+        found = self.ledger.read(*key)
+        if found is None or found == self.agenda.known.get(key):
+            return False
+        self.agenda.known[key] = found
+        self.agenda.present -= {key}
+        if found.digest and self.registry.head(self.repository(found.repository), found.digest):
+            self.agenda.present.add(key)
+        return fits(found)
 
     def signed(self, thing: Image | Payload, moving: bool = False) -> bool:
         """Whether an image's index has the signature that it needs, which is made if it lacks it.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from datetime import date
 from fnmatch import fnmatchcase
@@ -114,6 +114,16 @@ class Rules:
         return [
             self._problem(index, f"{self.policy.ignore[index].id} is in no image that the entry is for; remove it")
             for index in sorted({*judged} - {*matched})
+        ]
+
+    def for_nobody(self, targets: Collection[str]) -> list[Problem]:
+        """What to say of entries whose pattern fits none of the targets, which are all that there are."""
+        return [
+            self._problem(
+                index, f"{entry.targets!r} fits no image of the matrix; mend the pattern, or remove the entry"
+            )
+            for index, entry in enumerate(self.policy.ignore)
+            if not any(map(entry.is_for, targets))
         ]
 
     def _problem(self, index: int, text: str) -> Problem:

@@ -71,7 +71,7 @@ class Promotion:
         self._settled = self._settled_tags()
         planned: list[tuple[Image | Payload, list[Move]]] = []
         for thing in self.pipeline.agenda.things():
-            entry = self.pipeline.agenda.known.get((thing.target, INDEX))
+            entry = self._adopted(thing)
             if reason := self.pipeline.agenda.unready(thing, self.pipeline.serving):
                 self._say(thing, "waits", reason)
             elif entry is None or not self._current(thing, entry):
@@ -109,6 +109,32 @@ class Promotion:
     def _say(self, thing: Image | Payload, state: Any, reason: str, seconds: float = 0.0) -> None:
         self.pipeline.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
 
+    def _adopted(self, thing: Image | Payload) -> Entry | None:
+        """The entry of an image's index: of the one that its tag points at, where another publisher made that one later, of the
+        same images, and wrote the ledger before this one did. Otherwise the tag would wait for ever, at something newer.
+        """
+        known = self.pipeline.agenda.known
+        entry = known.get((thing.target, INDEX))
+        if entry is None or not entry.digest or entry.held:
+            return entry
+        repository, tag = self.pipeline.repository(entry.repository), tags_of(thing)[0]
+        if (repository, tag) in self._settled:
+            return entry
+        there = self.registry.head(repository, tag)
+        found = self.registry.manifest(repository, there) if there not in ("", entry.digest) else None
+        if found is None:
+            return entry
+        date, said = running.date_of(found), running.annotations_of(found)
+        later = running.is_date(date) and date > entry.date and not running.is_ahead(date, running.now())
+        if not later or _members(found) != dict(entry.parts) or said.get(running.INPUTS) != entry.inputs:
+            return entry
+        facts = {name: getattr(entry, name) for name in ("inputs", "repository", "parts")}
+        entry = replace(entry.made(there, **facts, date=date), changed=self.date)
+        self.pipeline.ledger.write(entry, {})
+        known[thing.target, INDEX] = entry
+        self.pipeline.agenda.present.add((thing.target, INDEX))
+        return entry
+
     def _current(self, thing: Image | Payload, entry: Entry) -> bool:
         known = self.pipeline.agenda.known
         members = {key[1]: known[key].digest for key in self.pipeline.members(thing)}
@@ -119,12 +145,8 @@ class Promotion:
         found = self.registry.manifest(self.pipeline.repository(entry.repository), entry.digest)
         if found is None:
             return f"its index {entry.digest} is not in the registry any more"
-        members = {
-            str((item.get("platform") or {}).get("architecture", "")): str(item.get("digest", ""))
-            for item in found.content.get("manifests") or []
-        }
         name = running.annotations_of(found).get(TITLE, "")
-        if members != dict(entry.parts) or name != running.title(thing):
+        if _members(found) != dict(entry.parts) or name != running.title(thing):
             what = f"that of {name}" if name != running.title(thing) else "of other images than the ledger has"
             return f"the ledger names {entry.digest} as its index, which is {what}; --force makes it anew"
         return ""
@@ -237,6 +259,14 @@ class Promotion:
         registry.tag(self.pipeline.agenda.services, repository, move.new, move.tag)
 
 
+def _members(index: Any) -> dict[str, str]:
+    """Digests of an index's images by architecture."""
+    return {
+        str((item.get("platform") or {}).get("architecture", "")): str(item.get("digest", ""))
+        for item in index.content.get("manifests") or []
+    }
+
+
 def answers(pipeline: Pipeline) -> None:
     """Checks that the registry answers, after it failed: if not, asking it for each other tag would take the night.
 
@@ -286,9 +316,14 @@ def undo(pipeline: Pipeline, run: str = "") -> list[Move]:
         raise RosmlError(text, f"there is: {dates}" if known else "no run has moved a tag in this registry yet")
     done = []
     told = len(pipeline.outcomes)
-    for move in reversed(read(pipeline, name)):
+    recorded = [
+        (move, pipeline.registry.head(pipeline.repository(move.repository), move.tag))
+        for move in reversed(read(pipeline, name))
+    ]
+    # Before the first tag moves: one who is killed between them leaves nothing that the next night moves there again.
+    _hold(pipeline, {(move.repository, move.new) for move, there in recorded if there in (move.old, move.new)})
+    for move, there in recorded:
         repository = pipeline.repository(move.repository)
-        there = pipeline.registry.head(repository, move.tag)
         text = f"{move.repository}:{move.tag}"
         if there == move.old:
             continue
@@ -311,14 +346,13 @@ def undo(pipeline: Pipeline, run: str = "") -> list[Move]:
         pipeline.outcomes.append(Outcome("undo", text, "", "done", reason))
     if len(pipeline.outcomes) == told:
         pipeline.outcomes.append(Outcome("undo", name, "", "done", "nothing was left to move back"))
-    _hold(pipeline, {(move.repository, move.new) for move in done})
     return done
 
 
 def _hold(pipeline: Pipeline, indexes: set[tuple[str, str]]) -> None:
     """Writes down that indexes get no tags any more."""
     for (target, architecture), entry in list(pipeline.agenda.known.items()):
-        if architecture == INDEX and (entry.repository, entry.digest) in indexes:
+        if architecture == INDEX and not entry.held and (entry.repository, entry.digest) in indexes:
             held = replace(entry, held=pipeline.agenda.date, changed=pipeline.agenda.date)
             pipeline.ledger.write(held, {})
             pipeline.agenda.known[target, architecture] = held

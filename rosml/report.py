@@ -44,6 +44,7 @@ def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
         "architectures": list(agenda.architectures),
         "serve": list(pipeline.serving),
         "force": agenda.force,
+        "upstream": agenda.upstream,
         "targets": [image.target for image in agenda.images],
         "shards": dealt,
         "tasks": [task.to_json() | _changed(pipeline, task, why) for task in found if task.steps or task.hindered],

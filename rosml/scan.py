@@ -9,7 +9,7 @@ Three outcomes are kept apart: the image is clean, the policy stops it, or the s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from datetime import UTC, date, datetime
 from enum import StrEnum
@@ -380,6 +380,7 @@ def scan_images(
     *,
     now: datetime,
     whole: bool,
+    targets: Collection[str] = (),
     say: Callable[[str], None] = lambda line: None,
 ) -> Run:
     """Scans images with the database that is there; one that fails does not stop the others.
@@ -390,7 +391,8 @@ def scan_images(
         trivy: the program, with its database.
         shelf: where SBOMs are kept.
         now: the run's time, in UTC: by its date ignore entries expire, by it the database is too old or not.
-        whole: whether these are all images of the run, so that ignore entries that are in none of them can be told.
+        whole: whether these are all images that there are, so that ignore entries that are in none of them can be told.
+        targets: of all images of the matrix, so that ignore entries that are for none of them can be told.
         say: told what is going on, a line at a time.
     """
     now = now.astimezone(UTC)
@@ -398,10 +400,10 @@ def scan_images(
         database = trivy.database()
         database.require_fresh(rules.policy.database, now)
     except ScannerFailed as error:
-        return summarise(unscanned(images, error), rules, now.date(), whole)
+        return summarise(unscanned(images, error), rules, now.date(), whole, targets)
     scanner = Scanner(trivy, shelf, database, say)
     found = [scan(image.target, image.architecture, image.parts, rules, scanner, now.date()) for image in images]
-    return summarise(found, rules, now.date(), whole)
+    return summarise(found, rules, now.date(), whole, targets)
 
 
 def unscanned(images: Sequence[Image], error: ScannerFailed) -> list[Scanned]:
@@ -410,24 +412,27 @@ def unscanned(images: Sequence[Image], error: ScannerFailed) -> list[Scanned]:
     return [Scanned(image.target, image.architecture, *failed, parts=_digests(image)) for image in images]
 
 
-def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool) -> Run:
+def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool, targets: Collection[str] = ()) -> Run:
     """A run of images that were scanned here or, in shards, elsewhere: with what is wrong with the policy's own entries.
 
     Args:
         images: all that the run scanned.
         rules: the policy that they were judged by.
         today: the run's date.
-        whole: whether these are all images of the run.
+        whole: whether these are all images that there are. An ignore entry is judged by them if it is for one of them: those
+            of the matrix that were never built are not among them.
+        targets: of all images of the matrix.
     """
     found = tuple(images)
     expired = rules.expired(today)
-    problems = [*expired.values()]
+    problems = [*expired.values(), *(rules.for_nobody(targets) if targets else [])]
     if whole:
         matched = {index for image in found for index in image.matched}
         judged = [
             index
             for index, entry in enumerate(rules.policy.ignore)
             if index not in expired
+            and any(entry.is_for(image.target) for image in found)
             # It may be in an image of which nothing is known.
             and not any(image.outcome is Outcome.SCANNER_FAILED and entry.is_for(image.target) for image in found)
         ]

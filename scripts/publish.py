@@ -7,7 +7,7 @@ import json
 import re
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -413,12 +413,14 @@ class Call:
         started = time.monotonic()
         catalogue = expand.load(self.matrix, ROOT)
         services = Services.load(ROOT)
+        upstream: Mapping[str, str] = {}
         if self.plan_file:
             plan = running.read_plan(self.plan_file, self.shard)
             self.date, self.registry = self.date or plan.date, self.registry or plan.registry
             self.only = self.only or plan.targets
             self.architectures = self.architectures or plan.architectures
             self.serve, self.force = self.serve or plan.serve, self.force or plan.force
+            upstream = plan.upstream
         elif self.shard:
             raise click.UsageError("--shard is one of a plan: add --plan FILE")
         agenda.require_architectures(catalogue, self.serve)  # with a typo nothing would ever get a tag
@@ -434,7 +436,16 @@ class Call:
             running.require_not_ahead(date, running.now())
         scanning = running.policy_digest(policy.load(self.policy)) if self.require_scan else ""
         found = agenda.survey(
-            services, catalogue, client, place.prefix, self.only, self.architectures, self.force, scanning, date
+            services,
+            catalogue,
+            client,
+            place.prefix,
+            self.only,
+            self.architectures,
+            self.force,
+            scanning,
+            date,
+            upstream=upstream,
         )
         for remark in found.remarks:
             say(remark)

@@ -179,10 +179,6 @@ class Mini:
         """What must hold at any time: a tag points at a whole index of images that passed their tests."""
         client = self.client()
         book = Ledger(client, self.prefix)
-        names = [name for name in client.tags(book.repository) if not name.startswith(("sha256-", UNDO))]
-        entries = [book.read(*name.rpartition(".")[::2]) for name in names]
-        passed = {entry.digest for entry in entries if entry and entry.passed and not entry.failures}
-        passed |= {old for entry in entries if entry for old in entry.superseded}
         for tag, digest in self.tags().items():
             repository = f"{self.prefix}/{tag.split(':')[0]}"
             index = client.manifest(repository, digest)
@@ -196,7 +192,8 @@ class Mini:
                 manifest = client.manifest(repository, member["digest"])
                 assert manifest, f"{tag} is partial"
                 if not tag.startswith("payload:"):
-                    assert member["digest"] in passed, f"{tag} points at an untested image"
+                    attached = book.attached(repository.removeprefix(f"{self.prefix}/"), member["digest"])
+                    assert attached and attached[0].passed and not attached[0].failures, f"{tag}: an untested image"
                     config = client.json_blob(repository, manifest.content["config"]["digest"])
                     require_oci_set(config["config"]["Labels"], tag)
                 for layer in (manifest.content["config"], *manifest.content["layers"]):

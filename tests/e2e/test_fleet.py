@@ -30,6 +30,12 @@ from tests.e2e.mini import Mini, begun
 NOTHING = "#!/usr/bin/env bash\n"
 
 
+@pytest.fixture(scope="module", autouse=True)
+def buildkitd(services: Services) -> None:
+    if services.builder_kind != "buildkitd":
+        pytest.skip("needs a buildkitd of our own, which this machine's Docker takes the place of")
+
+
 @pytest.fixture(scope="module")
 def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     """The small project with two distributions."""

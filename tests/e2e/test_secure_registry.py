@@ -26,7 +26,7 @@ from tests.e2e.builders import builder
 from tests.e2e.conftest import Run, run
 from tests.e2e.mini import Mini
 from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
-from tests.e2e.test_fleet import NOTHING
+from tests.e2e.test_fleet import NOTHING, buildkitd  # noqa: F401 (a fixture)
 
 ONLY = ("--only", "bookworm-core*", "--serve", "amd64")
 SECRETS = (PASSWORD, encoded(NAME, PASSWORD), encoded(NAME, "wrong-" + PASSWORD), json.dumps(PASSWORD)[1:-1])

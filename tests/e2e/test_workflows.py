@@ -129,6 +129,8 @@ class Night:
         wanted = re.findall(r"needs\.(\w+)\.result == 'success'", condition) if "!cancelled()" in condition else needs
         if any(self.results[need] != "success" for need in wanted):
             return "skipped"
+        if any(self.results[need] == "skipped" for need in re.findall(r"needs\.(\w+)\.result != 'skipped'", condition)):
+            return "skipped"
         if "needs.plan.outputs.shards != '[]'" in condition and self.shards == "[]":
             return "skipped"
         if "vars.ROSML_PAGES == 'true'" in condition:  # which nobody set

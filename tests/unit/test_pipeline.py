@@ -15,7 +15,7 @@ from memory_registry import DAY, HOST, LATER, NEXT, PREFIX, Killed, MemoryRegist
 from stubs import services
 from test_inputs import copy
 
-from rosml import agenda, expand, ledger, pipeline, promote, standing
+from rosml import agenda, expand, ledger, pipeline, promote, report, standing
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.inputs import Inputs
@@ -423,7 +423,7 @@ def test_two_publishers_at_the_same_time(registry: Place, catalogue: Catalogue) 
     registry.check(catalogue)
     assert not set(runs[0].made) & set(runs[1].made)
     last = registry.publish(catalogue, date="2026-11-24T03:00:00Z")
-    assert not last.failed and not steps(last, "build")
+    assert (last.made, last.outcomes) == ([], [])
     registry.check(catalogue)
 
 
@@ -638,7 +638,111 @@ def test_a_second_undo_says_that_nothing_is_left(registry: Place, catalogue: Cat
     assert [(o.state, o.reason) for o in again.outcomes] == [("done", "nothing was left to move back")]
 
 
+def test_an_undo_that_was_killed_goes_on(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every write of it is the last one once; the next night does not move anything there again."""
+    options: dict[str, Any] = {"only": ["alpha-core", "alpha-base"], "inputs": Inputs(project, catalogue)}
+    number, killed = 0, True
+    while killed:
+        number += 1
+        here = place(project, services(project), monkeypatch)
+        here.publish(catalogue, **options)
+        before = here.tagged("ros")
+        here.upstream["alpha"] = "tuesday"
+        here.publish(catalogue, date=NEXT, packages="2", **options)
+        here.registry.die_at = here.registry.writes + number
+        try:
+            promote.undo(here.run(catalogue, date=LATER, **options))
+            killed = False
+        except Killed:
+            here.registry.die_at = 0
+            promote.undo(here.run(catalogue, date=LATER, **options))
+        assert here.tagged("ros") == before
+        here.publish(catalogue, date="2026-11-25T03:00:00Z", packages="2", **options)
+        assert here.tagged("ros") == before, f"write {number}: undone in vain"
+    assert number > 4
+
+
+def test_force_releases_what_was_moved_back(registry: Place, catalogue: Catalogue) -> None:
+    registry.publish(catalogue)
+    registry.upstream["alpha"] = "tuesday"
+    run = registry.publish(catalogue, date=NEXT, packages="2")
+    there = registry.tagged("ros")["alpha-core"]
+    promote.undo(run)
+    forced = registry.publish(catalogue, date=LATER, packages="2", force=True)
+    assert not forced.failed and not waiting(forced, "alpha-core")
+    assert registry.tagged("ros")["alpha-core"] not in ("", there)
+    now, then = (registry.registry.manifest(f"{PREFIX}/ros", name) for name in ("alpha-core", there))
+    assert now and then and now.content["manifests"] == then.content["manifests"], "the same images"
+
+
 # ---- Others at work --------------------------------------------------------------------------------------------------
+
+
+def published_index(registry: Place, target: str) -> str:
+    """What the ledger says of an image's index."""
+    entry = ledger.Ledger(registry.registry, PREFIX).read(target, agenda.INDEX)
+    assert entry
+    return entry.digest
+
+
+def nothing_is_left(registry: Place, catalogue: Catalogue) -> None:
+    """That the next night has nothing to do, and that the ledger and the tags agree."""
+    last = registry.publish(catalogue, date="2026-11-25T03:00:00Z")
+    assert (last.made, last.outcomes) == ([], [])
+    for image in catalogue.images:
+        tag = image.tags[0].partition(":")[2]
+        assert registry.tagged(image.repository)[tag] == published_index(registry, image.target), image.target
+    registry.check(catalogue)
+
+
+def test_a_publisher_that_began_before_takes_the_index_of_the_one_that_ended_before(
+    registry: Place, catalogue: Catalogue
+) -> None:
+    older, newer = registry.run(catalogue, date=DAY), registry.run(catalogue, date=NEXT)
+    for run, names in (
+        (older, ("build", "compose", "test")),
+        (newer, ("build", "compose", "test", "index", "promote")),
+        (older, ("index", "promote")),
+    ):
+        for step in names:
+            getattr(run, step)()
+    assert not any(outcome.step == "index" for outcome in older.outcomes)
+    nothing_is_left(registry, catalogue)
+
+
+def test_an_older_index_that_was_written_down_last(registry: Place, catalogue: Catalogue) -> None:
+    """Two publishers make their indexes in the same moment: the ledger has one of them, and the tags the other one."""
+    older = registry.run(catalogue, date=DAY)
+    for step in ("build", "compose", "test", "index"):
+        getattr(older, step)()
+    indexes = [entry for (_, architecture), entry in older.agenda.known.items() if architecture == agenda.INDEX]
+    book = ledger.Ledger(registry.registry, PREFIX)
+    for entry in indexes:
+        registry.registry.delete(book.repository, entry.tag)
+    registry.publish(catalogue, date=NEXT)
+    tags = registry.tagged("ros-torch")
+    for entry in indexes:
+        book.write(entry, {})
+    assert not registry.publish(catalogue, date=LATER).failed
+    assert registry.tagged("ros-torch") == tags
+    nothing_is_left(registry, catalogue)
+
+
+def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, catalogue: Catalogue, tmp_path: Path) -> None:
+    """Each step on a machine of its own asks nobody anew of when packages are."""
+    file = tmp_path / "plan.json"
+    file.write_text(report.plan_json(registry.run(catalogue), 2, why=False))
+    known = pipeline.read_plan(file).upstream
+    assert known == registry.upstream
+    for number, step in enumerate(("build", "compose", "test", "index", "promote")):
+        run = registry.run(catalogue, upstream=known)
+        getattr(run, step)()
+        assert not run.failed
+        assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
+        registry.upstream["alpha"] = f"after step {number}"
+    assert registry.tagged("ros").keys() >= {"alpha-core", "alpha", "omega-base"}
+    following = registry.publish(catalogue, date=NEXT, packages="2")
+    assert ("alpha-core", "amd64") in steps(following, "build")
 
 
 def test_what_another_run_did_in_the_meantime_is_not_done_again(registry: Place, catalogue: Catalogue) -> None:

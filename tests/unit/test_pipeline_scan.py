@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from datetime import date
 from pathlib import Path
+from typing import Any
 
 import pytest
 from memory_registry import NEXT, Place, Run, place
@@ -12,7 +14,7 @@ from test_pipeline import BASE, catalogue, project, sources, waiting  # noqa: F4
 
 from rosml.expand import Catalogue
 from rosml.pipeline import policy_digest
-from rosml.scan import Outcome
+from rosml.scan import Outcome, summarise
 from rosml.trivy import ScannerFailed
 
 
@@ -82,3 +84,47 @@ def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, catalogue: Catal
     run.promote()
     assert registry.tagged("ros") == {}
     assert any("scanner failed" in reason for reason in waiting(run, "alpha-core"))
+
+
+def test_what_another_run_made_anew_keeps_its_entry(
+    registry: Place,
+    catalogue: Catalogue,  # noqa: F811
+    world: World,
+) -> None:
+    """A scan takes its time, in which another publisher may replace the image: its entry is not written over."""
+    run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-core"])
+    for step in ("build", "test"):
+        getattr(run, step)()
+    other = registry.run(catalogue, date=NEXT, only=["alpha-core"], force=True, packages="2")
+    other.build()
+    made = other.agenda.known["alpha-core", "amd64"]
+    assert made.digest != run.agenda.known["alpha-core", "amd64"].digest
+    run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
+    assert run.ledger.read("alpha-core", "amd64") == made
+    assert "another run has made it anew since it was scanned" in waiting(run, "alpha-core")
+
+
+def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
+    registry: Place,
+    catalogue: Catalogue,  # noqa: F811
+) -> None:
+    """Only where all images that are there were scanned is an entry known to be in none. Those that cannot be built do not
+    count: they never are there."""
+    found: list[bool] = []
+
+    def scan(self: Run, *arguments: Any) -> Any:
+        found.append(arguments[-1])
+        return summarise([], rules(), date(2026, 11, 22), whole=False)
+
+    registry.publish(catalogue)
+    for only in (["alpha-*"], []):
+        run = registry.run(catalogue, date=NEXT, only=only)
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(Run, "_scan", scan)
+            run.scan(rules(), ScannerFailed("none", "make scanner"))
+    for key in [key for key in run.agenda.present if key[0] == "omega-base"]:
+        run.agenda.present.discard(key)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Run, "_scan", scan)
+        run.scan(rules(), ScannerFailed("none", "make scanner"))
+    assert found == [False, True, True]
