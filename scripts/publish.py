@@ -613,6 +613,28 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
 
 
 @cli.command()
+@_options("policy", "json")
+def database(policy: Path, as_json: bool) -> None:
+    """Prints which database of vulnerabilities is the newest, by digest: for 'scan --database' on several machines.
+
+    \b
+    Example:
+      uv run scripts/publish.py scan --fetch --database "$(uv run scripts/publish.py database)"
+    """
+    from rosml import oci, trivy
+    from rosml.policy import load
+    from rosml.services import Services
+
+    def head(reference: str) -> str:
+        place = oci.parse(reference)
+        return registries(place.host).head(place.repository, place.reference)
+
+    with oci.Registries(Services.load(ROOT).ca_bundle) as registries:
+        found = trivy.resolve(load(policy).policy.database, head)
+    click.echo(json.dumps({"database": found}) if as_json else found)
+
+
+@cli.command()
 @_options("registry", "matrix", "only", "plan", "date", "json")
 @click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 def record(file: Path, **options: Any) -> None:

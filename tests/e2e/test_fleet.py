@@ -37,9 +37,9 @@ def buildkitd(services: Services) -> None:
 
 
 @pytest.fixture(scope="module")
-def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     """The small project with two distributions."""
-    found = minis.make(tmp_path_factory.mktemp("fleet"), services)
+    found = minis.make(tmp_path_factory.mktemp("fleet"), beside)
     matrix = found.folder / "matrix.yaml"
     content = yaml.safe_load(matrix.read_text())
     content["distributions"]["other"] = copy.deepcopy(content["distributions"]["bookworm"])

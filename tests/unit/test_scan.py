@@ -10,14 +10,19 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from click.testing import CliRunner
 from conftest import ROOT
+from registry_stand_in import standing_in
 from scanning import HOST, NOW, VERSION, Memory, World, advisory, digest, image, rules, shelf
+from stubs import services
 
-from rosml import sbom, scan, trivy
+from rosml import oci, sbom, scan, trivy
 from rosml.errors import RosmlError
 from rosml.programs import pinned_version
 from rosml.scan import Outcome
+from rosml.services import Services
 from rosml.trivy import ScannerFailed, Trivy
+from scripts import publish
 
 IGNORE = "- {id: CVE-2026-1, reason: not reachable, expires: 2027-01-31}\n"
 
@@ -354,6 +359,19 @@ def _head(reference: str) -> str:
     if reference.startswith("down"):
         raise RosmlError("it is down")
     return ""
+
+
+def test_the_command_says_which_state_is_the_newest(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    known = services(tmp_path)
+    monkeypatch.setattr(Services, "load", lambda root: known)
+    with standing_in() as server:
+        state = oci.Registry(server.address).put_manifest("me/db", "2", b"{}", oci.INDEX)
+        policy = tmp_path / "scan.yaml"
+        text = (ROOT / "scan.yaml").read_text()
+        policy.write_text(re.sub(r"repositories: .*", f"repositories: ['{server.address}/me/db:2']", text))
+        done = CliRunner().invoke(publish.cli, ["database", "--policy", str(policy)])
+    assert done.exit_code == 0, done.exception
+    assert done.output == (f"{server.address}/me/db@{state}\n")
 
 
 def test_no_state_to_share() -> None:
