@@ -21,6 +21,7 @@ KINDS = {
     "lint": ("Linters", "`make lint`: everything that can be said of a file without running it."),
     "unit": ("Unit tests", "`make unit`: no builder, no registry but those that a test starts in its own process."),
     "e2e": ("End-to-end tests", "`make test`: real builds, a real registry, images that are entered."),
+    "page": ("The catalogue's page", "`make page`, and `make test`: the page in a browser."),
 }
 """Folders below tests/, each with its heading and what runs it; others come after them."""
 

@@ -44,6 +44,7 @@ def source(test: str) -> str:
     file, _, name = test.partition("::")
     seen: dict[tuple[Path, str], str] = {}
     _collect(ROOT / file, name, seen)
+    _collect(ROOT / file, "pytestmark", seen)  # marks of all tests of the file
     if (ROOT / file, name) not in seen:
         raise KeyError(test)
     return "\n".join(seen.values())
@@ -88,8 +89,12 @@ def lacking(command: str, pages: list[str], test: str) -> str:
     if any(page in text for page in pages) and re.search(r"\b(blocks|commands|documented|section)\(", text):
         return ""
     words = [word for word in shlex.split(command) if not re.match(r"[A-Z_]+=", word)]
+    if words[0] in ("publish.py", "scripts/publish.py"):
+        words = ["uv", "run", *words]
     wanted = [match[1] for match in re.finditer(r"\bTARGET=([\w-]+)", command)]
-    if words[:3] == ["uv", "run", "python"]:
+    if words[0] == "source":
+        wanted += words[1:]
+    elif words[:3] == ["uv", "run", "python"]:
         wanted += words[4:5]
     elif words[0] == "make":
         wanted += [] if _says(text, ["make", *words[1:2]]) else _recipe(words[1] if words[1:] else "help")

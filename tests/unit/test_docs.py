@@ -183,6 +183,20 @@ def test_the_readme_fits_on_two_screens_before_its_tables() -> None:
     assert head.count("\n") <= 100
 
 
+def test_the_readme_says_which_distributions_lack_an_image(real: Catalogue) -> None:
+    """Its table of frameworks is for all distributions but those that the sentence below it names."""
+    table, _, rest = (ROOT / "README.md").read_text().partition("\nNot for every `<d>`: ")
+    said = rest.partition("\n\n")[0]
+    wanted = re.findall(r"`(ros-\w+):<d>-<c>-(\w+)`", table.rpartition("| you have |")[2])
+    assert len(wanted) >= 7
+    there = {(image.distribution, image.repository, image.stack) for image in real.images}
+    lacking = {name for name in real.matrix.distributions for tag in wanted if (name, *tag) not in there}
+    assert set(re.findall(r"[\w-]+", said)) & real.matrix.distributions.keys() == lacking
+    for stack in ("cu121", "cpu38"):
+        assert {name for name, repository, other in there if (repository, other) == ("ros-torch", stack)} <= lacking
+        assert f"`{stack}`" in said
+
+
 def test_the_map_of_tests_is_current() -> None:
     assert test_map.render() == test_map.PAGE.read_text(), f"write it anew: {MAP_COMMAND}"
 

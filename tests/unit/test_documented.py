@@ -31,18 +31,57 @@ EXTEND = "docs/extend.md"
 """The page whose examples are not in our own matrix; test_extend.py follows it."""
 
 
+COMMAND = re.compile(
+    r"""([A-Z_]+=("[^"]*"|'[^']*'|\S+)\ )*(make|uv\ run|docker|regctl|python3|source|git|(scripts/)?publish\.py)\ \S""",
+    re.VERBOSE,
+)
+MENTIONED = re.compile(r"(docker|regctl)( [a-z]+)+( …)?")
+"""What a sentence says of a program by the name of its subcommand, without anything to be done."""
+
+
+def called(text: str) -> bool:
+    """Whether what a sentence sets as code is a command to be called."""
+    return bool(COMMAND.match(text)) and not MENTIONED.fullmatch(text)
+
+
 def spans() -> Iterator[tuple[str, str]]:
     """Commands within sentences, each with its page."""
     for page in pages():
         prose = re.sub(r"^ *```.*?^ *```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
         for span in re.findall(r"`([^`]+)`", prose):
             text = " ".join(span.split())
-            if re.match(r"([A-Z_]+=\S+ )*(make|uv run) \S", text):
+            if called(text):
                 yield text, str(page.relative_to(ROOT))
 
 
 SHOWN = [(command, page) for command, where in documented().items() for page in dict.fromkeys(where)]
 CALLS = list(dict.fromkeys([*SHOWN, *spans()]))
+
+
+@pytest.mark.parametrize(
+    ("span", "command"),
+    [
+        ("make", False),
+        ("make list", True),
+        ('A_B="c d" uv run pytest', True),
+        ("A_B='c d' E=f make up", True),
+        ("PLATFORM=linux/amd64 docker buildx bake bookworm-core", True),
+        ("docker run", False),
+        ("docker run …", False),
+        ("docker run --gpus", True),
+        ("regctl artifact tree", False),
+        ("regctl image copy --referrers FROM TO", True),
+        ("python3 -m http.server", True),
+        ("source tools/completion.bash", True),
+        ("git checkout locks", True),
+        ("publish.py undo", True),
+        ("scripts/publish.py undo", True),
+        ("git-lfs", False),
+        ("publish.py", False),
+    ],
+)
+def test_what_is_a_command_within_a_sentence(span: str, command: bool) -> None:
+    assert called(span) == command
 
 
 def test_every_command_has_its_proof() -> None:
@@ -89,7 +128,14 @@ def test_the_proof_is_there(command: str) -> None:
             "tests/unit/test_built.py::test_results_of_a_checkout_are_recorded",
             "prune",
         ),
-        ("regctl image export --name x", "tests/e2e/test_publisher.py::test_status_says_how_things_stand", "--name"),
+        ("publish.py undo --json", "tests/e2e/test_publisher.py::test_status_says_how_things_stand", "undo"),
+        ("source tools/completion.bash", "tests/unit/test_bench.py::test_numbers", "completion.bash"),
+        ("gpg", "tests/unit/test_apt_keys.py::test_the_keys_are_the_pinned_ones", "never skipped"),
+        (
+            "regctl image export --compress x",
+            "tests/e2e/test_publisher.py::test_status_says_how_things_stand",
+            "--compress",
+        ),
     ],
 )
 def test_a_proof_that_is_none_is_found(command: str, test: str, wants: str) -> None:
@@ -132,6 +178,10 @@ def parsed(argv: list[str], catalogue: Catalogue, examples: bool) -> None:
         made(argv[1:], catalogue, examples)
     elif argv[:2] == ["uv", "run"]:
         ran(argv[2:])
+    elif argv[0] in ("publish.py", "scripts/publish.py"):
+        ran(["scripts/publish.py", *argv[1:]])
+    elif argv[0] == "source":
+        assert (ROOT / argv[1]).is_file(), argv[1]
 
 
 def made(given: list[str], catalogue: Catalogue, examples: bool) -> None:
@@ -184,6 +234,9 @@ def ran(given: list[str]) -> None:
         "make publish ONLY=bokworm-*",
         "uv run scripts/publish.py imge",
         "uv run scripts/publish.py all --onyl x",
+        "publish.py imge",
+        "scripts/publish.py all --onyl x",
+        "source tools/nothing.bash",
         "uv run scripts/nothing.py",
         "uv run pytest tests/e2e/test_ros.py -k nothing_like_that",
         "uv run python -m tests.nothing",
