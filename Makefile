@@ -10,7 +10,7 @@ CHANNEL :=
 SNAPSHOT :=
 # Stacks whose locks `make locks` makes anew; all if empty.
 STACK ?=
-# Anything but nothing: list, plan, diff, standing and status print JSON.
+# Anything but nothing: list, explain, plan, diff, locks, standing, status and catalogue print JSON, and catalogue writes nothing.
 JSON ?=
 # Anything but nothing: `make unit` measures what the tests run of rosml/, and fails below pyproject.toml's fail_under.
 COVERAGE ?=
@@ -49,6 +49,14 @@ export ROS_SNAPSHOT := $(SNAPSHOT)
 endif
 # A ROS workspace sets them; they would change what our Python imports.
 unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
+
+# A variable of the command line that is nearly one of ours is a slip, which would build something else in silence.
+GIVEN := $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))
+ifneq ($(GIVEN),)
+ifneq ($(shell python3 tools/make_help.py --variables $(patsubst %,'%',$(GIVEN)) || echo wrong),)
+$(error nothing was done)
+endif
+endif
 
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
@@ -92,8 +100,8 @@ bench: up ## our images beside those with RUN pip install, what more tags cost, 
 list: .python ## every image that can be built, or those of groups: make list GROUP="jazzy torch"; JSON=1
 	@$(RUN) scripts/generate_bake.py --list $(patsubst %,--group=%,$(GROUP)) $(if $(JSON),--json)
 
-explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot
-	@$(RUN) scripts/generate_bake.py --explain "$$TARGET"
+explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot; JSON=1
+	@$(RUN) scripts/generate_bake.py --explain "$$TARGET" $(if $(JSON),--json)
 
 generate: .python ## docker-bake.hcl, schemas and the documentation's tables anew, after a change of matrix.yaml or docs/built.json
 	@$(RUN) scripts/generate_bake.py
@@ -104,8 +112,8 @@ plan: .python ## who builds what in CI, with time, download and disk: make plan 
 diff: .python ## which images a change builds anew, and why: make diff REV=HEAD~1; JSON=1
 	@$(RUN) scripts/generate_bake.py --diff "$$REV" $(if $(JSON),--json)
 
-locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml; UPGRADE=1 moves versions and base images, BASES=1 these alone; STACK=cpu: of one stack
-	@$(RUN) scripts/lock.py $(if $(UPGRADE),--upgrade) $(if $(BASES),--bases) $(patsubst %,--stack=%,$(STACK)) $(if $(REPORT),--report "$$REPORT")
+locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml; UPGRADE=1 moves versions and base images, BASES=1 these alone; STACK=cpu: of one stack; JSON=1
+	@$(RUN) scripts/lock.py $(if $(UPGRADE),--upgrade) $(if $(BASES),--bases) $(patsubst %,--stack=%,$(STACK)) $(if $(REPORT),--report "$$REPORT") $(if $(JSON),--json)
 
 up: ## set up: tools, local registry, builder (the commands above do it by themselves)
 	@$(BOOTSTRAP) up
@@ -128,8 +136,8 @@ publish: up ## all that is not as it should be, to the local registry or another
 standing: .python ## how the images stand: published, stale, failed, missing; ONLY and REGISTRY as above
 	@$(RUN) scripts/publish.py status --only "$$ONLY" --registry "$$PLACE" $(if $(JSON),--json)
 
-catalogue: .python ## a page and catalogue.json of what is published, for any static host: make catalogue REGISTRY=ghcr.io/me/rosml OUTPUT=public
-	@$(RUN) scripts/catalogue.py --only "$$ONLY" --registry "$$PLACE" $(if $(OUTPUT),--output "$$OUTPUT")
+catalogue: .python ## a page and catalogue.json of what is published, for any static host: make catalogue REGISTRY=ghcr.io/me/rosml OUTPUT=public; JSON=1
+	@$(RUN) scripts/catalogue.py --only "$$ONLY" --registry "$$PLACE" $(if $(OUTPUT),--output "$$OUTPUT") $(if $(JSON),--json)
 
 down: ## stop the registry and the builder; what they stored stays
 	@$(BOOTSTRAP) down

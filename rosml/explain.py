@@ -24,8 +24,28 @@ class Wanted:
     stack: str | None
 
 
+@dataclass(frozen=True)
+class Explained:
+    """What there is to say of a name.
+
+    Attributes:
+        target: the image, payload or group that the name means; the name itself where there is none.
+        exists: whether there is one, with its lock or without.
+        text: the facts behind it, or one sentence about why the facts rule it out.
+    """
+
+    target: str
+    exists: bool
+    text: str
+
+
 def explain(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.environ) -> str:
-    """The facts behind an image, payload or group; or one sentence about why the facts rule it out.
+    """The text of `explained`."""
+    return explained(catalogue, name, environ).text
+
+
+def explained(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.environ) -> Explained:
+    """Why there is an image, payload or group of a name, or why not.
 
     Args:
         catalogue: what there is.
@@ -39,17 +59,20 @@ def explain(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.env
         raise RosmlError("no image is named", remedy="name one: make explain TARGET=jazzy-robot", exit_code=2)
     tagged = catalogue.by_tag(name)
     if image := tagged or catalogue.by_target.get(name.removesuffix("-test"), catalogue.by_target.get(name)):
-        return _image(catalogue.matrix, image, environ)
+        return Explained(image.target, True, _image(catalogue.matrix, image, environ))
     if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
         users = sum(payload.name in image.parts for image in catalogue.images)
-        return f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {counted(users, 'image')}"
+        text = f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {counted(users, 'image')}"
+        return Explained(payload.name, True, text)
     if name in catalogue.groups:
         listed_by = "make list" if name in ("payloads", "tests") else f"make list GROUP={name}"
-        return f"{name}: a group of {counted(len(catalogue.groups[name]), 'target')}; see them with: {listed_by}"
+        text = f"{name}: a group of {counted(len(catalogue.groups[name]), 'target')}; see them with: {listed_by}"
+        return Explained(name, True, text)
     if members := [image for image in catalogue.images if name in image.groups]:
-        return f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
+        text = f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
+        return Explained(name, True, text)
     if reason := why_not(catalogue, name):
-        return reason
+        return Explained(name, False, reason)
     raise RosmlError(unknown("image", name, _alike(catalogue, name)), remedy="see all with: make list", exit_code=2)
 
 

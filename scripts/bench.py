@@ -74,7 +74,7 @@ class Measured:
         return self.seconds / self.images * 1_000_000
 
 
-@click.command(help=__doc__)
+@click.command(help=__doc__, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--generator", is_flag=True, help="Measure the generator alone; needs no registry and no builder.")
 @click.option("--target", default="", help=f"The image that is built in both ways; {TARGET} if it is empty.")
 @click.option("--json", "as_json", is_flag=True, help="Print the numbers as JSON.")

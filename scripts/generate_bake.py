@@ -10,12 +10,15 @@ Examples:
   generate_bake.py --diff HEAD            what the uncommitted changes would build anew, and why
   generate_bake.py --diff v1.2 --json     the same since a tag, all of it, for machines
   generate_bake.py --diff other.yaml      what differs from another matrix
+  generate_bake.py --explain jazzy-robot  why there is no such image; with --json for machines
   generate_bake.py --shards 8             which of eight machines would build what, and how long that takes
 """
 
 from __future__ import annotations
 
+import json
 import sys
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -36,7 +39,7 @@ if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
 COMMAND = "make generate"
 
 
-@click.command(help=__doc__)
+@click.command(help=__doc__, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
 @click.option("--list", "list_", is_flag=True, help="List every image with its facts.")
 @click.option(
@@ -46,7 +49,7 @@ COMMAND = "make generate"
     metavar="NAME",
     help="With --list: only images of this group; of all, if repeated.",
 )
-@click.option("--json", "as_json", is_flag=True, help="With --list, --diff and --shards: as JSON.")
+@click.option("--json", "as_json", is_flag=True, help="With --list, --diff, --explain and --shards: as JSON.")
 @click.option(
     "--diff", metavar="REV", help="Say which images differ from a git revision or another matrix file, and why."
 )
@@ -73,8 +76,8 @@ def main(
 ) -> None:
     if check + list_ + (diff is not None) + (explain is not None) + (shards is not None) > 1:
         raise click.UsageError("--check, --list, --diff, --explain and --shards do different things; use one of them")
-    if as_json and not list_ and diff is None and shards is None:
-        raise click.UsageError("--json belongs to --list, --diff and --shards")
+    if as_json and not list_ and diff is None and explain is None and shards is None:
+        raise click.UsageError("--json belongs to --list, --diff, --explain and --shards")
     if groups and not list_:
         raise click.UsageError("--group belongs to --list")
     if output and (list_ or diff is not None or explain is not None):
@@ -89,9 +92,7 @@ def main(
     elif diff is not None:
         compare(catalogue, diff, as_json)
     elif explain is not None:
-        from rosml.explain import explain as sentence
-
-        click.echo(sentence(catalogue, explain))
+        say_why(catalogue, explain, as_json)
     elif shards is not None:
         deal_out(catalogue, shards, as_json, output)
     else:
@@ -111,6 +112,14 @@ def list_images(catalogue: Catalogue, groups: tuple[str, ...], as_json: bool) ->
         click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
     elif images:
         listing.print_table(images)
+
+
+def say_why(catalogue: Catalogue, name: str, as_json: bool) -> None:
+    """Prints why an image exists, or why it does not."""
+    from rosml.explain import explained
+
+    found = explained(catalogue, name)
+    click.echo(json.dumps(asdict(found), indent=2, ensure_ascii=False) if as_json else found.text)
 
 
 def compare(catalogue: Catalogue, other: str, as_json: bool) -> None:

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -40,7 +42,16 @@ if TYPE_CHECKING:
 @click.option(
     "--report", type=click.Path(path_type=Path, dir_okay=False), help="Write the table of versions there, as Markdown."
 )
-def main(upgrade: bool, bases: bool, check: bool, stacks: tuple[str, ...], matrix: Path, report: Path | None) -> None:
+@click.option("--json", "as_json", is_flag=True, help="Print what moved as JSON; all else goes to standard error.")
+def main(
+    upgrade: bool,
+    bases: bool,
+    check: bool,
+    stacks: tuple[str, ...],
+    matrix: Path,
+    report: Path | None,
+    as_json: bool,
+) -> None:
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 
     With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'make generate' then.
@@ -50,6 +61,7 @@ def main(upgrade: bool, bases: bool, check: bool, stacks: tuple[str, ...], matri
       uv run scripts/lock.py              after a change in matrix.yaml
       uv run scripts/lock.py --upgrade    take new releases of the dependencies
       uv run scripts/lock.py --stack cpu  the locks of one stack
+      uv run scripts/lock.py --check --json   what would move, for machines
       uv run scripts/lock.py --bases      take base images that their makers renewed
     """
     from rosml import expand, names, source
@@ -59,14 +71,15 @@ def main(upgrade: bool, bases: bool, check: bool, stacks: tuple[str, ...], matri
     catalogue = expand.catalogue(source.read(matrix))
     if bases and (upgrade or stacks):
         raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
-    pinned = base_images(matrix, check) if bases or (upgrade and not stacks) else None
+    pinned = base_images(matrix, check, as_json) if bases or (upgrade and not stacks) else None
     if bases and pinned:
         if report:
             files.write(report, base_table(pinned))
+        if as_json:
+            click.echo(to_json(pinned=pinned))
         if check and pinned.moved:
-            raise RosmlError(
-                f"{len(pinned.moved)} base images have moved", "run 'make locks UPGRADE=1' and commit the result"
-            )
+            wrong = f"{len(pinned.moved)} base images have moved"
+            stop(RosmlError(wrong, "run 'make locks UPGRADE=1' and commit the result"), as_json)
         return
     for name in stacks:
         if name not in (known := [*catalogue.matrix.stacks, *(item.distribution for item in catalogue.wheels)]):
@@ -79,22 +92,60 @@ def main(upgrade: bool, bases: bool, check: bool, stacks: tuple[str, ...], matri
         (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
         files.write(ROOT / path, locks.texts[path])
     for path in stale:  # when all is written: whoever reads along may stop reading
-        click.echo(f"{path}: {'would change' if check else 'written'}")
+        click.echo(f"{path}: {'would change' if check else 'written'}", err=as_json)
     moved = moves(earlier, {path: locks.texts[path] for path in stale if path in earlier})
-    print_moves(moved)
+    fresh = [path for path in stale if path not in earlier]
+    if not as_json:
+        print_moves(moved)
     if report:
-        fresh = [path for path in stale if path not in earlier]
         files.write(report, markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else ""))
     for path in sorted(there - locks.texts.keys()):
-        click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it")
+        click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
     for request, reason in locks.left_out.items():
         click.echo(f"{request}: locks stay as they are: {reason}", err=True)
-    click.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}")
+    click.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}", err=as_json)
+    if as_json:
+        click.echo(to_json(moved, stale, fresh, locks.left_out, pinned))
     if check and (stale or (pinned and pinned.moved)):
-        raise RosmlError(f"{len(stale)} locks are stale", "run 'make locks' and commit the result")
+        stop(RosmlError(f"{len(stale)} locks are stale", "run 'make locks' and commit the result"), as_json)
 
 
-def base_images(matrix: Path, check: bool) -> Pins:
+def stop(error: RosmlError, as_json: bool) -> None:
+    """Ends with an error; with `--json`, whose one object is printed by then, it is told on standard error alone."""
+    if not as_json:
+        raise error
+    click.echo(f"error: {error.message}\nremedy: {error.remedy}", err=True)
+    raise click.exceptions.Exit(error.exit_code)
+
+
+def to_json(
+    moved: Mapping[Move, int] | None = None,
+    stale: Sequence[str] = (),
+    fresh: Sequence[str] = (),
+    left_out: Mapping[Any, str] | None = None,
+    pinned: Pins | None = None,
+) -> str:
+    """What `--json` prints. Where a package was, or is, not there, its version is `null`.
+
+    Args:
+        moved: versions, with how many locks have each. stale: locks that changed, or would. fresh: new ones among them.
+        left_out: requests whose locks stay as they are, with the reason. pinned: base images.
+    """
+    found = {
+        "moved": [
+            {"stack": m.stack, "package": m.package, "old": m.old or None, "new": m.new or None, "locks": count}
+            for m, count in sorted((moved or {}).items())
+        ],
+        "changed": list(stale),
+        "new": list(fresh),
+        "left_out": {str(request): reason for request, reason in (left_out or {}).items()},
+        "base_images": [asdict(pin) for pin in (pinned.moved if pinned else ())],
+        "base_images_left_out": dict(pinned.left_out) if pinned else {},
+    }
+    return json.dumps(found, indent=2, ensure_ascii=False)
+
+
+def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
     """Looks where the tags of base images point, and writes that into the matrix; nothing where it is only checked."""
     from rosml import expand, oci, pins, source
 
@@ -104,11 +155,11 @@ def base_images(matrix: Path, check: bool) -> Pins:
     if found.moved and not check:
         files.write(matrix, pins.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))
     for system, image, old, new in pins.rows(found.moved):
-        click.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}")
+        click.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}", err=as_json)
     for line in pins.reasons(found.left_out):
         click.echo(line, err=True)
     total = len(expand.catalogue(document).matrix.operating_systems)
-    click.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}")
+    click.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
     return found
 
 

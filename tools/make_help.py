@@ -1,4 +1,5 @@
-"""What `make` prints: its commands in groups, with an example each; and for a command that there is not, which was meant.
+"""What `make` prints: its commands in groups, with an example each; and for a command or a variable that there is not,
+which was meant.
 
 Needs nothing but Python 3.9, since it is the first thing that a newcomer calls."""
 
@@ -22,6 +23,10 @@ GROUPS = {
 }
 REST = "More"
 """The group of what is in no other."""
+
+
+OF_MAKE = ("TARGET_ARCH", "TARGET_MACH")
+"""Variables of make's own rules that are near one of ours."""
 
 
 def commands(text: str) -> dict[str, tuple[str, str]]:
@@ -61,14 +66,41 @@ def unknown(name: str, found: dict[str, tuple[str, str]]) -> str:
     return f"error: make has no command '{name}'{guess}\nremedy: see all with: make"
 
 
+def variables(text: str) -> tuple[set[str], set[str]]:
+    """The variables that are for people: with a default that they may change, or asked for in a recipe; and all names that
+    the Makefile has."""
+    ours = set(re.findall(r"^([A-Z_]+) (?:\?=|:=$)|\$\(if \$\(([A-Z_]+)\)", text, re.MULTILINE))
+    names = {name for pair in ours for name in pair if name}
+    return names, names | set(re.findall(r"\b[A-Z][A-Z_]+\b", text))
+
+
+def mistyped(name: str, text: str) -> str:
+    """What to say of a variable that is nearly one of ours; nothing of any other one: make has many of its own."""
+    ours, known = variables(text)
+    if name in known or name in OF_MAKE:
+        return ""
+    near = difflib.get_close_matches(name.upper(), sorted(ours), n=3, cutoff=0.7)
+    if not near:
+        return ""
+    guess = " or ".join(f"{other}=" for other in near)
+    return (
+        f"error: make has no variable '{name}'; did you mean {guess}?\nremedy: see commands with their variables: make"
+    )
+
+
 def coloured(stream_is_terminal: bool) -> bool:
     """Whether to colour: on a terminal that can, unless somebody does not want it (https://no-color.org)."""
     return stream_is_terminal and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
 
 
 def main(arguments: list[str]) -> int:
-    """Prints the list; or says that there is no such command, and gives 2."""
-    found = commands(MAKEFILE.read_text(encoding="utf-8"))
+    """Prints the list; or says that there is no such command, or which variables are mistyped, and gives 2."""
+    text = MAKEFILE.read_text(encoding="utf-8")
+    if arguments[:1] == ["--variables"]:
+        said = [line for name in arguments[1:] if (line := mistyped(name, text))]
+        print("\n".join(said), file=sys.stderr, end="\n" if said else "")
+        return 2 if said else 0
+    found = commands(text)
     if arguments:
         print(unknown(arguments[0], found), file=sys.stderr)
         return 2

@@ -169,6 +169,26 @@ def test_list_json(real: Catalogue) -> None:
     assert len({image["inputs"]["amd64"] for image in listed}) == len(listed)
 
 
+def test_explain_json(small: Catalogue, small_file: Path) -> None:
+    """What a tag, a test, a payload or a group is, and whether there is one; the text is what people read."""
+    image = small.image("alpha-core-torch-cu1")
+    for name, target, exists in (
+        (image.target, image.target, True),
+        (image.tags[0], image.target, True),
+        (f"{image.target}-test", image.target, True),
+        ("payload-torch-cu1-py312", "torch-cu1-py312", True),
+        ("alpha", "alpha", True),
+        ("alpha-robot", "alpha-robot", False),
+        ("alpha-core-torch", "alpha-core-torch", False),
+    ):
+        told = generate("--explain", name, "--matrix", small_file).stdout
+        assert json.loads(generate("--explain", name, "--matrix", small_file, "--json").stdout) == {
+            "target": target,
+            "exists": exists,
+            "text": told.rstrip("\n"),
+        }
+
+
 def test_list_is_one_line_for_each_image(small: Catalogue, small_file: Path) -> None:
     """The project has locks for few images of the small matrix, if for any."""
     lines = generate("--list", "--matrix", small_file).stdout.splitlines()
@@ -196,6 +216,10 @@ EXITS: dict[str, tuple[list[str], int, str]] = {
     "unknown option": (["--chek"], 2, "--check"),
     "no such matrix": (["--matrix", "/nowhere/matrix.yaml"], 2, "no such file"),
     "help": (["--help"], 0, "--explain TARGET"),
+    "help in short": (["-h"], 0, "--explain TARGET"),
+    "exists, for machines": (["--explain", "alpha-core", "--json"], 0, '"exists": true'),
+    "ruled out, for machines": (["--explain", "alpha-robot", "--json"], 0, '"exists": false'),
+    "not understood, for machines": (["--explain", "alfa-core", "--json"], 2, "did you mean 'alpha-core'"),
 }
 
 

@@ -18,6 +18,12 @@ from scripts.bench import Measured
 FINE = [Measured(1_000, 0.2), Measured(10_000, 2.0)]
 
 
+@pytest.mark.parametrize("word", ["-h", "--help"])
+def test_help(word: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(bench.main, arguments=[word]) == 0
+    assert "--generator" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("images", [1, 500, 10_000])
 def test_synthetic_matrices_are_valid(images: int) -> None:
     text = synthetic.matrix(images)

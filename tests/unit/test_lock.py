@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import re
 import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 from conftest import ROOT, SMALL, changed, parse
@@ -564,6 +567,33 @@ def test_one_stack(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "locks/cu1/" not in done, "neither written nor called superfluous"
     assert run(checkout, "--stack", "cp") == 2
     assert "no stack named 'cp'; did you mean 'cpu'" in capsys.readouterr().err
+
+
+def test_what_moved_for_machines(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One object on standard output, also where locks are stale; what people read is beside it."""
+
+    def told(*arguments: str, code: int = 0) -> dict[str, Any]:
+        capsys.readouterr()
+        assert run(checkout, "--json", *arguments) == code
+        found: dict[str, Any] = json.loads(capsys.readouterr().out)
+        return found
+
+    first = told()
+    assert first["moved"] == [] and first["new"] == first["changed"]
+    assert "locks/cu1/amd64/3.12/torch.txt" in first["new"]
+    fake_uv(checkout, resolved=RESOLVED.replace("numpy==1.26.4", "numpy==1.26.5"))
+    stale = told("--check", code=1)
+    common = sorted(path for path in first["new"] if path.endswith("/common.txt"))
+    assert stale["changed"] == common and stale["new"] == []
+    counts = Counter(path.split("/")[1] for path in common)
+    assert stale["moved"] == [
+        {"stack": stack, "package": "numpy", "old": "1.26.4", "new": "1.26.5", "locks": counts[stack]}
+        for stack in sorted(counts)
+    ]
+    assert told() == stale
+    assert told() == {**stale, "moved": [], "changed": []}
+    fake_uv(checkout, UV + "exit 1")
+    assert "does not resolve" in told(code=1)["error"]
 
 
 def test_false_hashes_do_not_stay(checkout: Path) -> None:

@@ -20,6 +20,9 @@ CALLS = {
     "locks REPORT=x.md": 'scripts/lock.py --report "$REPORT"',
     "publish ONLY=x": 'scripts/publish.py all --only "$ONLY" --registry "$PLACE" --since "$SINCE" --at-most "4" --serve "$SERVE"',
     "standing": 'scripts/publish.py status --only "$ONLY" --registry "$PLACE"',
+    "locks JSON=1": "scripts/lock.py --json",
+    "explain TARGET=x JSON=1": 'scripts/generate_bake.py --explain "$TARGET" --json',
+    "catalogue JSON=1": 'scripts/catalogue.py --only "$ONLY" --registry "$PLACE" --json',
     "catalogue OUTPUT=x": 'scripts/catalogue.py --only "$ONLY" --registry "$PLACE" --output "$OUTPUT"',
     "bench TARGET=x": 'scripts/bench.py --target="$TARGET"',
     "plan JSON=1": 'scripts/generate_bake.py --shards "8" --json',
@@ -104,6 +107,46 @@ def test_a_command_that_is_mistyped(given: str, meant: str, options: list[str]) 
     assert f"error: make has no command '{given}'" in done.stderr
     assert (f"did you mean {meant}" in done.stderr) == bool(meant)
     assert "remedy: see all with: make\n" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("given", "meant"),
+    [
+        ("TRAGET=x", "TARGET="),
+        ("target=x", "TARGET="),
+        ("UPGARDE=1", "UPGRADE="),
+        ("PLATFORMS=linux/arm64", "PLATFORM="),
+    ],
+)
+@pytest.mark.parametrize("options", [[], ["--dry-run"]])
+def test_a_variable_that_is_mistyped(given: str, meant: str, options: list[str]) -> None:
+    """It would be nothing to make, and the default would be built."""
+    argv = ["make", *options, "image", given, "BOOTSTRAP=:", "RUN=:"]  # whatever make thinks of it, nothing is built
+    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert f"error: make has no variable '{given.partition('=')[0]}'; did you mean {meant}?\n" in done.stderr
+    assert "remedy: see commands with their variables: make\n" in done.stderr
+    assert done.stdout == ""
+
+
+def test_other_variables_are_let_through() -> None:
+    """Ours, those that make has by itself, and what is like none; a value may look like a slip."""
+    ours, known = make_help.variables(make_help.MAKEFILE.read_text())
+    assert {"TARGET", "REV", "PLATFORM", "UPGRADE", "AT_MOST"} <= ours
+    assert ours.isdisjoint({"PATH", "SHELL", "RUN", "BOOTSTRAP"})
+    given = [f"{name}=" for name in sorted(ours)]
+    given += [
+        f"PATH={os.environ['PATH']}",
+        "CC=gcc",
+        "TARGET_ARCH=",
+        "V=1",
+        "BOOTSTRAP=:",
+        "SHELL=/bin/bash",
+        "ONLY=x TRAGET=y",
+    ]
+    done = subprocess.run(["make", "--dry-run", "list", *given], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert all(not make_help.mistyped(name, make_help.MAKEFILE.read_text()) for name in known)
 
 
 # ---- Completion ------------------------------------------------------------------------------------------------------

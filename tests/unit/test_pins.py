@@ -3,6 +3,7 @@ what is built from them counts their digests as inputs."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -64,6 +65,15 @@ def test_what_moved_is_written_and_nothing_else(
     done = capsys.readouterr()
     assert f"ubuntu-24.04: {hub.address}/library/ubuntu:24.04: would move from {OLD[:19]} to {new[:19]}" in done.out
     assert "2 base images have moved" in done.err and "make locks UPGRADE=1" in done.err
+    assert run(matrix, "--bases", "--check", "--json") == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["base_images"][0] == {
+        "system": "ubuntu-24.04",
+        "image": f"{hub.address}/library/ubuntu:24.04",
+        "old": OLD,
+        "new": new,
+    }
+    assert len(found["base_images"]) == 2 and found["moved"] == found["changed"] == []
     assert matrix.read_text() == before
     assert run(matrix, "--bases", "--report", str(tmp_path / "report.md")) == 0
     assert matrix.read_text() == before.replace(f"digest:  {OLD} # renewed", f"digest:  {new} # renewed").replace(
