@@ -64,6 +64,10 @@ REMOVE = (
 )
 """Removed from a made image: what tells of this machine or of the day."""
 
+APTS = ("var/cache/apt/archives/partial", "var/lib/apt/lists/partial")
+"""Folders of apt's own user, as in the official image. mmdebstrap gives them to it only where that user can enter the folder
+in which the image is made: elsewhere the image would have another digest."""
+
 FOLDERS = ("dev",)
 """Folders that mmdebstrap leaves out. A builder would make them, and leave the time of day on them."""
 
@@ -181,6 +185,7 @@ def command(suite: str, architecture: str, files: Path, output: Path) -> list[st
         '--aptopt=Acquire::Retries "5"',
         f"--customize-hook=sync-in {shlex.quote(str(files))} /",
         f"--customize-hook=rm -f {remove}",
+        f'--customize-hook=chroot "$1" chown _apt:root {" ".join(f"/{folder}" for folder in APTS)}',
         suite,
         str(output),
     ]

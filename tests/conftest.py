@@ -6,7 +6,15 @@ from __future__ import annotations
 import os
 import signal
 
+import pytest
+
+from tests.fork import skip_ours
+
 for name in ("MAKELEVEL", "MAKEFLAGS", "MFLAGS"):
     os.environ.pop(name, None)
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and some CI leave it; tests send it to programs
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    skip_ours(items)

@@ -256,6 +256,7 @@ def make(folder: Path, services: Services) -> Mini:
     matrix["default"] = {"target": "bookworm-core", "group": ["bookworm-core"]}
     (folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
     (folder / ".state").mkdir()
+    (ROOT / ".state" / "base").mkdir(exist_ok=True)  # base images are made once, by whoever is the first
     for name in ("registry", "base", "regctl", "bin"):
         if (ROOT / ".state" / name).exists():
             (folder / ".state" / name).symlink_to(ROOT / ".state" / name)

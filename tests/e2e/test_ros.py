@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, builder, publish, registry, verify
+from rosml import ROOT, base_images, builder, publish, registry, verify
 from rosml.expand import Catalogue
 from rosml.services import Services
-from tests.e2e.conftest import NAMESPACE, Published
+from tests.e2e.conftest import LOG, NAMESPACE, Published
 from tests.e2e.test_images import build, build_on
 
 Publish = Callable[[str], Published]
@@ -89,3 +89,19 @@ def test_ros_2_from_wheels_is_a_row_of_its_own(published: Publish) -> None:
     image = published("jazzy-wheels-core")
     report = verify.read_report(ROOT / ".state" / "tests" / image.image.target / "report", ("ros2-wheels",))
     assert [outcome.name for outcome in report.outcomes if outcome.passed and "talk" in outcome.name]
+
+
+def test_a_base_image_is_the_same_wherever_it_is_made(services: Services, tmp_path: Path) -> None:
+    """Also in a folder that no other user may enter, where mmdebstrap gives apt's user nothing."""
+    if not services.mirror:
+        pytest.skip("Docker Hub answers: its base images are used")
+    suite = "bookworm"
+    closed = tmp_path / "closed"
+    closed.mkdir(mode=0o700)
+    architecture = base_images.native_architecture()
+    elsewhere = base_images.make(services, suite, architecture, closed / "made", LOG.info, tag="elsewhere")
+    place = f"{services.registry}/library/debian"
+    here = base_images.find(services, suite, architecture)
+    assert here, "the tests before have made it"
+    made, known = (registry.layers(services, f"{place}@{digest}") for digest in (elsewhere, here))
+    assert [layer.digest for layer in made] == [layer.digest for layer in known]
