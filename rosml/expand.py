@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
@@ -516,7 +516,15 @@ def _payloads(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Payload]:
 
 def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
     """Names that two things would share, and names in `default` that nothing has."""
-    owners: dict[str, str] = {}
+    owners: dict[str, str] = {}  # of targets and tags
+    yield from _shared_by_images(catalogue, owners)
+    yield from _shared_by_payloads(catalogue)
+    yield from _taken(catalogue, owners)
+    yield from _unusable_defaults(catalogue)
+
+
+def _shared_by_images(catalogue: Catalogue, owners: dict[str, str]) -> Iterator[tuple[Place, str]]:
+    """Targets and tags that two images would share; and writes down whose they are."""
     for image in catalogue.images:
         for target in (image.target, image.test_target):
             if target in owners:
@@ -536,6 +544,10 @@ def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
                 ("stacks", image.stack),
                 f"{image.stack} and {kinds[common][1]} would share the target {common}; rename one",
             )
+
+
+def _shared_by_payloads(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
+    """Names that the payloads of two stacks would share."""
     sources: dict[str, tuple[Part, str, str]] = {}
     for stack, python, framework in {(image.stack, image.python, image.framework): None for image in catalogue.images}:
         for part in (
@@ -548,6 +560,10 @@ def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
                     ("stacks", source[1]),
                     f"{source[1]} and {sources[name][1]} would share the payload {name}; rename one",
                 )
+
+
+def _taken(catalogue: Catalogue, owners: Mapping[str, str]) -> Iterator[tuple[Place, str]]:
+    """Groups and payloads whose names are those of targets."""
     taken = owners.keys() | {payload.target for payload in catalogue.payloads}
     for axis in ("distributions", "components", "frameworks", "stacks"):
         for name in getattr(catalogue.matrix, axis):
@@ -559,6 +575,10 @@ def _collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
             yield ("stacks", payload.stack), text
         if payload.target in owners:
             yield ("stacks", payload.stack), f"{payload.target} is a payload and an image; rename one"
+
+
+def _unusable_defaults(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
+    """Default stacks and targets that there are not."""
     carried = {(image.distribution, image.stack) for image in catalogue.images if len(image.parts) > 1}
     for name, distribution in catalogue.matrix.distributions.items():
         if (name, distribution.default_stack) not in carried and any(row == name and stack for row, stack in carried):

@@ -73,13 +73,7 @@ def main(
         raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
     pinned = base_images(matrix, check, as_json) if bases or (upgrade and not stacks) else None
     if bases and pinned:
-        if report:
-            files.write(report, base_table(pinned))
-        if as_json:
-            click.echo(to_json(pinned=pinned))
-        if check and pinned.moved:
-            wrong = f"{len(pinned.moved)} base images have moved"
-            stop(RosmlError(wrong, "run 'make locks UPGRADE=1' and commit the result"), as_json)
+        tell_bases(pinned, check, report, as_json)
         return
     for name in stacks:
         if name not in (known := [*catalogue.matrix.stacks, *(item.distribution for item in catalogue.wheels)]):
@@ -108,6 +102,17 @@ def main(
         click.echo(to_json(moved, stale, fresh, locks.left_out, pinned))
     if check and (stale or (pinned and pinned.moved)):
         stop(RosmlError(f"{len(stale)} locks are stale", "run 'make locks' and commit the result"), as_json)
+
+
+def tell_bases(pinned: Pins, check: bool, report: Path | None, as_json: bool) -> None:
+    """Says which base images moved, where nothing else was asked for; with `check` an error if any did."""
+    if report:
+        files.write(report, base_table(pinned))
+    if as_json:
+        click.echo(to_json(pinned=pinned))
+    if check and pinned.moved:
+        wrong = f"{len(pinned.moved)} base images have moved"
+        stop(RosmlError(wrong, "run 'make locks UPGRADE=1' and commit the result"), as_json)
 
 
 def stop(error: RosmlError, as_json: bool) -> None:

@@ -306,7 +306,7 @@ def check(node: dict[str, Any], value: Any, root: dict[str, Any]) -> None:
             raise Invalid(f"{value!r}: {keyword} {wanted}")
 
 
-def _holds(node: dict[str, Any], keyword: str, wanted: Any, value: Any, root: dict[str, Any]) -> bool:
+def _holds(node: dict[str, Any], keyword: str, wanted: Any, value: Any, root: dict[str, Any]) -> bool:  # noqa: C901
     known, patterns = node.get("properties", {}), node.get("patternProperties", {})
     match keyword:
         case "$schema" | "$comment" | "$defs" | "description" | "default" | "format":
