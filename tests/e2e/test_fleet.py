@@ -25,9 +25,7 @@ from rosml.services import Services
 from tests.e2e import mini as minis
 from tests.e2e.builders import builder
 from tests.e2e.conftest import HANGS, run
-from tests.e2e.mini import Mini, begun
-
-NOTHING = "#!/usr/bin/env bash\n"
+from tests.e2e.mini import NOTHING, Mini, begun
 
 
 @pytest.fixture(scope="module", autouse=True)

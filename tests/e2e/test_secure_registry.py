@@ -24,22 +24,12 @@ from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.builders import builder
 from tests.e2e.conftest import Run, run
-from tests.e2e.mini import Mini
+from tests.e2e.mini import NOTHING, Mini
 from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
-from tests.e2e.test_fleet import NOTHING, buildkitd  # noqa: F401 (a fixture)
+from tests.e2e.test_fleet import buildkitd  # noqa: F401 (a fixture)
 
 ONLY = ("--only", "bookworm-core*", "--serve", "amd64")
 SECRETS = (PASSWORD, encoded(NAME, PASSWORD), encoded(NAME, "wrong-" + PASSWORD), json.dumps(PASSWORD)[1:-1])
-ESSENTIALS = """\
-#!/usr/bin/env bash
-set -euo pipefail
-source "$(dirname "$0")/../build/network.sh"
-apt-get update
-apt-get install --yes --no-install-recommends python3
-"$(dirname "$0")/../build/clean.sh"
-"""
-"""All that the tests' runner needs: a builder with an empty cache would take minutes for the rest."""
-
 HELPER = '#!/bin/sh\ntest "$1" = get || exit 1\nread -r server\nprintf "%s" "$(cat "$0.secret")"\n'
 
 
@@ -124,8 +114,6 @@ def project(
     with builder(name, folder / "builder", services, certificates=trusted):
         (folder / "project").mkdir()
         found = minis.make(folder / "project", services)
-        (found.folder / "components/base/install.sh").write_text(ESSENTIALS)
-        (found.folder / "components/base/contract.sh").write_text(NOTHING)
         told = trusting(found.folder, services, name)
         yield Company(found.folder, told, found.prefix, registry, environment)
 

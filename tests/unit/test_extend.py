@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from conftest import ROOT
 
 from rosml import expand
 from rosml.expand import Catalogue
+from tests import fork
 from tests.documented import Block, blocks, commands
 
 PAGE = ROOT / "docs/extend.md"
@@ -107,3 +109,35 @@ def test_a_step_that_is_left_out_is_told(project: Path) -> None:
     done = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
     assert done.returncode != 0
     assert "cu126" in done.stderr and "disk" in done.stderr
+
+
+def test_a_set_of_ones_own(project: Path) -> None:
+    """Two rows of ours, as a fork would keep them: what nothing uses any more is in nobody's way."""
+    matrix = project / "matrix.yaml"
+    before, _, rest = matrix.read_text().partition("\ndistributions:\n")
+    rows, _, after = rest.partition("\ndisk:")
+    kept = "".join(row for row in re.split(r"(?m)^(?=  \S+:$)", rows) if row.startswith(("  humble:", "  jazzy:")))
+    for ours, theirs in (("bookworm-core-torch-cu128", "jazzy-base-torch-cu128"), ("[bookworm-core]", "[jazzy-core]")):
+        assert ours in before
+        before = before.replace(ours, theirs)
+    matrix.write_text(f"{before}\ndistributions:\n{kept}\ndisk:{after}")
+    argv = ["make", "generate", "BOOTSTRAP=:", f"RUN={sys.executable}"]
+    refused = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
+    assert refused.returncode != 0 and "remedy: remove that section" in refused.stderr, "what we built is not theirs"
+    page = project / "docs/built.md"
+    page.write_text(page.read_text().partition("\n## On ")[0] + "\n")
+    done = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "noetic" not in (project / "README.md").read_text().partition("<!-- images:")[2]
+    made = expand.load(matrix, project)
+    assert {image.target.split("-")[0] for image in made.images} == {"humble", "jazzy"}
+    check = [sys.executable, "scripts/generate_bake.py", "--check"]
+    assert subprocess.run(check, cwd=project, check=False).returncode == 0
+
+
+def test_what_a_fork_skips_is_there() -> None:
+    """A test of ours that is renamed would fail in every fork."""
+    for name in fork.OURS:
+        file, _, function = name.partition("::")
+        assert (ROOT / "tests" / file).exists(), name
+        assert not function or f"\ndef {function}(" in (ROOT / "tests" / file).read_text(), name
