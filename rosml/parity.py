@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -11,8 +12,28 @@ from rosml.verify import LABEL
 OWN = ("org.opencontainers.image.base.digest",)
 """Labels that an architecture may have to itself: base images that were made here have a digest each."""
 
-FRAMEWORKS = ("ros-distro", "ros-version", "torch", "tensorflow", "cuda", "cudnn", "numpy")
-"""What of the versions that were found inside must be the same. Debian may be a revision apart between architectures."""
+CONTENT = {
+    "ROS's distribution": "ros-distro",
+    "ROS's generation": "ros-version",
+    "CUDA": r"nvidia-cuda-runtime(-cu\d+)?",
+    "cuDNN": r"nvidia-cudnn-cu\d+",
+    "NCCL": r"nvidia-nccl-cu\d+",
+    "PyTorch": "torch",
+    "TensorFlow": "tensorflow(-cpu)?",
+    "numpy": "numpy",
+}
+"""What of the versions that were found inside must be the same, by the packages that have it: wheels of one release have
+other names on other architectures. Debian may be a revision apart."""
+
+
+def content(versions: Mapping[str, str]) -> dict[str, str]:
+    """What counts of the versions found inside; 2.10.0+cpu is 2.10.0, built for another accelerator."""
+    return {
+        name: version.split("+")[0]
+        for name, pattern in CONTENT.items()
+        for package, version in versions.items()
+        if re.fullmatch(pattern, package)
+    }
 
 
 def require(target: str, configs: Mapping[str, Mapping[str, Any]], versions: Mapping[str, Mapping[str, str]]) -> None:
@@ -37,8 +58,7 @@ def require(target: str, configs: Mapping[str, Mapping[str, Any]], versions: Map
         facts = {name: str(value) for name, value in (inner.get("Labels") or {}).items() if name not in OWN}
         facts |= dict(item.split("=", 1) for item in inner.get("Env") or [] if "=" in item)
         facts |= {key: str(inner.get(key)) for key in ("Entrypoint", "Cmd", "WorkingDir", "User")}
-        held = versions.get(architecture, {})
-        facts |= {f"{name} inside": held[name] for name in FRAMEWORKS if name in held}
+        facts |= {f"{name} inside": version for name, version in content(versions.get(architecture, {})).items()}
         found[architecture] = facts
     first, *others = found
     for other in others:

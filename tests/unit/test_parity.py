@@ -1,0 +1,73 @@
+"""What must be the same on all architectures of an index, with the names and versions that our own locks have."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from conftest import ROOT
+
+from rosml import lockfile, parity
+from rosml.errors import RosmlError
+from rosml.expand import Catalogue, Image
+
+
+def config(architecture: str) -> dict[str, Any]:
+    return {"architecture": architecture, "config": {"Labels": {"a": "b"}, "Env": ["C=d"], "User": "root"}}
+
+
+CONFIGS = {name: config(name) for name in ("amd64", "arm64")}
+
+
+def inside(catalogue: Catalogue, image: Image, platform: str) -> dict[str, str]:
+    """The versions that an image's payloads record of themselves."""
+    found: dict[str, str] = {}
+    for name in image.parts:
+        payload = catalogue.payload_by_name[name]
+        lock = dict(zip(payload.platforms, payload.locks, strict=True))[platform]
+        found |= lockfile.versions((ROOT / lock).read_text())
+    return found
+
+
+def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(real: Catalogue) -> None:
+    platforms = {architecture: facts.platform for architecture, facts in real.matrix.architectures.items()}
+    compared = set()
+    for image in real.images:
+        if image.parts and image.locked and set(image.platforms) == set(platforms.values()):
+            versions = {architecture: inside(real, image, platform) for architecture, platform in platforms.items()}
+            parity.require(image.target, CONFIGS, versions)
+            compared |= {(image.framework, image.stack, name) for name in parity.content(versions["amd64"])}
+    assert ("tensorflow", "cpu", "TensorFlow") in compared and ("ml", "cpu", "PyTorch") in compared
+    assert {("torch", "cu130", name) for name in ("CUDA", "cuDNN", "NCCL", "PyTorch", "numpy")} <= compared
+
+
+@pytest.mark.parametrize(
+    ("amd64", "arm64", "what"),
+    [
+        ({"torch": "2.10.0+cpu"}, {"torch": "2.10.1"}, "PyTorch inside is 2.10.0 on amd64, 2.10.1 on arm64"),
+        ({"tensorflow-cpu": "2.20.0"}, {}, "TensorFlow inside is 2.20.0 on amd64, nothing on arm64"),
+        ({"nvidia-cudnn-cu13": "9.20"}, {"nvidia-cudnn-cu13": "9.21"}, "cuDNN inside is 9.20 on amd64, 9.21 on arm64"),
+        ({"nvidia-cuda-runtime": "13.0.96"}, {"nvidia-cuda-runtime": "13.0.97"}, "CUDA inside is 13.0.96 on amd64"),
+        ({"ros-distro": "jazzy"}, {"ros-distro": "kilted"}, "ROS's distribution inside is jazzy on amd64"),
+    ],
+)
+def test_another_content_is_refused(amd64: dict[str, str], arm64: dict[str, str], what: str) -> None:
+    with pytest.raises(RosmlError) as error:
+        parity.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64})
+    assert what in error.value.message
+
+
+def test_what_an_architecture_may_have_to_itself() -> None:
+    """A revision of Debian's, and one wheel's name and place in the place of another."""
+    amd64 = {"python3-numpy": "1.24.2-1+b1", "tensorflow-cpu": "2.20.0", "torch": "2.10.0+cpu", "nvidia-cufile": "1"}
+    arm64 = {"python3-numpy": "1.24.2-1", "tensorflow": "2.20.0", "torch": "2.10.0"}
+    parity.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64})
+
+
+def test_what_an_image_promises_is_compared() -> None:
+    other = config("arm64")
+    other["config"]["User"] = "robot"
+    with pytest.raises(RosmlError, match="User is root on amd64, robot on arm64"):
+        parity.require("x", {"amd64": config("amd64"), "arm64": other}, {})
+    with pytest.raises(RosmlError, match="says that it is for amd64"):
+        parity.require("x", {"arm64": config("amd64")}, {})
