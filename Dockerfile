@@ -19,6 +19,9 @@ ARG ACCELERATOR=cpu
 ARG PART=common
 
 # ---- ROS ------------------------------------------------------------------------------------------------------------
+# Of when the packages are, where the caller knows it: the builder's cache does not know when they move.
+FROM scratch AS upstream
+
 # Steps mount just the files they use: a change elsewhere does not run them again. They do it below a tmpfs, for the
 # builder leaves the time of day on a folder where it made, and removed, the places of mounts.
 FROM os AS base
@@ -26,6 +29,7 @@ ARG NUMPY SOURCE_DATE_EPOCH
 RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/base/install.sh,target=/run/components/base/install.sh \
+    --mount=type=bind,from=upstream,target=/run/upstream \
     --mount=type=secret,id=ca-bundle \
     --mount=type=secret,id=os-apt-mirror \
     /run/components/base/install.sh
@@ -45,9 +49,6 @@ ENV LANG=C.utf8 \
 WORKDIR /docker-ros/ws
 ENTRYPOINT ["/tini", "--", "/entrypoint.sh"]
 CMD ["bash"]
-
-# Of when the packages are, where the caller knows it: the builder's cache does not know when they move.
-FROM scratch AS upstream
 
 FROM parent AS ros
 ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT ROS_CODENAME ROS_APT_SOURCE

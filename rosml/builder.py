@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 import signal
 import subprocess
@@ -54,6 +55,9 @@ _REMEDIES = (
 )
 _CANCEL_SECONDS = 15.0
 
+_OURS = re.compile(r"PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
+"""Variables of the bake file that a shell may have for other reasons, and that would change what is built."""
+
 
 @dataclass(frozen=True)
 class Bake:
@@ -91,12 +95,7 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
     # Attestations would make the pushed digest that of an index that changes with every build; they are kept apart.
     env["BUILDX_NO_DEFAULT_ATTESTATIONS"] = "1"
     env["CA_BUNDLE"] = services.ca_bundle
-    # Variables of the bake file that a shell may have for other reasons would change what is built.
-    for name in [
-        name
-        for name in env
-        if name in ("PLATFORM", "SOURCE_DATE_EPOCH", "REVISION", "DIGESTS", "ROS_SYNC_DATES") or name.startswith("OS_")
-    ]:
+    for name in [name for name in env if _OURS.fullmatch(name)]:
         del env[name]
     for name in ("HTTP_PROXY", "HTTPS_PROXY"):
         env.setdefault(name, os.environ.get(name.lower(), ""))

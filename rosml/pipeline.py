@@ -495,7 +495,8 @@ class Pipeline:
         """Assembles a payload."""
         platform = self.agenda.catalogue.matrix.architectures[architecture].platform
         services, catalogue = self.agenda.services, self.agenda.catalogue
-        base, digest = payloads.push(services, catalogue, payload, self.say, self.reference("").rstrip("/"), [platform])
+        prefix, again = self.reference("").rstrip("/"), self.agenda.force
+        base, digest = payloads.push(services, catalogue, payload, self.say, prefix, [platform], again)
         self._list_files(payload, digest)
         return Made(digest, base=base.reference)
 
@@ -508,15 +509,18 @@ class Pipeline:
         """Builds a ROS image on the one below it, as it is in the registry."""
         publisher = self._publisher(item.architecture)
         publisher.services.require_builder("" if publisher.native else self._platform(item.architecture))
-        variables = publisher.variables(image, Result(image.target))
+        moment = self.agenda.upstream.get(image.distribution, entry.upstream)
+        variables = publisher.variables(image, Result(image.target), moment)
         parts = self._parts(item)
         variables["DIGESTS"] = json.dumps(parts)
         sets = [f"{image.target}.tags="]
-        moment = self.agenda.upstream.get(image.distribution, entry.upstream)
+        # The first component brings the essentials, which are the operating system's own packages.
+        installing = [image.target] if parts else [names.os_target(image.os), image.target]
         if self.agenda.force:
-            sets.append(f"{image.target}.no-cache=true")
+            sets += [f"{target}.no-cache=true" for target in installing]
         elif moment:  # packages that moved are installed anew: the builder cannot know that they did
-            sets.append(f"{image.target}.contexts.upstream={self._moment(image, moment)}")
+            folder = self._moment(image, moment)
+            sets += [f"{target}.contexts.upstream={folder}" for target in installing]
         bake_file = write_excerpt(self.agenda.services, self.agenda.catalogue, image.target)
         call = builder.Bake(
             image.target, f"build-{image.target}-{item.architecture}", bake_file, tuple(sets), variables

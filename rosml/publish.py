@@ -248,11 +248,15 @@ class Publisher:
         """The part of the bake file that an image and its tests need."""
         return write_excerpt(self.services, self.catalogue, image.target, image.test_target)
 
-    def variables(self, image: Image, result: Result) -> dict[str, str]:
+    def variables(self, image: Image, result: Result, moment: str = "") -> dict[str, str]:
         """Variables of the bake file: the registry, the platform, of when ROS's apt repository is, and where base images
         are, which are made if need be.
 
-        What the image starts from is noted in `result`.
+        Args:
+            image: what is to be built.
+            result: what the image starts from is noted there.
+            moment: of when ROS's apt repository is taken to be: the build fails where it is of another time by then. It
+                is asked if nothing is said.
         """
         assembled_on = {self.catalogue.payload_by_name[name].os for name in image.parts}
         systems = self.catalogue.matrix.operating_systems
@@ -267,13 +271,15 @@ class Publisher:
             if name == image.os:
                 made = "made with mmdebstrap, because Docker Hub does not answer"
                 result.base = f"{reference} ({made if self.services.mirror else 'the official image'})"
-        return variables | self._sync_date(image)
+        return variables | self._sync_date(image, moment)
 
-    def _sync_date(self, image: Image) -> dict[str, str]:
+    def _sync_date(self, image: Image, moment: str) -> dict[str, str]:
         """The bake variable that says of when ROS's apt repository is: a new state of it is installed anew."""
         source = sync.source(self.catalogue.matrix, image.distribution)
         if source is None:
             return {}
+        if moment:
+            return {"ROS_SYNC_DATES": json.dumps({image.distribution: moment})}
         try:
             day = sync.published(source)
             sync.remember(self.services.state, source, day)

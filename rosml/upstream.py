@@ -44,7 +44,10 @@ def state(matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.env
     suite = base_images.debian_suite(matrix.operating_systems[facts.os].image)
     if not suite:
         return ""
-    found = [packages(f"{DEBIAN}/{path.format(suite=suite)}/Release") for path in SUITES]
+    archive = DEBIAN
+    if mirror := environ.get("OS_APT_MIRROR", ""):
+        archive = f"{mirror.rstrip('/')}/{DEBIAN.removeprefix('http://')}"
+    found = [packages(f"{archive}/{path.format(suite=suite)}/Release") for path in SUITES]
     return f"debian {suite} {hashlib.sha256(' '.join(found).encode()).hexdigest()[:16]}"
 
 
@@ -58,7 +61,8 @@ def packages(url: str) -> str:
         with urllib.request.urlopen(url, timeout=SECONDS) as answer:
             text = answer.read(RELEASE_BYTES).decode(errors="replace")
     except (OSError, ValueError, HTTPException) as error:
-        raise RosmlError(f"{url} does not answer ({error})", "check the network and HTTP_PROXY") from None
+        remedy = "check the network, HTTP_PROXY and OS_APT_MIRROR"
+        raise RosmlError(f"{url} does not answer ({error})", remedy) from None
     if not (found := INDEXES.findall(text)):
         raise RosmlError(f"{url} names no lists of packages", "check the mirror")
     return " ".join(digest for digest, _ in sorted(found, key=lambda item: item[1]))

@@ -87,6 +87,19 @@ apt_update() {
     "check the network and HTTP_PROXY, or name a mirror in ROS_APT_MIRROR"
 }
 
+# require_sync ADDRESS: ROS's apt source, as apt_update left it, is of the suite $ROS_CODENAME, and of $ROS_SYNC_DATE where
+# that is said: an image's components are of one moment.
+require_sync() {
+  local path=${1#http://} release suite sync
+  release=$(find /var/lib/apt/lists -name "*${path//\//_}_dists_${ROS_CODENAME:?}_*Release")
+  suite=$(sed -n 's/^Codename: //p' "$release")
+  [[ $suite == "$ROS_CODENAME" ]] ||
+    fail "$1 has the suite '$suite' in the place of '$ROS_CODENAME'" "check the mirror"
+  sync=$(date --utc --date "$(sed -n 's/^Date: //p' "$release")" +%FT%TZ)
+  [[ -z ${ROS_SYNC_DATE:-} || $sync == "$ROS_SYNC_DATE" ]] ||
+    fail "$1 is of $sync, and not of $ROS_SYNC_DATE any more" "run it again: ROS published new packages meanwhile"
+}
+
 # Installs packages. What did not arrive is asked for again with a fresh index: a sync may have replaced it just then.
 #   apt_install PACKAGE…
 apt_install() {

@@ -3,6 +3,7 @@
 #   ROS_PACKAGES  Debian packages of the component, separated by spaces
 #   ROS_TOOLS     packages of the developers' tools (colcon, rosdep, vcs), installed with the first component
 #   ROS_CHANNEL   live, snapshot or final, where packages come from ROS's own apt source; see source.sh
+#   ROS_CODENAME, ROS_SYNC_DATE  suite of that source, and of when it has to be
 #   ROS_DISTRO, ROS_VERSION  the distribution, and 1 or 2
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -21,6 +22,8 @@ use_mirror
 
 read -ra packages <<<"${ROS_TOOLS:-} ${ROS_PACKAGES:?}"
 apt_update
+source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
+if [[ -n $source ]]; then require_sync "$source"; fi
 apt_install "${packages[@]}"
 
 # Debian's rosdep is initialised as it comes.

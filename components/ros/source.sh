@@ -6,6 +6,7 @@
 #   ROS_SNAPSHOT    day of the snapshot, such as 2026-08-07
 #   ROS_VERSION     1 or 2
 #   ROS_CODENAME    suite of the operating system, such as noble
+#   ROS_SYNC_DATE   of when the source has to be, if that is said
 #   ROS_APT_SOURCE  release and digest of ros2-apt-source, for live: 1.2.0@sha256:…
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -86,15 +87,7 @@ mkdir "$scratch/only"
 for_build <"$file" >"$scratch/only/ros.sources"
 printf 'Dir::Etc::%s "%s";\n' SourceList /dev/null SourceParts "$scratch/only" >>"$APT_CONFIG"
 apt_update
-path=${address#http://}
-release=$(find /var/lib/apt/lists -name "*${path//\//_}_dists_${ROS_CODENAME}_*Release")
-suite=$(sed -n 's/^Codename: //p' "$release")
-[[ $suite == "$ROS_CODENAME" ]] ||
-  fail "$address has the suite '$suite' in the place of '$ROS_CODENAME'" "check the mirror"
-sync=$(date --utc --date "$(sed -n 's/^Date: //p' "$release")" +%FT%TZ)
-
-# Of the image's configuration, not of its layers, which stay the same while no package changes.
-[[ -z ${ROS_SYNC_DATE:-} || $sync == "$ROS_SYNC_DATE" ]] ||
-  fail "$address is of $sync, and not of $ROS_SYNC_DATE any more" "run it again: ROS published new packages meanwhile"
+# When it is stands in the image's configuration, and not in its layers, which stay the same while no package changes.
+require_sync "$address"
 
 printf 'ros-%s %s\n' channel "$ROS_CHANNEL" source "$address" >>/usr/local/share/rosml/versions.d/ros

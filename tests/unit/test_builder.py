@@ -89,6 +89,18 @@ def test_environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert builder.environment(services(tmp_path), call)["HTTP_PROXY"] == "http://large"
 
 
+def test_mirrors_reach_the_build_and_a_shells_own_variables_do_not(
+    tmp_path: Path, bake: Bake, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mirrors = {"ROS_APT_MIRROR": "http://mirror:1", "OS_APT_MIRROR": "http://mirror:2"}
+    own = {"OS_BOOKWORM": "debian:old", "OS_TYPE": "linux", "PLATFORM": "x", "SOURCE_DATE_EPOCH": "1", "REVISION": "y"}
+    for name, text in (mirrors | own).items():
+        monkeypatch.setenv(name, text)
+    env = builder.environment(services(tmp_path), bake)
+    assert {name: env[name] for name in mirrors} == mirrors
+    assert own.keys() & env.keys() == set()
+
+
 # ---- What becomes of its answer --------------------------------------------------------------------------------------
 
 

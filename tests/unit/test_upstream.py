@@ -109,6 +109,14 @@ def test_what_is_not_there_is_an_error(
     assert path in caught.value.message and caught.value.remedy
 
 
+def test_a_mirror_is_asked_in_the_place_of_the_archive(mirror: Mirror, real: Catalogue) -> None:
+    before = upstream.state(real.matrix, "bookworm", {})
+    mirror.files = {f"/deb.debian.org{path}": body for path, body in mirror.files.items()}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(upstream, "DEBIAN", "http://deb.debian.org")
+        assert upstream.state(real.matrix, "bookworm", {"OS_APT_MIRROR": f"{mirror.address}/"}) == before
+
+
 def test_nobody_who_answers(real: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(upstream, "DEBIAN", "http://127.0.0.1:1")
     with pytest.raises(RosmlError, match="does not answer"):
