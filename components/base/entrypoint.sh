@@ -22,30 +22,48 @@ become() {
   exec setpriv "${ids[@]}" -- "$0" "$@"
 }
 
-# own_workspace: the workspace, with all in it that is root's, becomes the user's. Whatever is mounted keeps its owner.
-own_workspace() {
-  local workspace point skipped=()
+# give FOLDER: it becomes the user's, with all in it that is root's. Whatever is mounted keeps its owner.
+give() {
+  local folder=$1 point skipped=()
+  while read -r _ _ _ _ point _; do
+    printf -v point %b "$point" # a space is \040 there
+    if [[ $point != / && $folder/ == "${point%/}"/* ]]; then return; fi
+    if [[ $point == "$folder"/* ]]; then
+      point=${point//\\/\\\\} point=${point//\*/\\*} point=${point//\?/\\?} point=${point//\[/\\[} # find takes a pattern
+      skipped+=(-path "$point" -prune -o)
+    fi
+  done </proc/self/mountinfo
+  # Others may work there: docker exec comes here as well.
+  find "$folder" -ignore_readdir_race -xdev "${skipped[@]}" -user 0 -exec chown --no-dereference "$uid:$gid" {} + ||
+    fail "cannot give $folder to the user $user" "the line above says why" 71
+}
+
+# give_workspace: the user owns it, and finds it as ~/ws.
+give_workspace() {
+  local workspace
   workspace=$(realpath --canonicalize-existing -- "${WORKSPACE:-/docker-ros/ws}" 2>/dev/null) || return 0
   case $workspace in
     / | /home | /opt | /srv | /mnt | /media | /tmp) return ;;
     /bin* | /boot* | /dev* | /etc* | /lib* | /proc* | /root* | /run* | /sbin* | /sys* | /usr* | /var*) return ;;
   esac
-  while read -r _ _ _ _ point _; do
-    printf -v point %b "$point" # a space is \040 there
-    if [[ $point != / && $workspace/ == "${point%/}"/* ]]; then return; fi
-    if [[ $point == "$workspace"/* ]]; then
-      point=${point//\\/\\\\} point=${point//\*/\\*} point=${point//\?/\\?} point=${point//\[/\\[} # find takes a pattern
-      skipped+=(-path "$point" -prune -o)
-    fi
-  done </proc/self/mountinfo
-  find "$workspace" -xdev "${skipped[@]}" -user 0 -exec chown --no-dereference "$uid:$gid" {} + ||
-    fail "cannot give the workspace to the user $user" "the line above says why" 71
-  if [[ ! -e $home/ws ]]; then ln --symbolic "$workspace" "$home/ws"; fi
+  if [[ ! -e $home/ws && -w $home ]]; then ln --symbolic "$workspace" "$home/ws"; fi
+  give "$workspace"
+}
+
+# give_home: a folder with what a new user has. Where something is mounted below it, the engine made it, for root.
+give_home() {
+  local file
+  if [[ -d $home && $(stat --format %u "$home") -eq $uid ]]; then return; fi
+  mkdir --parents "$home" || fail "cannot make a home for the user $user" "the line above says why" 71
+  for file in /etc/skel/.[!.]* /etc/skel/*; do
+    if [[ -e $file && ! -e $home/${file##*/} ]]; then cp --recursive "$file" "$home"; fi
+  done
+  give "$home"
 }
 
 # make_user: the user with that uid is there, with a home of their own and the groups sudo and video.
 make_user() {
-  local existing key capabilities group groups changes=()
+  local existing key capabilities group groups create=--create-home changes=()
   while read -r key capabilities; do
     # CHOWN, DAC_OVERRIDE, FOWNER, SETGID, SETUID: linux/capability.h
     if [[ $key == CapEff: ]] && (((16#$capabilities & 0xcb) != 0xcb)); then
@@ -63,7 +81,7 @@ make_user() {
     IFS=: read -r user _ _ group _ home _ <<<"$existing"
     if [[ ! -d $home || $(stat --format %u "$home") -ne $uid ]]; then # none, or a folder of the system
       home=/home/$user
-      cp --recursive --no-target-directory /etc/skel "$home" && chown --recursive "$uid:$gid" "$home"
+      give_home
       changes+=(--home "$home")
     fi
     groups=" $(id --groups --name "$user") "
@@ -75,8 +93,10 @@ make_user() {
   else
     home=/home/$user
     ! getent passwd "$user" >/dev/null || fail "the user name $user is taken" "choose another one with DOCKER_USER" 64
-    useradd --uid "$uid" --gid "$gid" --groups sudo,video --shell /bin/bash --home-dir "$home" --create-home "$user" ||
+    if [[ -e $home ]]; then create=--no-create-home; fi
+    useradd --uid "$uid" --gid "$gid" --groups sudo,video --shell /bin/bash --home-dir "$home" $create "$user" ||
       fail "cannot make the user $user with the uid $uid" "the line above says why" 71
+    give_home
   fi
 }
 
@@ -96,7 +116,7 @@ if [[ $EUID -eq 0 && -n $DOCKER_UID && -n $DOCKER_GID ]]; then
     # A read-only root has no room for a new user: the bare ids, and /tmp for a home.
     if [[ -w /etc/passwd ]]; then
       make_user
-      own_workspace
+      give_workspace
     fi
     become "$@"
   fi

@@ -3,6 +3,7 @@
 # workspaces, what completes ROS's commands, and a banner in the first shell (ROSML_BANNER=off: none).
 if [[ -v _rosml_shell ]]; then return; fi
 _rosml_shell=1
+# shellcheck source=components/base/setup.bash
 source /usr/local/share/rosml/setup.bash
 
 if [[ $- == *i* ]]; then

@@ -287,7 +287,7 @@ def sources(tmp_path: Path) -> Path:
 def test_mounted_sources_keep_their_owner(container: Container, sources: Path, where: str) -> None:
     before = owners(sources)
     assert len(before) == 2
-    script = f"test -e {where}/package/package.xml; stat --format %u:%g {WORKSPACE}"
+    script = f"test -e {where}/package/package.xml; test ~/ws -ef {WORKSPACE}; stat --format %u:%g {WORKSPACE}"
     said = container.bash(script, options=mount(sources, where), DOCKER_UID="1000", DOCKER_GID="1001")
     assert owners(sources) == before
     # The workspace around them is the image's own: the user can build in it.
@@ -324,6 +324,28 @@ def test_a_workspace_behind_a_link_becomes_the_users(container: Container, sourc
     before = owners(sources)
     container.bash(f"{inside}; stat --format %u /data/ws/roots", options=mount(sources, "/data/ws/src"))
     assert owners(sources) == before
+
+
+@pytest.mark.parametrize("user", ["dockeruser", "robot"])
+def test_a_home_with_something_mounted_in_it_becomes_the_users(container: Container, sources: Path, user: str) -> None:
+    """The engine makes the folders on the way, for root: of a new user, and of one who has no home yet."""
+    before = owners(sources)
+    uid = "DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh"
+    inside = "[[ $HOME == ~+ && -O ~ && -O ~/.config && -f ~/.bashrc && -O ~/.bashrc && ~/ws -ef /docker-ros/ws ]]; id -un"
+    taken = "useradd --no-create-home --uid 1000 robot; " if user == "robot" else ""
+    script = f"{taken}{uid} bash -c 'cd; touch new; {inside}'"
+    done = container.run("bash", "-euc", script, options=mount(sources, f"/home/{user}/.config/mine"))
+    assert (done.code, done.out, done.err) == (0, f"{user}\n", "")
+    assert owners(sources) == before
+
+
+def test_files_that_come_and_go_keep_nobody_out(container: Container) -> None:
+    """`docker exec CONTAINER /entrypoint.sh …`, while something works in the workspace."""
+    busy = "while :; do mkdir -p a/b; touch a/b/{1..200}; rm -rf a; done"
+    user = "DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh"
+    script = f"{user} bash -c '{busy}' & sleep 0.5; for _ in {{1..20}}; do {user} true || exit; done; kill $!; echo well"
+    done = container.run("bash", "-c", script)
+    assert (done.code, done.out) == (0, "well\n"), done
 
 
 def test_overlays_are_sourced_in_order(container: Container, tmp_path: Path) -> None:
