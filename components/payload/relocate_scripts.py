@@ -5,6 +5,8 @@
 to /usr/local/bin with the interpreter of the image, and each RECORD follows, so that `pip uninstall` finds them.
 """
 
+from __future__ import annotations
+
 import os
 import re
 from pathlib import Path

@@ -29,9 +29,8 @@ def shell_scripts() -> list[Path]:
     """Every shell script of the project."""
     return sorted(
         [
-            *(path for name in ("components", "tests", "scripts") for path in (ROOT / name).rglob("*.sh")),
+            *(path for name in ("components", "tests", "scripts", "tools") for path in (ROOT / name).rglob("*.*sh")),
             ROOT / ".ci/run",
-            ROOT / "tools/completion.bash",
         ]
     )
 

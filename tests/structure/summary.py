@@ -4,6 +4,8 @@
 A test file without a report, or one with no tests in it, counts as a failure: silence is not success.
 """
 
+from __future__ import annotations
+
 import json
 import sys
 from pathlib import Path

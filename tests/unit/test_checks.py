@@ -188,6 +188,7 @@ def tools(root: Root) -> None:
     root.file("etc/os-release", "VERSION_CODENAME=bookworm\n")
     root.file("usr/share/bash-completion/bash_completion", "x")
     root.file("usr/share/zoneinfo/Europe/Berlin", "x")
+    root.file("root/.bashrc", "source /usr/local/share/rosml/shell.bash\n")
 
 
 GOOD: dict[str, Callable[[Root], None]] = {
@@ -370,6 +371,7 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         "missing: /usr/share/zoneinfo/Europe/Berlin",
     ),
     "a group": ("tools.sh", says("getent", "exit 2"), "the groups sudo and video are not both there"),
+    "root's own shells": ("tools.sh", text("root/.bashrc", "alias ll=ls\n"), "/root/.bashrc sources no ROS"),
     "a system without a codename": ("tools.sh", text("etc/os-release", "ID=x\n"), "no CODENAME in /etc/os-release"),
 }
 """What is broken: the check, how, and what it says."""

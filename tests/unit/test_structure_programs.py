@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import yaml
 from conftest import ROOT
 
 STRUCTURE = ROOT / "tests/structure"
@@ -18,6 +19,31 @@ STRUCTURE = ROOT / "tests/structure"
 def program(name: str) -> dict[str, Any]:
     """The functions of a Python program of the structure tests."""
     return runpy.run_path(str(STRUCTURE / name))
+
+
+def test_programs_of_ros_run_as_commands_of_a_user_do() -> None:
+    """Where ROS comes from Debian it is everywhere; elsewhere the entrypoint sources it. Checks look at files alone."""
+    commands = {
+        (file.name, test["name"]): test["command"]
+        for file in STRUCTURE.glob("ros*.yaml")
+        for test in yaml.safe_load(file.read_text()).get("commandTests", ())
+    }
+    assert ("ros1-workspace.yaml", "/entrypoint.sh") in {(file, command) for (file, _), command in commands.items()}
+    bare = {name: command for name, command in commands.items() if command != "/entrypoint.sh"}
+    assert [name for name, command in bare.items() if not command.startswith("/run/tests/checks/")] == []
+
+
+@pytest.mark.parametrize(("distro", "package"), [("Debian", "ros-simulators"), ("noetic", "ros-noetic-simulators")])
+def test_the_simulators_have_the_name_that_the_distribution_gives_them(
+    tmp_path: Path, distro: str, package: str
+) -> None:
+    query = tmp_path / "dpkg-query"
+    query.write_text(f'#!/bin/sh\nfor last; do :; done\ntest "$last" = {package} && echo "installed $last"\n')
+    query.chmod(0o755)
+    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "ROS_DISTRO": distro}
+    script = STRUCTURE / "programs/components/desktop_full.sh"
+    done = subprocess.run(["bash", "-eu", "-o", "pipefail", script], env=env, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, f"installed {package}\n"), done.stderr
 
 
 # ---- One runtime of OpenMP -------------------------------------------------------------------------------------------
@@ -52,14 +78,16 @@ def test_runtimes_of_openmp_in_one_process(name: str) -> None:
     assert found == ([] if well else sorted(paths))
 
 
-def test_orders_of_imports() -> None:
-    """Each is the first one once; of every two, each comes first in some order."""
-    names = list("abcdef")
-    tried = program("programs/coexist/process.py")["orders"](names)
-    assert [order[0] for order in tried] == names
-    assert all(sorted(order) == names for order in tried)
-    before = {(one, other) for order in tried for place, one in enumerate(order) for other in order[place + 1 :]}
-    assert before == set(itertools.permutations(names, 2))
+@pytest.mark.parametrize("frameworks", [[], ["torch"], ["torch", "tensorflow"]])
+def test_orders_of_imports(frameworks: list[str]) -> None:
+    """All of the heavy ones; what is light comes first in some of them, and so does cv_bridge before cv2."""
+    heavy, light = ["cv2", *frameworks], ["numpy", "rospy"]
+    tried = program("programs/coexist/process.py")["orders"](heavy, light)
+    assert all(sorted(order) == sorted([*heavy, *light, "cv_bridge"]) for order in tried)
+    found = {tuple(name for name in order if name in heavy) for order in tried}
+    assert found == set(itertools.permutations(heavy)) and len(tried) == {1: 2, 2: 4, 3: 6}[len(heavy)]
+    for one, other in (("numpy", "cv2"), ("cv_bridge", "cv2"), *itertools.permutations(frameworks, 2)):
+        assert len({order.index(one) < order.index(other) for order in tried}) == 2
 
 
 # ---- The banner, and what was recorded -------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 Nothing is downloaded: the packages are made here, newer than anything that exists.
 
 - `pip install -U numpy` stays within the range that ROS's packages were compiled for, and so does what asks for numpy;
+  nor does anything bring an empy or setuptools that ROS's tools do not work with;
 - a package that needs torch or tensorflow takes the one that is there;
 - a new version of a Debian package goes beside it, into /usr/local, and uninstalling it brings Debian's back; a newer
   pip refuses that and says who installed it, unless it is told to ignore what is there;
@@ -71,7 +72,7 @@ def versions() -> dict[str, str]:
 
 
 before = versions()
-for name in ("numpy", "cffi", "torch", "tensorflow"):
+for name in ("numpy", "cffi", "torch", "tensorflow", "empy", "setuptools"):
     wheel(name, FAR)
 # The newest numpy that could be within the range, where there is none yet.
 if "numpy" not in before:
@@ -79,7 +80,11 @@ if "numpy" not in before:
     wheel("numpy", ".".join([*start, str(int(last) - 1), "999"]))
 carried = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" in os.environ]
 wheel("wantsframeworks", "1.0", ["numpy", *carried])
-wheel("wantsfarnumpy", "1.0", ["numpy>=3"])
+too_far = {"numpy": "3", "empy": "4"}
+if int(before["setuptools"].split(".")[0]) < 80:  # Ubuntu 26.04 has a newer one itself
+    too_far["setuptools"] = "80"
+for name, version in too_far.items():
+    wheel(f"wantsfar{name}", "1.0", [f"{name}>={version}"])
 
 # numpy stays within the range, and frameworks that are there are enough.
 install("--upgrade", "numpy", "wantsframeworks")
@@ -91,8 +96,9 @@ wanted.pop("numpy", None)
 assert found == wanted, set(found.items()) ^ set(wanted.items())
 pip("uninstall", "--yes", "wantsframeworks", *([] if "numpy" in before else ["numpy"]))
 
-said = install("wantsfarnumpy", expect=1)
-assert re.search(r"conflict|No matching distribution", said), said
+for name in too_far:
+    said = install(f"wantsfar{name}", expect=1)
+    assert re.search(r"conflict|No matching distribution", said), said
 
 # Debian's cffi has no RECORD, by which pip could remove it.
 refused = subprocess.run([*INSTALL, "--upgrade", "cffi"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

@@ -20,3 +20,6 @@ done
 
 getent group sudo video || { echo "the groups sudo and video are not both there" >&2; exit 1; }
 grep -q CODENAME= "${CHECK_ROOT:-}/etc/os-release" || { echo "no CODENAME in /etc/os-release" >&2; exit 1; }
+
+# An interactive shell of root's is set up by whoever replaces /etc/bash.bashrc as well.
+grep -q /usr/local/share/rosml/shell.bash "${CHECK_ROOT:-}/root/.bashrc" || { echo "/root/.bashrc sources no ROS" >&2; exit 1; }

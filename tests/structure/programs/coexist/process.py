@@ -1,7 +1,7 @@
 """One process with ROS, numpy, OpenCV, cv_bridge, and the frameworks that the image promises: whichever is imported
 first, each does its work, and the process ends cleanly.
 
-Without arguments: runs itself once for each of some orders. `process.py NAME…`: one process with that order.
+Without arguments: runs itself once for each order of OpenCV and the frameworks. `process.py NAME…`: one process with that order.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import re
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from itertools import permutations
 from pathlib import Path
 
 
@@ -68,9 +69,19 @@ def work(names: list[str]) -> None:
     print("worked:", " ".join(names))
 
 
-def orders(names: list[str]) -> list[list[str]]:
-    """Each name is the first one once, and of every two each comes before the other in some order."""
-    return [names[start:] + names[:start] for start in range(len(names))]
+def orders(heavy: list[str], light: list[str]) -> list[list[str]]:
+    """Every order of the heavy ones, by turns before and after the light ones; of few of them, both for each.
+
+    cv_bridge imports cv2 itself: it stands beside it, in front of it or behind.
+    """
+    found = []
+    for number, order in enumerate(permutations(heavy)):
+        before, after = list(order), list(order)
+        before[before.index("cv2") : before.index("cv2") + 1] = ["cv_bridge", "cv2"]
+        after[after.index("cv2") : after.index("cv2") + 1] = ["cv2", "cv_bridge"]
+        both = [before + light, light + after]
+        found += both if len(heavy) < 3 else [both[number % 2]]
+    return found
 
 
 def run(order: list[str]) -> str:
@@ -86,7 +97,7 @@ def run(order: list[str]) -> str:
 def main() -> None:
     promised = [name for name in ("torch", "tensorflow") if f"EXPECT_{name.upper()}" in os.environ]
     ros = "rospy" if os.environ["ROS_VERSION"] == "1" else "rclpy"
-    tried = orders(["cv_bridge", "cv2", "numpy", ros, *promised])
+    tried = orders(["cv2", *promised], ["numpy", ros])
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         if failed := list(filter(None, pool.map(run, tried))):
             sys.exit("\n".join(failed))

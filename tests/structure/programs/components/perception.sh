@@ -4,3 +4,5 @@
 rosrun image_transport list_transports | grep image_transport/raw
 rosrun image_transport republish raw in:=/sent raw out:=/received >"$work/republish.log" 2>&1 &
 timeout 120 python3 "$here/picture.py"
+# Debian's perception has messages of PCL alone (docs/limits.md).
+if [[ $ROS_DISTRO != Debian ]]; then rospack find pcl_conversions; fi

@@ -1,5 +1,7 @@
 """A message with scores that frameworks computed."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable
 
 from example_msgs.msg import Score
