@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import datetime
+
 import pytest
 from conftest import ROOT
 
@@ -76,6 +78,14 @@ def test_what_is_experimental(real: Catalogue) -> None:
 def test_distributions_past_their_end_of_life_come_from_the_last_snapshot(real: Catalogue) -> None:
     rows = real.matrix.distributions.items()
     assert [name for name, row in rows if row.apt and row.apt.channel == "final"] == ["noetic", "foxy", "iron"]
+    # Its last packages are published some weeks after that day, and the snapshot of them is made.
+    over = datetime.date.today() - datetime.timedelta(days=60)
+    live = [name for name, row in rows if row.apt and row.apt.channel == "live" and row.eol and row.eol < over]
+    assert live == [], "past their end of life: apt: {channel: final} in matrix.yaml, then make generate"
+
+
+def test_every_framework_of_every_stack_has_a_budget(real: Catalogue) -> None:
+    assert {(image.framework, image.stack) for image in real.images if image.stack and not image.budget} == set()
 
 
 REAL_REASONS = {

@@ -29,6 +29,7 @@ PERMISSIONS = {
     ("ci", "check"): READ,
     ("ci", "unit"): READ,
     ("ci", "images"): READ,
+    ("locks", "time"): READ,
     ("locks", "upgrade"): READ,
     ("locks", "propose"): {"contents": "write", "pull-requests": "write"},
     ("nightly", "plan"): PULL,
