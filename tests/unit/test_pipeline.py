@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import threading
+from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -15,10 +18,26 @@ from memory_registry import DAY, HOST, LATER, NEXT, PREFIX, Killed, MemoryRegist
 from stubs import services
 from test_inputs import copy
 
-from rosml import agenda, expand, ledger, pipeline, promote, report, standing
+from rosml import (
+    agenda,
+    base_images,
+    builder,
+    expand,
+    filelist,
+    ledger,
+    names,
+    payloads,
+    pipeline,
+    promote,
+    report,
+    standing,
+    sync,
+)
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.inputs import Inputs
+from rosml.pipeline import Pipeline
+from rosml.services import Services
 
 TEXT = SMALL.replace("components: [core, base, desktop]", "components: [core, base]")
 BASE = "alpha-base-torch-cu1"
@@ -699,12 +718,12 @@ def test_a_publisher_that_began_before_takes_the_index_of_the_one_that_ended_bef
     registry: Place, catalogue: Catalogue
 ) -> None:
     older, newer = registry.run(catalogue, date=DAY), registry.run(catalogue, date=NEXT)
-    for run, names in (
+    for run, some in (
         (older, ("build", "compose", "test")),
         (newer, ("build", "compose", "test", "index", "promote")),
         (older, ("index", "promote")),
     ):
-        for step in names:
+        for step in some:
             getattr(run, step)()
     assert not any(outcome.step == "index" for outcome in older.outcomes)
     nothing_is_left(registry, catalogue)
@@ -796,3 +815,75 @@ def test_what_was_in_an_images_place_is_forgotten_when_it_is_gone(
     registry.publish(catalogue, only=["alpha-core"], date="2026-11-07T03:00:00Z", packages="7")
     few = book.read("alpha-core", "amd64")
     assert few and few.superseded == (many.superseded[4], many.digest)
+
+
+# ---- What the builder is told ----------------------------------------------------------------------------------------
+
+
+def told(
+    run: Run, target: str, monkeypatch: pytest.MonkeyPatch, asked: Callable[[], str]
+) -> tuple[list[str], dict[str, str]]:
+    """The overrides and variables with which a ROS image is built on this machine's own architecture."""
+    calls: list[builder.Bake] = []
+
+    def push(_services: Services, call: builder.Bake, _where: str) -> tuple[dict[str, str], str]:
+        calls.append(call)
+        return {}, "sha256:1"
+
+    monkeypatch.setattr(pipeline, "push_by_digest", push)
+    monkeypatch.setattr(filelist, "attach_files", lambda *_: None)
+    monkeypatch.setattr(base_images, "ensure", lambda _services, system, *_: f"base-of-{system.python}")
+    monkeypatch.setattr(Services, "require_builder", lambda *_: None)
+    monkeypatch.setattr(sync, "published", lambda *_: asked())
+    architecture = base_images.native_architecture()
+    item = run.agenda.by_key[target, architecture]
+    assert isinstance(item.thing, expand.Image)
+    for needed in item.needs:
+        run.agenda.known[needed, architecture] = ledger.Entry(needed, architecture, digest="sha256:2")
+    Pipeline._ros(run, item, item.thing, ledger.Entry(*item.key, upstream="sunday"))
+    return list(calls[0].sets), dict(calls[0].variables)
+
+
+def never() -> str:
+    raise AssertionError("all steps take packages to be of the plan's moment")
+
+
+def test_packages_are_of_the_plans_moment(
+    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With the first component the essentials as well, which the builder would keep for ever."""
+    folder = registry.services.state / "upstream/alpha"
+    [system] = {image.os for image in catalogue.images if image.target == "alpha-core"}
+    for target, targets in (("alpha-core", {names.os_target(system), "alpha-core"}), ("alpha-base", {"alpha-base"})):
+        sets, variables = told(registry.run(catalogue), target, monkeypatch, never)
+        assert set(sets) == {f"{target}.tags=", *(f"{name}.contexts.upstream={folder}" for name in targets)}
+        assert (folder / "moment").read_text() == "monday\n"
+        assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "monday"}
+        sets, _ = told(registry.run(catalogue, force=True), target, monkeypatch, never)
+        assert set(sets) == {f"{target}.tags=", *(f"{name}.no-cache=true" for name in targets)}
+
+
+def test_a_repository_that_did_not_answer_the_plan(
+    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its packages are taken for those of the last build."""
+    registry.upstream["alpha"] = "down"
+    _, variables = told(registry.run(catalogue), "alpha-core", monkeypatch, never)
+    assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "sunday"}
+
+
+def test_a_payload_is_assembled_anew_when_that_is_asked_for(
+    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Past the builder's cache."""
+    seen: list[bool] = []
+
+    def push(*arguments: Any) -> tuple[Any, str]:
+        seen.append(arguments[-1])
+        return SimpleNamespace(reference="base"), "sha256:1"
+
+    monkeypatch.setattr(payloads, "push", push)
+    monkeypatch.setattr(filelist, "attach_files", lambda *_: None)
+    for force in (False, True):
+        Pipeline._assemble(registry.run(catalogue, force=force), catalogue.payloads[0], "amd64")
+    assert seen == [False, True]
