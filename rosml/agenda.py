@@ -17,6 +17,7 @@ from typing import Any, Literal
 
 from rosml import base_images, ledger, restore
 from rosml import upstream as upstreams
+from rosml.client import Client
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload, repository_of
 from rosml.inputs import TARGET, Inputs
@@ -366,7 +367,7 @@ def require_architectures(catalogue: Catalogue, names: Iterable[str]) -> None:
 def survey(
     services: Services,
     catalogue: Catalogue,
-    registry: Any,
+    registry: Client,
     prefix: str,
     only: Sequence[str] = (),
     architectures: Sequence[str] = (),
@@ -381,7 +382,7 @@ def survey(
     Args:
         services: what this machine has.
         catalogue: all that the matrix describes.
-        registry: where the images are (`oci.Registry`). prefix: path of its repositories.
+        registry: where the images are. prefix: path of its repositories.
         only: patterns of targets, or groups.
         architectures: those to work for; the machine's own if empty.
         force: make everything anew.
@@ -422,7 +423,7 @@ def survey(
     return agenda
 
 
-def present(registry: Any, prefix: str, entries: Iterable[Entry]) -> set[tuple[str, str]]:
+def present(registry: Client, prefix: str, entries: Iterable[Entry]) -> set[tuple[str, str]]:
     """Target and architecture of the entries whose manifest is in the registry."""
 
     def there(entry: Entry) -> bool:

@@ -20,6 +20,8 @@ from rosml.problems import listed
 
 BEGIN = "<!-- built {day}: written by scripts/generate_bake.py -->"
 END = "<!-- /built -->"
+OUTDATED = "†"
+"""Stands in the tables beside what is outdated; the text says why."""
 
 
 class Built(Facts):
@@ -28,7 +30,8 @@ class Built(Facts):
     Attributes:
         date: when. compressed, unpacked: bytes. passed: structure tests. seconds: wall time of the call; each None where
             nobody wrote it down.
-        mark: a sign beside its name, which the text explains.
+        outdated: whether its payloads have changed so much since that its sizes are no more those of today. Whoever
+            records it anew takes that away.
     """
 
     target: Target
@@ -37,7 +40,7 @@ class Built(Facts):
     unpacked: int | None = None
     passed: int
     seconds: float | None = None
-    mark: str = ""
+    outdated: bool = False
 
 
 def read(file: Path) -> tuple[Built, ...]:
@@ -126,7 +129,7 @@ def table(records: Iterable[Built]) -> str:
         }
         ((name, compressed, unpacked, passed, seconds),) = results.rows([known])
         cells = [
-            f"`{name}`{f' {item.mark}' if item.mark else ''}",
+            f"`{name}`{f' {OUTDATED}' if item.outdated else ''}",
             compressed if item.compressed else "",
             unpacked if item.unpacked else "",
             passed,

@@ -10,14 +10,15 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rosml import missing
+from rosml import missing, stand_in
 from rosml.expand import Image as Wanted
 from rosml.model import DIGEST, Matrix
+from rosml.problems import some
 
 FORMAT = 1
 
 Status = Literal["built", "stand-in", "not built"]
-"""Published here; made from parts that were verified against a stand-in, and not published here; neither."""
+"""Published here; not that, but its ROS steps ran against stand-ins, and all its payloads were assembled; neither."""
 
 WORDS: dict[Status, str] = {"built": "built", "stand-in": "verified by stand-in", "not built": "not built yet"}
 """The same for people."""
@@ -172,27 +173,32 @@ class Published(Fact):
     registry: str = Field(description="registry and path, to be put before a repository's name")
     source: str | None = Field(description="the project's address")
     distributions: dict[str, Distribution]
+    words: dict[Status, str] = Field(description="what people call each status")
     images: tuple[Image, ...]
     payloads: tuple[Payload, ...]
     layers: tuple[Layer, ...]
     sharing: Sharing
 
 
-def status(matrix: Matrix, image: Wanted, built: bool) -> tuple[Status, str]:
+def status(matrix: Matrix, image: Wanted, built: bool, assembled: stand_in.Assembled) -> tuple[Status, str]:
     """How far an image got, and why no further.
 
     Args:
         matrix: says where a distribution's packages come from.
         image: one of its images.
         built: whether it was built, tested and published.
+        assembled: payloads that were assembled somewhere, each with its platform.
     """
     if built:
         return "built", ""
     if image.unlocked:
         return "not built", missing.reason(image)
-    if matrix.distributions[image.distribution].apt:
-        return (
-            "stand-in",
-            "its build steps ran against signed stand-ins of ROS's repositories, and it was not built yet",
-        )
-    return "not built", "nobody has built it yet"
+    if not matrix.distributions[image.distribution].apt:
+        return "not built", "nobody has built it yet"
+    if not stand_in.steps_ran(matrix, image):
+        return "not built", "nobody has built it yet, nor installed this component from a stand-in"
+    if lacking := stand_in.lacking(image, assembled):
+        return "not built", f"nobody has built it yet, nor assembled {some(lacking)}"
+    parts = ", its payloads were assembled" if image.parts else ""
+    ran = "the steps that install its ROS packages ran against signed stand-ins of ROS's repositories"
+    return "stand-in", f"{ran}{parts}, and it was not built yet"

@@ -13,10 +13,11 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
-from rosml import bars, expand, promote
+from rosml import ROOT, bars, built, expand, promote, stand_in
 from rosml.agenda import INDEX, select
 from rosml.catalogue import (
     FORMAT,
+    WORDS,
     Build,
     Distribution,
     Image,
@@ -32,6 +33,7 @@ from rosml.catalogue import (
     Tests,
     status,
 )
+from rosml.client import Client
 from rosml.errors import RosmlError
 from rosml.expand import repository_of, tags_of
 from rosml.labels import PREFIX, VERSIONS
@@ -41,7 +43,7 @@ from rosml.pipeline import date_of
 from rosml.prune import DATED
 
 HISTORY = 10
-"""How many builds of an image are described at most, the present one among them."""
+"""How many builds of an image without a tag are described at most: the newest. Those with one are all described."""
 
 _SYNC = f"{PREFIX}ros.sync"
 
@@ -88,19 +90,20 @@ class Gatherer:
     """Reads a registry.
 
     Attributes:
-        catalogue: what the matrix describes. registry: where images are (`oci.Registry`).
+        catalogue: what the matrix describes. registry: where images are.
         place: the registry with the path of its repositories, as people write it. prefix: that path.
-        history: how many builds of an image to describe.
+        history: how many builds to describe of an image that no tag points at any more.
         remarks: what was left out, and why.
     """
 
     catalogue: expand.Catalogue
-    registry: Any
+    registry: Client
     place: str
     prefix: str
     history: int = HISTORY
     remarks: list[str] = field(default_factory=list)
     _current: dict[str, Entry] = field(default_factory=dict)
+    _assembled: stand_in.Assembled = frozenset()
 
     def gather(self, created: str, only: Sequence[str] = ()) -> Published:
         """All that is published of the images that are asked for, their ROS images, and payloads.
@@ -118,6 +121,7 @@ class Gatherer:
         keys = [(thing.target, name) for thing in things for name in (*thing.architectures, INDEX)]
         known = Ledger(self.registry, self.prefix).read_all(keys)
         self._current = {entry.digest: entry for key, entry in known.items() if key[1] != INDEX and entry.digest}
+        self._assembled = self._verified()
         found = self._find(things, known)
         table = _Table(self.catalogue, {thing.target: found[thing.target].indexes for thing in things})
         described = tuple(self._image(image, found[image.target], table) for image in images)
@@ -128,6 +132,7 @@ class Gatherer:
             registry=self.place,
             source=self.catalogue.matrix.source,
             distributions={name: self._distribution(name) for name in dict.fromkeys(i.distribution for i in images)},
+            words=WORDS,
             images=tuple(image for image in described if image.target in asked),
             payloads=tuple(self._payload(payload, found[payload.target], table) for payload in payloads),
             layers=tuple(table.layers),
@@ -155,6 +160,11 @@ class Gatherer:
             experimental=facts.experimental,
         )
 
+    def _verified(self) -> stand_in.Assembled:
+        """Payloads that were assembled, as this checkout's documentation records."""
+        file = ROOT / stand_in.BUILT
+        return stand_in.assembled(self.catalogue, built.read(file) if file.is_file() else ())
+
     # ---- The registry ------------------------------------------------------------------------------------------------
 
     def _path(self, repository: str) -> str:
@@ -181,14 +191,17 @@ class Gatherer:
         indexes = _each(digests, lambda key: self._index(*key), "images")
         for thing in things:
             read = [indexes[repository_of(thing), digest] for digest in asked[thing.target]]
-            found[thing.target].indexes = self._newest(found[thing.target].tags.get(tags_of(thing)[0], ""), read)
+            found[thing.target].indexes = self._described(tags_of(thing)[0], found[thing.target].tags, read)
         return found
 
-    def _newest(self, main: str, indexes: Iterable[_Index | None]) -> list[_Index]:
-        """The present one, then the newest ones."""
+    def _described(self, main: str, tags: Mapping[str, str], indexes: Iterable[_Index | None]) -> list[_Index]:
+        """The present one, then others, newest first: whatever a tag points at, and some that none points at any more."""
         there = [index for index in indexes if index]
-        there.sort(key=lambda index: (index.digest == main, index.created), reverse=True)
-        return there[: self.history]
+        there.sort(key=lambda index: (index.digest == tags.get(main), index.created), reverse=True)
+        tagged = set(tags.values())
+        others = [index.digest for index in there if index.digest not in tagged]
+        kept = tagged.union(others[: self.history])
+        return [index for index in there if index.digest in kept]
 
     def _moves(self) -> dict[tuple[str, str], list[Move]]:
         """How tags moved, by repository and tag, newest first: as records of runs tell."""
@@ -254,7 +267,9 @@ class Gatherer:
 
     def _image(self, image: expand.Image, found: _Found, table: _Table) -> Image:
         main = found.tags.get(tags_of(image)[0], "")
-        state, reason = status(self.catalogue.matrix, image, main in {index.digest for index in found.indexes})
+        state, reason = status(
+            self.catalogue.matrix, image, main in {index.digest for index in found.indexes}, self._assembled
+        )
         if main and state != "built":
             reason = f"its tag points at {main}, which cannot be read"
         return Image(

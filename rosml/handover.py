@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from rosml import files, ledger
+from rosml.client import Client
 from rosml.errors import RosmlError
 from rosml.names import repository_path
 from rosml.oci import digest_of, encoded, is_digest
@@ -32,10 +33,10 @@ class Reader:
     """A registry that is only read: entries of the ledger and SBOMs that are put into it are kept for the file.
 
     Args:
-        client: the registry (`oci.Registry`).
+        client: the registry.
     """
 
-    def __init__(self, client: Any) -> None:
+    def __init__(self, client: Client) -> None:
         self._client = client
         self.entries: list[dict[str, Any]] = []
         self.sboms: list[dict[str, str]] = []

@@ -2,8 +2,8 @@
 
 One artifact for each image and architecture in the repository `ledger`, under the tag `<target>.<architecture>`. What a
 plan needs stands in its annotation, so that one request reads it; the inputs by name, which say why an image is to be
-built anew, are its layer. The same is attached to the image itself when it is promoted, for whoever has only that; a run
-that finds the repository `ledger` empty carries on from there.
+built anew, are its layer. Of each tag the present artifact alone is kept. The same is attached to the image itself when it
+is promoted, for whoever has only that; a run that finds the repository `ledger` empty carries on from there.
 """
 
 from __future__ import annotations
@@ -12,18 +12,19 @@ import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
+from rosml import oci
+from rosml.client import Client
 from rosml.errors import RosmlError
 from rosml.names import repository_path
 
 ARTIFACT = "application/vnd.rosml.ledger.v1+json"
 ANNOTATION = "io.rosml.ledger"
-MANIFEST = "application/vnd.oci.image.manifest.v1+json"
-EMPTY = "application/vnd.oci.empty.v1+json"
 LAYER = "application/json"
 REPOSITORY = "ledger"
 
@@ -42,31 +43,6 @@ outcome and policy last; the database is another one every night."""
 
 READERS = 16
 """How many entries are read at a time: the registry answers one in some milliseconds."""
-
-
-class Registry(Protocol):
-    """What records need of `oci.Registry`."""
-
-    def manifest(self, repository: str, reference: str, /) -> Any: ...
-    def put_manifest(
-        self, repository: str, reference: str, content: bytes | dict[str, Any], media_type: str, /
-    ) -> str: ...
-    def head(self, repository: str, reference: str, /) -> str: ...
-    def blob(self, repository: str, digest: str, /) -> bytes: ...
-    def put_blob(self, repository: str, data: bytes, /) -> str: ...
-    def tags(self, repository: str, /) -> list[str]: ...
-    def delete(self, repository: str, reference: str, /) -> None: ...
-    def referrers(self, repository: str, digest: str, artifact_type: str = "", /) -> list[dict[str, Any]]: ...
-    def attach(
-        self,
-        repository: str,
-        subject: Mapping[str, Any],
-        artifact_type: str,
-        payload: bytes,
-        media_type: str,
-        annotations: Mapping[str, str],
-        /,
-    ) -> str: ...
 
 
 @dataclass(frozen=True)
@@ -159,9 +135,9 @@ def parse(content: Any) -> Entry | None:
 _ADAPTER = TypeAdapter(Entry)
 
 
-def order(manifest: Any) -> tuple[str, str]:
+def order(manifest: oci.Manifest) -> tuple[str, str]:
     """By which artifacts that are attached to the same image are sorted: the newest is the largest."""
-    return str((manifest.content.get("annotations") or {}).get(CREATED, "")), str(manifest.digest)
+    return str((manifest.content.get("annotations") or {}).get(CREATED, "")), manifest.digest
 
 
 class Ledger:
@@ -172,7 +148,7 @@ class Ledger:
         prefix: path of the repositories, such as `rosml`.
     """
 
-    def __init__(self, registry: Registry, prefix: str) -> None:
+    def __init__(self, registry: Client, prefix: str) -> None:
         self.registry = registry
         self.prefix = prefix
         self.repository = self.path(REPOSITORY)
@@ -202,6 +178,8 @@ class Ledger:
     def inputs(self, target: str, architecture: str) -> dict[str, str]:
         """The inputs by name of what an entry is about; empty where they are not known."""
         found = self.registry.manifest(self.repository, tag(target, architecture))
+        if found is None:
+            return {}
         try:
             (layer,) = found.content["layers"]
             content = json.loads(self.registry.blob(self.repository, layer["digest"]))["inputs"]
@@ -238,10 +216,9 @@ class Ledger:
         newest = next(self._attached(place, entry.digest), None)
         if newest and newest.content["annotations"][FACTS] == entry.facts:
             return ""
-        descriptor = {"mediaType": subject.media_type, "digest": subject.digest, "size": subject.size}
         annotations = {FACTS: entry.facts, CREATED: entry.changed}
         data = json.dumps({"entry": entry.to_json(), "inputs": dict(inputs)}, sort_keys=True).encode()
-        return self.registry.attach(place, descriptor, ARTIFACT, data, LAYER, annotations)
+        return self.registry.attach(place, subject.descriptor, ARTIFACT, data, LAYER, annotations)
 
     def attached(self, repository: str, digest: str) -> tuple[Entry, dict[str, str]] | None:
         """The newest entry that is attached to an image, or index, with the inputs by name; None where there is none that
@@ -262,7 +239,7 @@ class Ledger:
                 return entry, inputs
         return None
 
-    def _attached(self, place: str, digest: str) -> Iterator[Any]:
+    def _attached(self, place: str, digest: str) -> Iterator[oci.Manifest]:
         """The manifests of the entries that are attached to an image, the newest first."""
         found = [
             manifest
@@ -273,19 +250,24 @@ class Ledger:
         yield from sorted(found, key=order, reverse=True)
 
     def artifact(self, name: str, data: bytes, annotations: Mapping[str, str]) -> str:
-        """Puts an artifact with one layer of JSON under a tag of the ledger."""
-        empty = b"{}"
-        layer = self.registry.put_blob(self.repository, data)
-        content = {
-            "schemaVersion": 2,
-            "mediaType": MANIFEST,
-            "artifactType": ARTIFACT,
-            "config": {
-                "mediaType": EMPTY,
-                "digest": self.registry.put_blob(self.repository, empty),
-                "size": len(empty),
-            },
-            "layers": [{"mediaType": LAYER, "digest": layer, "size": len(data)}],
-            "annotations": dict(annotations),
-        }
-        return self.registry.put_manifest(self.repository, name, content, MANIFEST)
+        """Puts an artifact with one layer of JSON under a tag of the ledger, in the place of the one before.
+
+        That one is removed where the registry can: nobody would find it any more. Its blobs are the registry's to collect.
+        """
+        before = self.registry.head(self.repository, name)
+        for blob in (oci.EMPTY_BLOB, data):
+            self.registry.put_blob(self.repository, blob)
+        content = oci.artifact(ARTIFACT, data, LAYER, annotations)
+        digest = self.registry.put_manifest(self.repository, name, content, oci.IMAGE)
+        if before not in ("", digest):
+            self._discard(name, before)
+        return digest
+
+    def _discard(self, name: str, before: str) -> None:
+        """Removes what a tag pointed at before; not where somebody else moved the tag back to it, who would lose that.
+
+        An artifact is written by now, whatever becomes of the one before.
+        """
+        with suppress(RosmlError):
+            if self.registry.head(self.repository, name) != before:
+                self.registry.discard(self.repository, before)

@@ -38,6 +38,9 @@ DOCKER_INDEX = "application/vnd.docker.distribution.manifest.list.v2+json"
 INDEXES = (INDEX, DOCKER_INDEX)
 _ACCEPT = ", ".join((INDEX, IMAGE, DOCKER_INDEX, DOCKER_IMAGE))
 
+EMPTY_BLOB = b"{}"
+"""The blob that the descriptor of type EMPTY points at: the config of an artifact that has none."""
+
 ATTEMPTS = 7
 """How often a request is sent before it counts as failed: over about half a minute."""
 
@@ -55,7 +58,6 @@ CONNECTIONS = 32
 
 _TRANSIENT = (429, 500, 502, 503, 504)
 _BLOCK = 1 << 20
-_EMPTY = b"{}"
 _TAG = r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}"
 _DIGEST = r"sha256:[0-9a-f]{64}|sha512:[0-9a-f]{128}"
 _HOST = r"(?:[A-Za-z0-9](?:[A-Za-z0-9.-]*[A-Za-z0-9])?|\[[0-9A-Fa-f:]+\])(?::[0-9]{1,5})?"
@@ -149,6 +151,29 @@ def descriptor(media_type: str, data: bytes) -> dict[str, Any]:
     return {"mediaType": media_type, "digest": digest_of(data), "size": len(data)}
 
 
+def artifact(
+    artifact_type: str,
+    payload: bytes,
+    media_type: str,
+    annotations: Mapping[str, str] | None = None,
+    subject: Mapping[str, Any] | None = None,
+) -> dict[str, Any]:
+    """The manifest of an artifact with one layer. Its blobs are the payload and EMPTY_BLOB.
+
+    Args:
+        media_type: of the payload. subject: descriptor of the manifest that it is attached to, if to one.
+    """
+    return {
+        "schemaVersion": 2,
+        "mediaType": IMAGE,
+        "artifactType": artifact_type,
+        "config": descriptor(EMPTY, EMPTY_BLOB),
+        "layers": [descriptor(media_type, payload)],
+        **({"subject": {key: subject[key] for key in ("mediaType", "digest", "size")}} if subject else {}),
+        **({"annotations": dict(annotations)} if annotations else {}),
+    }
+
+
 @dataclass(frozen=True)
 class Manifest:
     """A manifest or index as a registry holds it. `size` is in bytes."""
@@ -238,6 +263,7 @@ class Registry:
         self._attaching = threading.Lock()
         self._reached = False
         self._uploaded = 0
+        self._keeping: set[str] = set()  # repositories that did not discard something
 
     def __repr__(self) -> str:
         return f"Registry({self.host!r})"
@@ -348,12 +374,36 @@ class Registry:
         Raises:
             RosmlError: the registry does not delete, does not answer or refuses.
         """
+        self._delete(repository, reference)
+
+    def discard(self, repository: str, digest: str) -> bool:
+        """Removes a manifest that nothing leads to any more, where the registry can; elsewhere it stays.
+
+        Many registries delete nothing. One that did not once is not asked again by this client, for that repository. A
+        manifest that somebody else removed is gone as well.
+
+        Returns:
+            Whether it is gone.
+        """
+        if repository in self._keeping:
+            return False
+        try:  # 404 may also be how a registry says that it knows no such request
+            gone = self._delete(repository, digest) or not self.head(repository, digest)
+        except RosmlError:
+            gone = False
+        if not gone:
+            self._keeping.add(repository)
+        return gone
+
+    def _delete(self, repository: str, reference: str) -> bool:
+        """Removes a manifest or tag; False if the registry says that there is none."""
         path = f"{repository}/manifests/{reference}"
         answer = self._ask(
             "DELETE", path, repository, allow=(404, 405), push=True, also=(_scope(repository, "delete"),)
         )
         if answer.status_code == 405:
             raise RosmlError(f"{self.host} deletes nothing", "let its operator allow it, or delete with its own tools")
+        return answer.status_code != 404
 
     # ---- Blobs -------------------------------------------------------------------------------------------------------
 
@@ -497,21 +547,12 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        for data in (_EMPTY, payload):
+        for data in (EMPTY_BLOB, payload):
             self.put_blob(repository, data)
-        noted = {"annotations": dict(annotations)} if annotations else {}
-        content = {
-            "schemaVersion": 2,
-            "mediaType": IMAGE,
-            "artifactType": artifact_type,
-            "config": descriptor(EMPTY, _EMPTY),
-            "layers": [descriptor(media_type, payload)],
-            "subject": {key: subject[key] for key in ("mediaType", "digest", "size")},
-            **noted,
-        }
-        data = encoded(content)
+        data = encoded(artifact(artifact_type, payload, media_type, annotations, subject))
         digest, headers = self._put_manifest(repository, "", data, IMAGE)
         if headers.get("oci-subject") != subject["digest"]:  # this registry keeps no account of referrers
+            noted = {"annotations": dict(annotations)} if annotations else {}
             entry = {**descriptor(IMAGE, data), "artifactType": artifact_type, **noted}
             self._list(repository, str(subject["digest"]), entry)
         return digest

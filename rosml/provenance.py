@@ -14,10 +14,12 @@ import subprocess
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 from urllib.parse import quote, urlsplit
 
+from rosml.client import Client
 from rosml.credentials import DOCKER_HUB
+from rosml.errors import RosmlError
 from rosml.ledger import CREATED
 from rosml.oci import digest_of, encoded
 
@@ -41,23 +43,6 @@ SECONDS = 20.0
 
 CONTENT = ("Dockerfile", ".dockerignore", "matrix.yaml", "components", "locks", "rosml")
 """What of a checkout can decide an image; plans and reports of a job lie beside it."""
-
-
-class Client(Protocol):
-    """What is used of `oci.Registry`."""
-
-    def manifest(self, repository: str, reference: str, /) -> Any: ...
-    def referrers(self, repository: str, digest: str, artifact_type: str = "", /) -> list[dict[str, Any]]: ...
-    def attach(
-        self,
-        repository: str,
-        subject: Mapping[str, Any],
-        artifact_type: str,
-        payload: bytes,
-        media_type: str,
-        annotations: Mapping[str, str],
-        /,
-    ) -> str: ...
 
 
 @dataclass(frozen=True)
@@ -234,7 +219,7 @@ def attach(
         Digest of the artifact; empty where nothing was to be done.
 
     Raises:
-        RosmlError: the registry does not answer or refuses.
+        RosmlError: there is no such manifest; the registry does not answer or refuses.
     """
     same = digest_of(encoded({"definition": definition.to_json(), "builder": machine.builder}))
     for entry in client.referrers(repository, digest, MEDIA_TYPE):
@@ -242,7 +227,8 @@ def attach(
         if found and (found.content.get("annotations") or {}).get(DEFINITION) == same:
             return ""
     subject = client.manifest(repository, digest)
+    if subject is None:
+        raise RosmlError(f"{repository}@{digest} is not in the registry any more", "publish it again")
     said = statement(repository, digest, definition, machine, started, finished)
     annotations = {PREDICATE_ANNOTATION: PREDICATE, DEFINITION: same, CREATED: finished}
-    descriptor = {"mediaType": subject.media_type, "digest": subject.digest, "size": subject.size}
-    return client.attach(repository, descriptor, MEDIA_TYPE, encoded(said), MEDIA_TYPE, annotations)
+    return client.attach(repository, subject.descriptor, MEDIA_TYPE, encoded(said), MEDIA_TYPE, annotations)

@@ -13,10 +13,12 @@ from datetime import date, timedelta
 from typing import Any
 
 from rosml import ledger, provenance
+from rosml.client import Client
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.ledger import REPOSITORY, Entry, Ledger, order
 from rosml.names import repository_path
+from rosml.oci import Manifest
 from rosml.pipeline import date_of, is_date
 from rosml.promote import UNDO, moves
 
@@ -71,12 +73,12 @@ class Pruner:
     """Looks for what can go, and removes it.
 
     Attributes:
-        registry: where (`oci.Registry`). prefix: path of its repositories.
+        registry: where. prefix: path of its repositories.
         catalogue: names the repositories.
         today: the day from which ages count. days: dated tags younger than that stay. newest: so many of each image stay in any case.
     """
 
-    registry: Any
+    registry: Client
     prefix: str
     catalogue: Catalogue
     today: date
@@ -264,7 +266,7 @@ class Pruner:
     def _superseded(self, path: str, attached: Iterable[Mapping[str, Any]]) -> Iterator[str]:
         """Of what is attached to one manifest, entries of the ledger and provenance but for the newest of each. What
         others attached is theirs."""
-        kinds: dict[str, list[Any]] = {}
+        kinds: dict[str, list[Manifest]] = {}
         for item in attached:
             if mark := MARKS.get(str(item.get("artifactType"))):
                 manifest = self.registry.manifest(path, item["digest"])

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from rosml import rules
+from rosml import rules, stand_in
 from rosml.built import Built
 from rosml.catalogue import WORDS, status
 from rosml.errors import RosmlError
@@ -46,14 +46,15 @@ def render(readme: str, catalogue: Catalogue, built: Sequence[Built] = ()) -> st
 def tables(catalogue: Catalogue, built: Sequence[Built] = ()) -> str:
     """Distributions with their components; then what images carry, and on which distributions."""
     known = {item.target: item for item in built}
+    assembled = stand_in.assembled(catalogue, built)
     head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
-    lines = [f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_distributions(catalogue, known)]
-    head = ["image", "content", "distributions", "platforms", "compressed, where built"]
+    lines = [f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_distributions(catalogue, known, assembled)]
+    head = ["image", "content", "distributions", "platforms", "compressed, where built with today's payloads"]
     lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(catalogue, known)]
     return "\n".join(lines) + "\n"
 
 
-def _distributions(catalogue: Catalogue, built: Mapping[str, Built]) -> Iterator[str]:
+def _distributions(catalogue: Catalogue, built: Mapping[str, Built], assembled: stand_in.Assembled) -> Iterator[str]:
     matrix = catalogue.matrix
     for name, distribution in matrix.distributions.items():
         python = matrix.operating_systems[distribution.os].python
@@ -63,13 +64,13 @@ def _distributions(catalogue: Catalogue, built: Mapping[str, Built]) -> Iterator
         notes = [*(["experimental"] if distribution.experimental else []), *([f"{only} only"] if only else [])]
         note = f" ({', '.join(notes)})" if notes else ""
         facts = [f"`{name}`{note}", str(distribution.ros), f"{distribution.os}, {python}", components, eol]
-        yield f"| {' | '.join([*facts, _states(catalogue, name, built)])} |"
+        yield f"| {' | '.join([*facts, _states(catalogue, name, built, assembled)])} |"
 
 
-def _states(catalogue: Catalogue, name: str, built: Mapping[str, Built]) -> str:
+def _states(catalogue: Catalogue, name: str, built: Mapping[str, Built], assembled: stand_in.Assembled) -> str:
     """How many images of a distribution are in which state."""
     images = [image for image in catalogue.images if image.distribution == name]
-    counts = Counter(status(catalogue.matrix, image, image.target in built)[0] for image in images)
+    counts = Counter(status(catalogue.matrix, image, image.target in built, assembled)[0] for image in images)
     return ", ".join(f"{counts[state]} {word}" for state, word in WORDS.items() if counts[state])
 
 
@@ -90,17 +91,27 @@ def _contents(catalogue: Catalogue, built: Mapping[str, Built]) -> Iterator[str]
                 else f"without a lock yet: {', '.join(others)}"
             )
         platforms = ", ".join(dict.fromkeys(platform for image in images for platform in image.platforms))
-        sizes = _sizes(built[image.target] for image in images if image.target in built)
+        sizes = _sizes(catalogue, images, built)
         facts = [f"`{first.repository}:{tag}`", _content(catalogue, first), where, platforms, sizes]
         yield f"| {' | '.join(facts)} |".replace("|  |", "| |")
 
 
-def _sizes(built: Iterable[Built]) -> str:
-    """The smallest and the largest; empty where none is known."""
-    known = sorted(item.compressed for item in built if item.compressed)
+def _sizes(catalogue: Catalogue, images: Sequence[Image], built: Mapping[str, Built]) -> str:
+    """The smallest and the largest, and of which components they are where not of all; empty where none is known."""
+    sizes: dict[str, list[int]] = {image.component: [] for image in images}
+    for image in images:
+        item = built.get(image.target)
+        if item and item.compressed and not item.outdated:
+            sizes[image.component].append(item.compressed)
+    known = sorted(number for numbers in sizes.values() for number in numbers)
     if not known:
         return ""
-    return size(known[0]) if len(known) == 1 else f"{size(known[0])} to {size(known[-1])}"
+    text = size(known[0]) if len(known) == 1 else f"{size(known[0])} to {size(known[-1])}"
+    return (
+        text
+        if all(sizes.values())
+        else f"{text} ({', '.join(name for name in catalogue.matrix.components if sizes.get(name))})"
+    )
 
 
 def _content(catalogue: Catalogue, image: Image) -> str:

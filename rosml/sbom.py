@@ -11,8 +11,9 @@ import uuid
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any
 
+from rosml.client import Client
 from rosml.trivy import ScannerFailed
 
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
@@ -29,30 +30,6 @@ NAMES = uuid.UUID("6a1c9a4e-3d0b-5f0c-9a57-1f6d0c1a7b21")
 
 ADDRESSES = ("aquasecurity:trivy:RepoDigest", "aquasecurity:trivy:RepoTag", "aquasecurity:trivy:Reference")
 """Properties that say where the image was read: it may be anywhere."""
-
-
-class Client(Protocol):
-    """What is used of `rosml.oci.Registry`."""
-
-    def manifest(self, repository: str, reference: str) -> Any:
-        """The manifest; None where there is none."""
-
-    def blob(self, repository: str, digest: str) -> bytes:
-        """The content."""
-
-    def referrers(self, repository: str, digest: str, artifact_type: str = "") -> list[dict[str, Any]]:
-        """Descriptors of what was attached to a manifest."""
-
-    def attach(
-        self,
-        repository: str,
-        subject: dict[str, Any],
-        artifact_type: str,
-        payload: bytes,
-        media_type: str,
-        annotations: dict[str, str],
-    ) -> str:
-        """Attaches something to a manifest."""
 
 
 @dataclass(frozen=True)
@@ -164,8 +141,7 @@ class Shelf:
         manifest = self.client.manifest(repository, digest)
         if manifest is None:
             raise ScannerFailed(f"{repository}@{digest} is not in the registry", "build it again")
-        subject = {"mediaType": manifest.media_type, "digest": manifest.digest, "size": manifest.size}
-        self.client.attach(repository, subject, MEDIA_TYPE, sbom.content, MEDIA_TYPE, self.annotations)
+        self.client.attach(repository, manifest.descriptor, MEDIA_TYPE, sbom.content, MEDIA_TYPE, self.annotations)
 
 
 def _canonical(written: Mapping[str, Any], digest: str) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from datetime import datetime
 from typing import Any
 
 from rosml.agenda import ELSEWHERE, INDEX, Agenda
+from rosml.client import Client
 from rosml.expand import Image, Payload, repository_of, tags_of
 from rosml.ledger import Entry
 from rosml.names import repository_path
@@ -54,12 +55,14 @@ class Standing:
         return {**vars(self), "platforms": list(self.platforms)}
 
 
-def standings(agenda: Agenda, registry: Any, prefix: str, now: str, serving: Sequence[str] = ()) -> Iterator[Standing]:
+def standings(
+    agenda: Agenda, registry: Client, prefix: str, now: str, serving: Sequence[str] = ()
+) -> Iterator[Standing]:
     """How every image, and payload, that is asked for stands.
 
     Args:
         agenda: what there is to do.
-        registry: where the tags are (`oci.Registry`). prefix: path of its repositories.
+        registry: where the tags are. prefix: path of its repositories.
         now: the time from which ages count, as a run's date is written.
         serving: the architectures that the registry serves; all of the matrix if empty.
     """

@@ -59,12 +59,108 @@ def _namespace(_context: click.Context, _parameter: click.Parameter, value: str)
     return value
 
 
+def _options(*names: str) -> Callable[[Function], Function]:
+    """Options that several commands share, by name."""
+
+    def decorate(function: Function) -> Function:
+        for name in reversed(names):
+            function = _OPTIONS[name](function)
+        return function
+
+    return decorate
+
+
+def _lower(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
+    """A place for images: no registry knows capitals, and names of repositories on forges have them."""
+    return value.lower()
+
+
+def _words(_context: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> tuple[str, ...]:
+    """Values, several of which may stand in one text: a job in CI has one field for them, which may be empty."""
+    return tuple(word for value in values for word in value.split())
+
+
+_OPTIONS: dict[str, Callable[[Function], Function]] = {
+    "registry": click.option(
+        "--registry",
+        default="",
+        metavar="PREFIX",
+        callback=_lower,
+        help="where images go, such as ghcr.io/me/rosml; the local registry's rosml if left out",
+    ),
+    "matrix": click.option(
+        "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml"
+    ),
+    "namespace": click.option(
+        "--namespace",
+        default="rosml",
+        show_default=True,
+        callback=_namespace,
+        help="first part of the repositories' names",
+    ),
+    "only": click.option(
+        "--only", multiple=True, metavar="GLOB", callback=_words, help="images by target, pattern or group; repeatable"
+    ),
+    "architecture": click.option(
+        "--architecture",
+        "architectures",
+        multiple=True,
+        metavar="NAME",
+        callback=_words,
+        help="work for it; repeatable; this machine's own if left out",
+    ),
+    "serve": click.option(
+        "--serve",
+        multiple=True,
+        metavar="NAME",
+        callback=_words,
+        help="architectures that this registry serves; repeatable; all of the matrix if left out",
+    ),
+    "force": click.option(
+        "--force", is_flag=True, envvar="ROSML_FORCE", help="make everything anew, without the builder's cache"
+    ),
+    "plan": click.option(
+        "--plan",
+        "plan_file",
+        type=click.Path(path_type=Path, exists=True),
+        help="what 'plan' wrote: its date and images",
+    ),
+    "shard": click.option("--shard", default="", metavar="NAME", help="of --plan: only what it builds"),
+    "date": click.option(
+        "--date", default="", metavar="TIME", help="the run's date, such as 2026-11-22T03:00:00Z; now"
+    ),
+    "since": click.option(
+        "--since", default="", metavar="REV", help="only images that differ from a git revision: for pull requests"
+    ),
+    "at-most": click.option(
+        "--at-most",
+        type=click.IntRange(min=1),
+        default=4,
+        show_default=True,
+        help="with --since: so many of them, chosen to have one for all that changed",
+    ),
+    "require-scan": click.option(
+        "--require-scan", is_flag=True, help="images get tags only after a scan by the policy that found them clean"
+    ),
+    "sign": click.option(
+        "--sign",
+        is_flag=True,
+        envvar="ROSML_SIGN",
+        help="sign indexes, with the key that COSIGN_KEY names or as the workflow; without a signature none gets a tag",
+    ),
+    "policy": click.option(
+        "--policy",
+        type=click.Path(path_type=Path),
+        default=ROOT / "scan.yaml",
+        help="which vulnerabilities keep an image from its tags; scan.yaml",
+    ),
+    "json": click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output"),
+}
+
+
 @cli.command()
 @click.argument("target", default="")
-@click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
-@click.option(
-    "--namespace", default="rosml", show_default=True, callback=_namespace, help="first part of the repositories' names"
-)
+@_options("matrix", "namespace")
 @click.option(
     "--platform",
     default="",
@@ -72,7 +168,7 @@ def _namespace(_context: click.Context, _parameter: click.Parameter, value: str)
     help="build and test for it, such as linux/arm64; no tag moves where it is not the machine's own",
 )
 @click.option("--check", is_flag=True, help="only say whether there is such an image; needs no services")
-@click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
+@_options("json")
 def image(target: str, matrix: Path, namespace: str, platform: str, check: bool, as_json: bool) -> None:
     """Builds TARGET, runs its structure tests, and moves its tags in the local registry.
 
@@ -141,11 +237,7 @@ def _list_files(services: Services, catalogue: Catalogue, repository: str, diges
 
 @cli.command()
 @click.argument("payloads", nargs=-1, metavar="[NAME]...")
-@click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
-@click.option(
-    "--namespace", default="rosml", show_default=True, callback=_namespace, help="first part of the repositories' names"
-)
-@click.option("--json", "as_json", is_flag=True, help="print the results as JSON on standard output")
+@_options("matrix", "namespace", "json")
 @click.option("--markdown", is_flag=True, help="print them as a table in Markdown, for docs/digests.md")
 @click.option(
     "--platform", default="", metavar="PLATFORM", help="for this one only, such as linux/arm64; then no tag moves"
@@ -206,11 +298,7 @@ def payload(
 
 
 @cli.command()
-@click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
-@click.option(
-    "--namespace", default="rosml", show_default=True, callback=_namespace, help="first part of the repositories' names"
-)
-@click.option("--json", "as_json", is_flag=True, help="print the records as JSON on standard output")
+@_options("matrix", "namespace", "json")
 @click.option("--markdown", is_flag=True, help="print the table as Markdown")
 @click.option(
     "--record",
@@ -248,7 +336,7 @@ def results(matrix: Path, namespace: str, as_json: bool, markdown: bool, day: da
 @cli.command()
 @click.argument("one")
 @click.argument("other")
-@click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
+@_options("json")
 def compare(one: str, other: str, as_json: bool) -> None:
     """Compares the layers of two published images, and shows the first file in which they differ.
 
@@ -273,98 +361,6 @@ def compare(one: str, other: str, as_json: bool) -> None:
 
 
 # ---- Publishing the matrix -------------------------------------------------------------------------------------------
-
-
-def _options(*names: str) -> Callable[[Function], Function]:
-    """Options that steps of a publishing run share, by name."""
-
-    def decorate(function: Function) -> Function:
-        for name in reversed(names):
-            function = _OPTIONS[name](function)
-        return function
-
-    return decorate
-
-
-def _lower(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
-    """A place for images: no registry knows capitals, and names of repositories on forges have them."""
-    return value.lower()
-
-
-def _words(_context: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> tuple[str, ...]:
-    """Values, several of which may stand in one text: a job in CI has one field for them, which may be empty."""
-    return tuple(word for value in values for word in value.split())
-
-
-_OPTIONS: dict[str, Callable[[Function], Function]] = {
-    "registry": click.option(
-        "--registry",
-        default="",
-        metavar="PREFIX",
-        callback=_lower,
-        help="where images go, such as ghcr.io/me/rosml; the local registry's rosml if left out",
-    ),
-    "matrix": click.option(
-        "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml"
-    ),
-    "only": click.option(
-        "--only", multiple=True, metavar="GLOB", callback=_words, help="images by target, pattern or group; repeatable"
-    ),
-    "architecture": click.option(
-        "--architecture",
-        "architectures",
-        multiple=True,
-        metavar="NAME",
-        callback=_words,
-        help="work for it; repeatable; this machine's own if left out",
-    ),
-    "serve": click.option(
-        "--serve",
-        multiple=True,
-        metavar="NAME",
-        callback=_words,
-        help="architectures that this registry serves; repeatable; all of the matrix if left out",
-    ),
-    "force": click.option(
-        "--force", is_flag=True, envvar="ROSML_FORCE", help="make everything anew, without the builder's cache"
-    ),
-    "plan": click.option(
-        "--plan",
-        "plan_file",
-        type=click.Path(path_type=Path, exists=True),
-        help="what 'plan' wrote: its date and images",
-    ),
-    "shard": click.option("--shard", default="", metavar="NAME", help="of --plan: only what it builds"),
-    "date": click.option(
-        "--date", default="", metavar="TIME", help="the run's date, such as 2026-11-22T03:00:00Z; now"
-    ),
-    "since": click.option(
-        "--since", default="", metavar="REV", help="only images that differ from a git revision: for pull requests"
-    ),
-    "at-most": click.option(
-        "--at-most",
-        type=click.IntRange(min=1),
-        default=4,
-        show_default=True,
-        help="with --since: so many of them, chosen to have one for all that changed",
-    ),
-    "require-scan": click.option(
-        "--require-scan", is_flag=True, help="images get tags only after a scan by the policy that found them clean"
-    ),
-    "sign": click.option(
-        "--sign",
-        is_flag=True,
-        envvar="ROSML_SIGN",
-        help="sign indexes, with the key that COSIGN_KEY names or as the workflow; without a signature none gets a tag",
-    ),
-    "policy": click.option(
-        "--policy",
-        type=click.Path(path_type=Path),
-        default=ROOT / "scan.yaml",
-        help="which vulnerabilities keep an image from its tags; scan.yaml",
-    ),
-    "json": click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output"),
-}
 
 
 @dataclass

@@ -40,12 +40,7 @@
       el(
         "tr",
         null,
-        el(
-          "th",
-          { scope: "row" },
-          el("span", { class: `key kind-${r.kind(layer.part)}`, "aria-hidden": "true" }),
-          layer.part || "other",
-        ),
+        r.partHead(layer.part),
         el("td", null, r.digest(layer.digest)),
         el("td", { class: "number" }, r.size(layer.compressed)),
         el("td", null, where),
@@ -204,9 +199,7 @@
       const missing = [one, other].find((_, index) => !sides[index]);
       trouble.hidden = !missing;
       if (missing) {
-        trouble.textContent = missing.input.value
-          ? `No published tag or image is called ${missing.input.value}`
-          : "Name two tags or images.";
+        trouble.textContent = missing.input.value ? r.whyNot(missing.input.value) : "Name two tags or images.";
         missing.input.focus();
         return;
       }
@@ -238,7 +231,7 @@
     if (sides[0] && sides[1]) main.append(...result(...sides, query.get("platform")));
     else if (a && b) {
       trouble.hidden = false;
-      trouble.textContent = `No published tag or image is called ${sides[0] ? b : a}`;
+      trouble.textContent = r.whyNot(sides[0] ? b : a);
     } else
       main.append(
         el(

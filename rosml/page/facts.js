@@ -10,7 +10,6 @@
     tensorflow: "TensorFlow",
     ml: "PyTorch and TensorFlow",
   };
-  const STATUS = { built: "built", "stand-in": "verified by stand-in", "not built": "not built yet" };
   const CARRIED = { torch: "PyTorch", tensorflow: "TensorFlow", cuda: "CUDA", cudnn: "cuDNN", nccl: "NCCL" };
 
   const byTarget = new Map(catalogue.images.map((image) => [image.target, image]));
@@ -41,7 +40,7 @@
     return own.length ? `${image.repository}:${own[0].name}` : `${image.repository}@${build.digest}`;
   }
 
-  /** Every name that a build can be asked for by. */
+  /** Every name that a build can be asked for by; of a tag whose build could not be read, without one. */
   let names;
   function buildNames() {
     if (!names) {
@@ -50,19 +49,31 @@
         for (const build of image.builds) names.set(`${image.repository}@${build.digest}`, { image, build });
         for (const tag of image.tags) {
           const build = image.builds.find((item) => item.digest === tag.digest);
-          if (build) names.set(`${image.repository}:${tag.name}`, { image, build });
+          names.set(`${image.repository}:${tag.name}`, { image, build });
         }
       }
     }
     return names;
   }
 
+  function withoutRegistry(text) {
+    return text.trim().replace(`${catalogue.registry}/`, "");
+  }
+
   /** The image and build that a text names: with or without the registry, by target too. */
   function find(text) {
-    const wanted = text.trim().replace(`${catalogue.registry}/`, "");
+    const wanted = withoutRegistry(text);
     const image = byTarget.get(wanted);
     const build = image && present(image);
-    return build ? { image, build } : buildNames().get(wanted);
+    const found = build ? { image, build } : buildNames().get(wanted);
+    return found && found.build ? found : undefined;
+  }
+
+  /** Why a text names nothing that can be compared. */
+  function whyNot(text) {
+    return buildNames().has(withoutRegistry(text))
+      ? `${text} is published, but what it points at could not be read`
+      : `No published tag or image is called ${text}`;
   }
 
   /** What kind of thing a part is: for its colour. */
@@ -175,19 +186,17 @@
   Object.assign(window.rosml, {
     catalogue,
     TITLES,
-    STATUS,
+    STATUS: catalogue.words,
     CARRIED,
     byTarget,
-    payloads,
     present,
     architecture,
     reference,
     mainTag,
     buildName,
-    buildNames,
     find,
+    whyNot,
     kind,
-    layersOf,
     bytes,
     compareLayers,
     compareVersions,

@@ -74,12 +74,7 @@
       return el(
         "tr",
         null,
-        el(
-          "th",
-          { scope: "row" },
-          el("span", { class: `key kind-${r.kind(name)}`, "aria-hidden": "true" }),
-          name || "other",
-        ),
+        r.partHead(name),
         el("td", { class: "number" }, r.size(size.compressed)),
         el("td", { class: "number" }, r.size(size.unpacked)),
         el("td", { class: "number" }, String(layers.length)),

@@ -109,12 +109,7 @@
         el(
           "tr",
           null,
-          el(
-            "th",
-            { scope: "row" },
-            el("span", { class: `key kind-${r.kind(name)}`, "aria-hidden": "true" }),
-            name || "other",
-          ),
+          r.partHead(name),
           el("td", { class: "number" }, r.size(part.bytes)),
           el(
             "td",

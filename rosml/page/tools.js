@@ -131,5 +131,28 @@ window.rosml = {};
     return el("div", null, el("dt", null, name), el("dd", null, ...value));
   }
 
-  Object.assign(window.rosml, { el, svg, size, change, count, day, digest, tell, copy, copyButton, table, fact });
+  /** The head of a part's row: its name, behind the colour of its kind. */
+  function partHead(part) {
+    return el(
+      "th",
+      { scope: "row" },
+      el("span", { class: `key kind-${window.rosml.kind(part)}`, "aria-hidden": "true" }),
+      part || "other",
+    );
+  }
+
+  Object.assign(window.rosml, {
+    el,
+    svg,
+    size,
+    change,
+    count,
+    day,
+    digest,
+    copy,
+    copyButton,
+    table,
+    fact,
+    partHead,
+  });
 })();

@@ -1,4 +1,4 @@
-"""People find an image, copy its line, compare it and see its history; with any browser, screen, and way of input."""
+"""People find an image, copy its line, compare it and see its history: in Chromium or Chrome, on any screen, with mouse or keys."""
 
 from __future__ import annotations
 
@@ -14,9 +14,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from shelf import Shelf
 
+from rosml import ROOT, expand, site
 from rosml.catalogue import Image, Published
-from tests.page.conftest import NARROW, REGISTRY, WIDE, Window, Windows, expect
+from rosml.gather import Gatherer
+from tests.page.conftest import NARROW, NOW, REGISTRY, WIDE, Window, Windows, expect
 
 LOG = logging.getLogger("page")
 TORCH = "bookworm-base-torch-cu128"
@@ -293,6 +296,40 @@ def test_a_typo_is_told(window: Windows) -> None:
     assert page.evaluate("document.activeElement.id") == "second"
 
 
+def test_every_tag_that_is_offered_can_be_compared(browser: Any, tmp_path: Path) -> None:
+    """After twelve nights as well, of which each left a dated tag."""
+    shelf = Shelf(expand.load(ROOT / "matrix.yaml", ROOT))
+    for night in range(12):
+        shelf.torch = str(night)
+        shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["bookworm"])
+    found = Gatherer(shelf.catalogue, shelf.registry, REGISTRY, "rosml").gather(NOW, [TORCH])
+    site.write(tmp_path / "page", found)
+    windows = Windows(browser, tmp_path / "page")
+    opened = windows()
+    page = opened.open(f"#/image/{TORCH}")
+    tags = page.locator("#tag option").evaluate_all("(options) => options.map((option) => option.value)")
+    assert len([tag for tag in tags if re.search(r"-202611\d\d$", tag)]) == 12
+    for tag in tags:
+        page = opened.open(f"#/compare?a={TORCH}&b=ros-torch%3A{tag}")
+        assert page.locator("#verdict").is_visible(), tag
+        assert not page.get_by_role("alert").is_visible(), tag
+    assert opened.complaints == []
+    windows.opened[0][0].close()
+
+
+def test_a_tag_whose_build_cannot_be_read_is_told_so(browser: Any, published: Published, tmp_path: Path) -> None:
+    item = image(published, TORCH)
+    first = item.builds[-1].tags[0]
+    changed = item.model_copy(update={"builds": item.builds[:-1]})
+    images = tuple(changed if i is item else i for i in published.images)
+    site.write(tmp_path / "page", published.model_copy(update={"images": images}))
+    windows = Windows(browser, tmp_path / "page")
+    page = windows().open(f"#/compare?a={TORCH}&b=ros-torch%3A{first}")
+    told = f"ros-torch:{first} is published, but what it points at could not be read"
+    assert page.get_by_role("alert").text_content() == told
+    windows.opened[0][0].close()
+
+
 def test_first_and_second_are_swapped(window: Windows) -> None:
     page = window().open(f"#/compare?a={TORCH}&b=bookworm-base")
     page.get_by_role("button", name="Swap").click()
@@ -473,8 +510,6 @@ def test_a_static_host_will_do(window: Windows, host: str, published: Published)
 
 def test_what_a_registry_says_is_text_and_never_markup(browser: Any, published: Published, tmp_path: Path) -> None:
     """Labels, versions and names of tests come out of images: whoever builds one must not script the page."""
-    from rosml import site
-
     evil = "<img src=x onerror=\"document.title='owned'\"></script>\u2028"
     item = image(published, TORCH)
     platform = item.builds[0].platforms[0]

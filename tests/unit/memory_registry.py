@@ -18,6 +18,7 @@ from rosml.agenda import Agenda, Item
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload
 from rosml.ledger import Entry
+from rosml.oci import Manifest
 from rosml.pipeline import Made, Pipeline, title
 from rosml.services import Services
 from rosml.signer import SignerFailed
@@ -38,16 +39,6 @@ class Killed(BaseException):
     """The process ends here, as by SIGKILL: nothing catches it."""
 
 
-@dataclass(frozen=True)
-class Stored:
-    """What `oci.Manifest` has."""
-
-    content: dict[str, Any]
-    digest: str
-    media_type: str
-    size: int
-
-
 def digest(data: bytes) -> str:
     """As registries name content."""
     return f"sha256:{hashlib.sha256(data).hexdigest()}"
@@ -62,7 +53,7 @@ class MemoryRegistry:
         refuses: methods that fail.
     """
 
-    manifests: dict[str, dict[str, Stored]] = field(default_factory=dict)
+    manifests: dict[str, dict[str, Manifest]] = field(default_factory=dict)
     blobs: dict[str, dict[str, bytes]] = field(default_factory=dict)
     names: dict[str, dict[str, str]] = field(default_factory=dict)
     writes: int = 0
@@ -85,16 +76,16 @@ class MemoryRegistry:
             if dying:
                 raise Killed
 
-    def manifest(self, repository: str, reference: str) -> Stored | None:
+    def manifest(self, repository: str, reference: str) -> Manifest | None:
         name = self.names.get(repository, {}).get(reference, reference)
         return self.manifests.get(repository, {}).get(name)
 
-    def put_manifest(self, repository: str, reference: str, content: bytes | dict[str, Any], media_type: str) -> str:
+    def put_manifest(self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str) -> str:
         data = content if isinstance(content, bytes) else json.dumps(content, sort_keys=True).encode()
         with self._write("put a manifest"):
             name = digest(data)
             self.uploaded += len(data)
-            self.manifests.setdefault(repository, {})[name] = Stored(json.loads(data), name, media_type, len(data))
+            self.manifests.setdefault(repository, {})[name] = Manifest(json.loads(data), name, media_type, len(data))
             if not reference.startswith("sha256:"):
                 self.names.setdefault(repository, {})[reference] = name
             return name
@@ -131,6 +122,14 @@ class MemoryRegistry:
                     del names[name]
             else:
                 del self.names[repository][reference]
+
+    def discard(self, repository: str, name: str) -> bool:
+        try:
+            if name in self.manifests.get(repository, {}):
+                self.delete(repository, name)
+        except RosmlError:
+            return False
+        return True
 
     def referrers(self, repository: str, subject: str, artifact_type: str = "") -> list[dict[str, Any]]:
         return [

@@ -5,11 +5,13 @@ from __future__ import annotations
 import hashlib
 import json
 import sys
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from rosml.oci import Manifest
 from rosml.policy import Rules, parsed
 from rosml.sbom import Shelf
 from rosml.scan import Image, Part
@@ -188,22 +190,15 @@ class World:
         return [line for line in file.read_text().splitlines() if word in line.split()] if file.exists() else []
 
 
-@dataclass(frozen=True)
-class Manifest:
-    """As `rosml.oci.Manifest`."""
-
-    content: dict[str, Any]
-    digest: str
-    media_type: str
-    size: int
-
-
 class Memory:
     """A registry in memory that has every image one asks for, and keeps what is attached."""
 
     def __init__(self) -> None:
         self.attached: dict[tuple[str, str], list[Manifest]] = {}
         self.blobs: dict[str, bytes] = {}
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f"what keeps SBOMs has no need to {name}")
 
     def manifest(self, repository: str, reference: str) -> Manifest | None:
         known = [item for items in self.attached.values() for item in items if item.digest == reference]
@@ -218,15 +213,15 @@ class Memory:
     def attach(
         self,
         repository: str,
-        subject: dict[str, Any],
+        subject: Mapping[str, Any],
         artifact_type: str,
         payload: bytes,
         media_type: str,
-        annotations: dict[str, str],
+        annotations: Mapping[str, str],
     ) -> str:
         blob = f"sha256:{hashlib.sha256(payload).hexdigest()}"
         self.blobs[blob] = payload
-        content = {"layers": [{"digest": blob}], "annotations": annotations, "subject": subject}
+        content = {"layers": [{"digest": blob}], "annotations": dict(annotations), "subject": dict(subject)}
         name = digest(json.dumps(content))
         self.attached.setdefault((repository, subject["digest"]), []).append(Manifest(content, name, "m", 1))
         return name

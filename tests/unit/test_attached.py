@@ -15,6 +15,7 @@ from test_provenance import git
 
 from rosml import ledger, provenance
 from rosml.agenda import INDEX
+from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.labels import REVISION, SOURCE
 from rosml.ledger import ARTIFACT, Ledger
@@ -312,6 +313,12 @@ def test_manifests_do_not_know_of_it(
     assert found[0][0] == found[1][0]
     assert found[0][1] == {provenance.OWN_MACHINE}
     assert found[1][1] == {"https://forge.example/me/rosml/.github/workflows/nightly.yml@refs/heads/main"}
+
+
+def test_nothing_is_said_of_a_manifest_that_is_gone(registry: Place) -> None:
+    made = provenance.Definition({}, "sha256:1", ())
+    with pytest.raises(RosmlError, match="ros@sha256:2 is not in the registry any more"):
+        provenance.attach(registry.registry, "ros", "sha256:2", made, provenance.Machine("me", "1"), DAY, NEXT)
 
 
 def test_the_same_way_is_said_once(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811

@@ -22,7 +22,7 @@ from scripts import publish
 
 DAY = date(2026, 11, 22)
 ONE = Built(target="bookworm-core", date=DAY, compressed=325_100_000, unpacked=1_270_000_000, passed=21, seconds=23.8)
-OTHER = Built(target="trixie-core", date=date(2026, 11, 21), passed=20, mark="†")
+OTHER = Built(target="trixie-core", date=date(2026, 11, 21), passed=20, outdated=True)
 PAGE = """\
 # Page
 
@@ -55,7 +55,7 @@ def test_a_day_without_a_place_and_a_place_without_a_day() -> None:
 def test_newer_records_take_the_place_of_older_ones(tmp_path: Path, real: Catalogue) -> None:
     file = tmp_path / "built.json"
     file.write_text(built.text((OTHER, ONE, ONE.model_copy(update={"target": "gone-core"}))))
-    newer = OTHER.model_copy(update={"passed": 25, "mark": ""})
+    newer = OTHER.model_copy(update={"passed": 25, "outdated": False})
     assert built.record(file, (newer,), real) == 1
     assert built.read(file) == (ONE, newer), "in the order of the matrix; what it has no more is gone"
     assert len(file.read_text().splitlines()) == 4, "a line for each"
@@ -114,13 +114,36 @@ def test_the_readme_tells_what_was_built(real: Catalogue) -> None:
     rows = [line for line in some.splitlines() if line not in nothing.splitlines()]
     assert len(rows) == 2, rows
     assert rows[0].startswith("| `bookworm` ") and rows[0].endswith("| 1 built, 65 not built yet |")
-    assert rows[1].startswith("| `ros:<distribution>") and rows[1].endswith("| 325.1 MB |")
-    two = readme.render(begin, real, (ONE, OTHER.model_copy(update={"compressed": 1_090_000_000})))
-    assert "| 325.1 MB to 1.09 GB |" in two
-    assert "| 55 verified by stand-in |" in nothing
+    assert rows[1].startswith("| `ros:<distribution>") and rows[1].endswith("| 325.1 MB (core) |")
+    other = OTHER.model_copy(update={"compressed": 1_090_000_000})
+    assert "| 325.1 MB (core) |" in readme.render(begin, real, (ONE, other)), "what is outdated gives no size"
+    other = other.model_copy(update={"outdated": False, "target": "trixie-base"})
+    assert "| 325.1 MB to 1.09 GB (core, base) |" in readme.render(begin, real, (ONE, other))
+    every = [ONE.model_copy(update={"target": f"bookworm-{name}"}) for name in real.matrix.components]
+    assert "| 325.1 MB to 325.1 MB |" in readme.render(begin, real, every)
 
 
 def test_what_is_committed_is_of_this_matrix(real: Catalogue) -> None:
     text = (ROOT / "docs/built.json").read_text()
     assert text == built.text(built.merged(built.read(ROOT / "docs/built.json"), (), real))
     assert len(json.loads(text)) > 100
+    sizes_are_outdated_where_payloads_were_larger(real)
+
+
+def sizes_are_outdated_where_payloads_were_larger(real: Catalogue) -> None:
+    """An image less the ROS image below it is its payloads, whose sizes hardly differ between images of one stack. The
+    records of larger ones are those that say so."""
+    known = {item.target: item for item in built.read(ROOT / "docs/built.json")}
+    sizes: dict[tuple[str, str | None], dict[bool, list[int]]] = {}
+    for item in known.values():
+        image = real.by_target[item.target]
+        ros = known.get(image.parent)
+        if image.stack and ros and ros.compressed and item.compressed:
+            by_state = sizes.setdefault((image.framework, image.stack), {False: [], True: []})
+            by_state[item.outdated].append(item.compressed - ros.compressed)
+    assert len(sizes) == 8
+    for key, by_state in sizes.items():
+        today, before = by_state[False], by_state[True]
+        assert max(today) < 1.02 * min(today), key
+        assert min(before) > 1.08 * max(today), key
+    assert not any(item.outdated for item in known.values() if not real.by_target[item.target].stack)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import dataclasses
 import json
 from collections.abc import Iterator
+from datetime import date
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +18,7 @@ from shelf import FIRST, SECOND, THIRD, Shelf, shown
 from stubs import services
 from test_inputs import copy
 
-from rosml import built, expand, ledger, oci, promote, schema, site
+from rosml import built, expand, ledger, oci, promote, schema, site, stand_in
 from rosml.catalogue import Image, Published, status
 from rosml.catalogue import Tests as Ran
 from rosml.errors import RosmlError
@@ -128,9 +130,28 @@ def test_history(found: Published) -> None:
     assert [build.platforms[0].ros_sync for build in item.builds] == ["lists-2", "lists-2", "lists-1"]
 
 
-def test_history_ends_somewhere(shelf: Shelf) -> None:
-    item = image(gather(shelf.registry, shelf.catalogue, TORCH, history=2), TORCH)
+def test_history_of_what_has_no_tag_ends_somewhere(real: Catalogue) -> None:
+    shelf = shown(real)
+    names = shelf.registry.names[f"{PREFIX}/ros-torch"]
+    for day in (20261121, 20261120):
+        del names[f"bookworm-base-cu128-{day}"]
+    item = image(gather(shelf.registry, shelf.catalogue, TORCH, history=1), TORCH)
     assert [build.created for build in item.builds] == [THIRD, SECOND]
+    assert [bool(build.tags) for build in item.builds] == [True, False]
+
+
+def test_whatever_a_tag_points_at_is_described(real: Catalogue) -> None:
+    """Twelve nights leave twelve dated tags, more than the limit for what has none; of payloads as well."""
+    shelf = Shelf(real)
+    for night in range(12):
+        shelf.torch = str(night)
+        shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["bookworm"])
+    found = gather(shelf.registry, shelf.catalogue, TORCH)
+    torch = next(payload for payload in found.payloads if payload.name == "torch-cu128-py311")
+    for item in (image(found, TORCH), torch):
+        assert len([tag for tag in item.tags if tag.kind == "dated"]) == 12
+        assert {tag.digest for tag in item.tags} == {build.digest for build in item.builds}
+        assert [build.created[8:10] for build in item.builds] == [str(day) for day in range(22, 10, -1)]
 
 
 def test_layers_are_those_of_the_part_that_brought_them(found: Published) -> None:
@@ -291,12 +312,63 @@ def test_an_image_that_was_published_by_itself(real: Catalogue) -> None:
 
 
 def test_status(real: Catalogue) -> None:
-    matrix, by_target = real.matrix, real.by_target
-    assert status(matrix, by_target["jazzy-base"], True) == ("built", "")
-    assert status(matrix, by_target["jazzy-base"], False)[0] == "stand-in"
-    assert status(matrix, by_target["bookworm-base"], False) == ("not built", "nobody has built it yet")
-    state, reason = status(matrix, by_target["bookworm-base-torch-cpu"], False)
-    assert (state, reason) == ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
+    assembled = stand_in.assembled(real, built.read(ROOT / "docs/built.json"))
+
+    def state(target: str, there: bool = False) -> tuple[str, str]:
+        return status(real.matrix, real.by_target[target], there, assembled)
+
+    assert state("jazzy-base", there=True) == ("built", "")
+    assert state("jazzy-desktop-full")[0] == state("kilted-core")[0] == "stand-in"
+    nobody = "nobody has built it yet"
+    assert state("bookworm-base") == ("not built", nobody)
+    assert state("kilted-base") == ("not built", f"{nobody}, nor installed this component from a stand-in")
+    assert state("bookworm-base-torch-cpu") == ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
+    assert state("jazzy-base-torch-cu128")[0] == "stand-in"
+    assert state("jazzy-base-torch-cpu") == (
+        "not built",
+        f"{nobody}, nor assembled torch-cpu-py312 for linux/amd64",
+    ), "for arm64 it was"
+    assert state("noetic-core-torch-cu121")[1].endswith(
+        "common-cu121-py38 for linux/amd64, torch-cu121-py38 for linux/amd64"
+    )
+
+
+def test_payloads_count_as_assembled_where_they_are_recorded(real: Catalogue, tmp_path: Path) -> None:
+    """In the table of docs/digests.md, and with images that were built with those of today."""
+    rows = [line.split("|") for line in (ROOT / stand_in.DIGESTS).read_text().splitlines() if "| `sha256:" in line]
+    table = {(row[1].strip(" `"), row[2].strip()) for row in rows}
+    assert len(table) > 20
+    assert stand_in.assembled(real, ()) == table
+    assert table <= {(payload.name, platform) for payload in real.payloads for platform in payload.platforms}
+    record = built.Built(target="bookworm-core-torch-cu128", date=date(2026, 11, 22), passed=1)
+    assert stand_in.assembled(real, [record.model_copy(update={"outdated": True})], tmp_path) == frozenset()
+    assert stand_in.assembled(real, [record], tmp_path) == {
+        (name, "linux/amd64") for name in ("cuda-cu128", "common-cu128-py311", "torch-cu128-py311")
+    }
+
+
+def rows_of(test: str) -> str:
+    """What a test of ROS's apt source runs for, as it is written there: nothing of it is run."""
+    tree = ast.parse((ROOT / "tests/e2e/test_apt_source.py").read_text())
+    function = next(item for item in tree.body if isinstance(item, ast.FunctionDef) and item.name == test)
+    (decorator,) = (item for item in function.decorator_list if isinstance(item, ast.Call))
+    assert ast.literal_eval(decorator.args[0]) == "distro"
+    return ast.unparse(decorator.args[1])
+
+
+def test_steps_count_as_run_where_a_test_runs_them(real: Catalogue) -> None:
+    source = (ROOT / "tests/e2e/test_apt_source.py").read_text()
+    every = ast.literal_eval(rows_of("test_all_components_of_a_row"))
+    assert set(every) == stand_in.EVERY_COMPONENT
+    apt = {name: facts.components for name, facts in real.matrix.distributions.items() if facts.apt}
+    assert set(every) <= set(apt)
+    assert rows_of("test_a_row_gets_its_packages") == "ROWS"
+    assert (
+        "ROWS = [name for name, distribution in CATALOGUE.matrix.distributions.items() if distribution.apt]" in source
+    )
+    assert 'def build(self, component: str = "core"' in source and {parts[0] for parts in apt.values()} == {"core"}
+    ran = {(i.distribution, i.component) for i in real.images if stand_in.steps_ran(real.matrix, i)}
+    assert ran == {(name, part) for name, parts in apt.items() for part in (parts if name in every else parts[:1])}
 
 
 # ---- The format ------------------------------------------------------------------------------------------------------

@@ -301,6 +301,29 @@ def test_a_registry_that_deletes_nothing(server: StandIn, registry: Registry) ->
         registry.delete("a", "x")
 
 
+@pytest.mark.parametrize("kind", [400, 403, 404, 405, 503])
+def test_a_registry_that_discards_nothing_is_asked_once(server: StandIn, registry: Registry, kind: int) -> None:
+    """404 as well, where the manifest is still there."""
+    server.fault("DELETE", "/manifests/", kind, oci.ATTEMPTS)
+    digest = registry.put_manifest("a", "x", MANIFEST)
+    assert not registry.discard("a", digest)
+    asked = server.count("^DELETE")
+    assert asked == (oci.ATTEMPTS if kind == 503 else 1)
+    assert not registry.discard("a", digest)
+    assert server.count("^DELETE") == asked and registry.head("a", digest) == digest
+    server.faults.clear()
+    other = registry.put_manifest("b", "x", MANIFEST)
+    assert registry.discard("b", other), "another repository may have other rules"
+    assert registry.head("b", other) == ""
+
+
+def test_what_somebody_else_removed_is_discarded(server: StandIn, registry: Registry) -> None:
+    """And the registry is asked for the next one."""
+    digest = registry.put_manifest("a", "x", MANIFEST)
+    assert registry.discard("a", DIGEST) and registry.discard("a", digest)
+    assert registry.head("a", digest) == ""
+
+
 def test_threads_share_a_registry(server: StandIn, registry: Registry) -> None:
     for path in ("/blobs/", "/uploads/"):
         server.fault("HEAD", path, DROP, 5)

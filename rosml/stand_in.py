@@ -1,0 +1,67 @@
+"""What was verified against stand-ins: whose ROS steps ran, and which payloads were assembled.
+
+The state "verified by stand-in", in README.md and in the catalogue, follows from these facts and from nothing else.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rosml import ROOT
+from rosml.expand import Catalogue, Image
+from rosml.model import Matrix
+
+if TYPE_CHECKING:  # imports the catalogue, which imports this module
+    from rosml.built import Built
+
+EVERY_COMPONENT = frozenset({"jazzy", "noetic", "foxy"})
+"""Distributions of which tests/e2e/test_apt_source.py installs all components from stand-ins of ROS's repositories. Of any
+other one with an apt source it installs the first. tests/unit/test_catalogue.py holds this to what is written there."""
+
+DIGESTS = "docs/digests.md"
+BUILT = "docs/built.json"
+
+Assembled = frozenset[tuple[str, str]]
+"""Payloads by name and platform."""
+
+_ROW = re.compile(r"^\| `([^`]+)` \| (linux/[^ |]+) \| `sha256:", re.MULTILINE)
+
+
+def steps_ran(matrix: Matrix, image: Image) -> bool:
+    """Whether the steps that install an image's ROS packages ran against stand-ins."""
+    facts = matrix.distributions[image.distribution]
+    if not facts.apt:
+        return False
+    return image.distribution in EVERY_COMPONENT or image.component == facts.components[0]
+
+
+def assembled(catalogue: Catalogue, built: Iterable[Built], folder: Path = ROOT) -> Assembled:
+    """Payloads that were assembled: those that docs/digests.md lists, and those of images that were built, on the first
+    platform of each. A record of payloads that have changed since says nothing of today's.
+
+    Args:
+        catalogue: the images. built: which of them were built. folder: a checkout; one without that page lists none.
+    """
+    return frozenset({*_listed(folder / DIGESTS), *_joined(catalogue, built)})
+
+
+def _listed(file: Path) -> list[tuple[str, str]]:
+    if not file.is_file():
+        return []
+    return [(name, platform) for name, platform in _ROW.findall(file.read_text(encoding="utf-8"))]
+
+
+def _joined(catalogue: Catalogue, built: Iterable[Built]) -> Iterator[tuple[str, str]]:
+    for item in built:
+        image = catalogue.by_target.get(item.target)
+        if image and not item.outdated:
+            yield from ((part, image.platforms[0]) for part in image.parts)
+
+
+def lacking(image: Image, known: Assembled) -> list[str]:
+    """Payloads of an image that nobody has assembled: `torch-cu121-py38 for linux/amd64`."""
+    wanted = ((part, platform) for part in image.parts for platform in image.platforms)
+    return [f"{part} for {platform}" for part, platform in wanted if (part, platform) not in known]
