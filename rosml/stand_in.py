@@ -1,6 +1,7 @@
-"""What was verified against stand-ins: whose ROS steps ran, and which payloads were assembled.
+"""Which payloads were assembled, for the state "verified by stand-in" in README.md and in the catalogue.
 
-The state "verified by stand-in", in README.md and in the catalogue, follows from these facts and from nothing else.
+The steps that install ROS's packages run against stand-ins for all components of every distribution with an apt source:
+tests/e2e/test_apt_source.py, which tests/unit/test_catalogue.py holds to that.
 """
 
 from __future__ import annotations
@@ -12,14 +13,9 @@ from typing import TYPE_CHECKING
 
 from rosml import ROOT
 from rosml.expand import Catalogue, Image
-from rosml.model import Matrix
 
 if TYPE_CHECKING:  # imports the catalogue, which imports this module
     from rosml.built import Built
-
-EVERY_COMPONENT = frozenset({"jazzy", "noetic", "foxy"})
-"""Distributions of which tests/e2e/test_apt_source.py installs all components from stand-ins of ROS's repositories. Of any
-other one with an apt source it installs the first. tests/unit/test_catalogue.py holds this to what is written there."""
 
 DIGESTS = "docs/digests.md"
 BUILT = "docs/built.json"
@@ -28,14 +24,6 @@ Assembled = frozenset[tuple[str, str]]
 """Payloads by name and platform."""
 
 _ROW = re.compile(r"^\| `([^`]+)` \| (linux/[^ |]+) \| `sha256:", re.MULTILINE)
-
-
-def steps_ran(matrix: Matrix, image: Image) -> bool:
-    """Whether the steps that install an image's ROS packages ran against stand-ins."""
-    facts = matrix.distributions[image.distribution]
-    if not facts.apt:
-        return False
-    return image.distribution in EVERY_COMPONENT or image.component == facts.components[0]
 
 
 def assembled(catalogue: Catalogue, built: Iterable[Built], folder: Path = ROOT) -> Assembled:

@@ -39,7 +39,7 @@ from rosml.errors import RosmlError
     type=click.IntRange(min=1),
     default=10,
     show_default=True,
-    help="describe so many builds of each image at most, the present one among them",
+    help="describe so many builds of each image that no tag points at any more; those with a tag are all described",
 )
 @click.option(
     "--record",

@@ -172,7 +172,7 @@ def test_a_row_gets_its_packages(distro: str, row: Callable[[str], Row]) -> None
         assert done.code == 0, done.err
 
 
-@pytest.mark.parametrize("distro", ["jazzy", "noetic", "foxy"])
+@pytest.mark.parametrize("distro", ROWS)
 def test_all_components_of_a_row(distro: str, row: Callable[[str], Row]) -> None:
     """Each on the one below it, whose apt source it finds, in a system with Ubuntu's user, and with the image's own contract; then the structure tests of
     the topmost one. ROS 1's programs are those of the Debian rows, where they run for real."""

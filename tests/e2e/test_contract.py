@@ -331,7 +331,9 @@ def test_a_home_with_something_mounted_in_it_becomes_the_users(container: Contai
     """The engine makes the folders on the way, for root: of a new user, and of one who has no home yet."""
     before = owners(sources)
     uid = "DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh"
-    inside = "[[ $HOME == ~+ && -O ~ && -O ~/.config && -f ~/.bashrc && -O ~/.bashrc && ~/ws -ef /docker-ros/ws ]]; id -un"
+    inside = (
+        "[[ $HOME == ~+ && -O ~ && -O ~/.config && -f ~/.bashrc && -O ~/.bashrc && ~/ws -ef /docker-ros/ws ]]; id -un"
+    )
     taken = "useradd --no-create-home --uid 1000 robot; " if user == "robot" else ""
     script = f"{taken}{uid} bash -c 'cd; touch new; {inside}'"
     done = container.run("bash", "-euc", script, options=mount(sources, f"/home/{user}/.config/mine"))
@@ -343,7 +345,9 @@ def test_files_that_come_and_go_keep_nobody_out(container: Container) -> None:
     """`docker exec CONTAINER /entrypoint.sh …`, while something works in the workspace."""
     busy = "while :; do mkdir -p a/b; touch a/b/{1..200}; rm -rf a; done"
     user = "DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh"
-    script = f"{user} bash -c '{busy}' & sleep 0.5; for _ in {{1..20}}; do {user} true || exit; done; kill $!; echo well"
+    script = (
+        f"{user} bash -c '{busy}' & sleep 0.5; for _ in {{1..20}}; do {user} true || exit; done; kill $!; echo well"
+    )
     done = container.run("bash", "-c", script)
     assert (done.code, done.out) == (0, "well\n"), done
 

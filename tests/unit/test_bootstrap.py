@@ -8,6 +8,7 @@ import http.server
 import json
 import os
 import re
+import shlex
 import shutil
 import signal
 import socket
@@ -769,6 +770,32 @@ def test_help(tmp_path: Path, arguments: list[str]) -> None:
 @pytest.mark.parametrize("arguments", [[], ["upp"], ["up", "--fast"]])
 def test_wrong_usage(tmp_path: Path, arguments: list[str]) -> None:
     assert bootstrap(tmp_path, *arguments).returncode == 2
+
+
+def test_help_has_examples(tmp_path: Path) -> None:
+    """Each is one that the parser reads."""
+    _, found, examples = bootstrap(tmp_path, "--help").stdout.partition("Examples:\n")
+    assert found
+    lines = [line.strip() for line in examples.splitlines() if line.strip()]
+    assert len(lines) >= 2
+    for line in lines:
+        words = shlex.split(line.removeprefix("python3 scripts/bootstrap.py "))
+        assert commands.parser().parse_args(words).command == words[0]
+
+
+@pytest.mark.parametrize(
+    ("typed", "says"),
+    [
+        ("upp", "no command 'upp'; did you mean up?\n"),
+        ("emulation", "no command 'emulation'; did you mean emulate?\n"),
+        ("xyzxyz", "no command 'xyzxyz'\n"),
+    ],
+)
+def test_a_command_that_is_mistyped(tmp_path: Path, typed: str, says: str) -> None:
+    done = bootstrap(tmp_path, typed)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"error: {says}remedy: see all with: python3 scripts/bootstrap.py --help\n"
+    assert not (tmp_path / ".state").exists()
 
 
 def test_down_and_clean_with_nothing_there(tmp_path: Path) -> None:

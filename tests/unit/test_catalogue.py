@@ -321,7 +321,7 @@ def test_status(real: Catalogue) -> None:
     assert state("jazzy-desktop-full")[0] == state("kilted-core")[0] == "stand-in"
     nobody = "nobody has built it yet"
     assert state("bookworm-base") == ("not built", nobody)
-    assert state("kilted-base") == ("not built", f"{nobody}, nor installed this component from a stand-in")
+    assert state("kilted-base")[0] == "stand-in"
     assert state("bookworm-base-torch-cpu") == ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
     assert state("jazzy-base-torch-cu128")[0] == "stand-in"
     assert state("jazzy-base-torch-cpu") == (
@@ -356,19 +356,13 @@ def rows_of(test: str) -> str:
     return ast.unparse(decorator.args[1])
 
 
-def test_steps_count_as_run_where_a_test_runs_them(real: Catalogue) -> None:
+def test_steps_count_as_run_where_a_test_runs_them() -> None:
+    """Of every distribution with an apt source, for all components."""
     source = (ROOT / "tests/e2e/test_apt_source.py").read_text()
-    every = ast.literal_eval(rows_of("test_all_components_of_a_row"))
-    assert set(every) == stand_in.EVERY_COMPONENT
-    apt = {name: facts.components for name, facts in real.matrix.distributions.items() if facts.apt}
-    assert set(every) <= set(apt)
-    assert rows_of("test_a_row_gets_its_packages") == "ROWS"
+    assert rows_of("test_all_components_of_a_row") == "ROWS"
     assert (
         "ROWS = [name for name, distribution in CATALOGUE.matrix.distributions.items() if distribution.apt]" in source
     )
-    assert 'def build(self, component: str = "core"' in source and {parts[0] for parts in apt.values()} == {"core"}
-    ran = {(i.distribution, i.component) for i in real.images if stand_in.steps_ran(real.matrix, i)}
-    assert ran == {(name, part) for name, parts in apt.items() for part in (parts if name in every else parts[:1])}
 
 
 # ---- The format ------------------------------------------------------------------------------------------------------

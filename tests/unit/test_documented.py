@@ -20,8 +20,8 @@ from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.explain import explain
 from rosml.listing import members
-from scripts import bench, compose
-from tests.documented import documented, pages
+from scripts import bench, compose, publish
+from tests.documented import blocks, documented, pages
 from tests.proofs import lacking
 
 PROOFS: dict[str, dict[str, str]] = yaml.safe_load((ROOT / "tests/documented.yaml").read_text())
@@ -31,17 +31,19 @@ EXTEND = "docs/extend.md"
 """The page whose examples are not in our own matrix; test_extend.py follows it."""
 
 
-COMMAND = re.compile(
-    r"""([A-Z_]+=("[^"]*"|'[^']*'|\S+)\ )*(make|uv\ run|docker|regctl|python3|source|git|(scripts/)?publish\.py)\ \S""",
-    re.VERBOSE,
-)
-MENTIONED = re.compile(r"(docker|regctl)( [a-z]+)+( …)?")
+PROGRAMS = r"make|uv\ run|docker|regctl|python3|source|git|rm|apt-get|pip|(scripts/)?publish\.py"
+COMMAND = re.compile(rf"""([A-Z_]+=("[^"]*"|'[^']*'|\S+)\ )*({PROGRAMS})\ \S""", re.VERBOSE)
+STEP = re.compile(rf"({'|'.join(publish.cli.commands)}) (--\w|\S*[\d.])")
+"""A subcommand of publish.py, where a page has named that: with an option, or a file or date. `build on it` is none."""
+MENTIONED = re.compile(r"(docker|regctl)( [a-z]+)+( …)?|(apt-get|pip) install")
 """What a sentence says of a program by the name of its subcommand, without anything to be done."""
 
 
-def called(text: str) -> bool:
-    """Whether what a sentence sets as code is a command to be called."""
-    return bool(COMMAND.match(text)) and not MENTIONED.fullmatch(text)
+def called(text: str) -> str:
+    """The command that a sentence sets as code, with its program; empty where that is none to be called."""
+    if STEP.match(text):
+        return f"publish.py {text}"
+    return text if COMMAND.match(text) and not MENTIONED.fullmatch(text) else ""
 
 
 def spans() -> Iterator[tuple[str, str]]:
@@ -49,9 +51,8 @@ def spans() -> Iterator[tuple[str, str]]:
     for page in pages():
         prose = re.sub(r"^ *```.*?^ *```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
         for span in re.findall(r"`([^`]+)`", prose):
-            text = " ".join(span.split())
-            if called(text):
-                yield text, str(page.relative_to(ROOT))
+            if command := called(" ".join(span.split())):
+                yield command, str(page.relative_to(ROOT))
 
 
 SHOWN = [(command, page) for command, where in documented().items() for page in dict.fromkeys(where)]
@@ -78,10 +79,27 @@ CALLS = list(dict.fromkeys([*SHOWN, *spans()]))
         ("scripts/publish.py undo", True),
         ("git-lfs", False),
         ("publish.py", False),
+        ("rm /etc/sudoers.d/rosml", True),
+        ("apt-get upgrade", True),
+        ("apt-get install", False),
+        ("apt-get install ros-jazzy-…", True),
+        ("pip install", False),
+        ("pip install -U torch", True),
+        ("PIP_CONFIG_FILE=/dev/null pip install …", True),
+        ("RUN pip install", False),
+        ("rmdir x", False),
+        ("test", False),
+        ("build on it", False),
+        ("scan.yaml:21:5: no such thing", False),
     ],
 )
 def test_what_is_a_command_within_a_sentence(span: str, command: bool) -> None:
-    assert called(span) == command
+    assert called(span) == (span if command else "")
+
+
+@pytest.mark.parametrize("span", ["undo 2026-11-22T03:00:00Z", "scan --fetch --database …", "record scan.json"])
+def test_steps_are_commands_of_the_publisher(span: str) -> None:
+    assert called(span) == f"publish.py {span}"
 
 
 def test_every_command_has_its_proof() -> None:
@@ -104,6 +122,8 @@ def test_the_proof_is_there(command: str) -> None:
             assert re.search(rf"^test: .*\b{command.removeprefix('make ')}\b", MAKEFILE, re.MULTILINE)
         case "suite" if value == "tests/e2e":
             assert (ROOT / command.split()[3]).parent == ROOT / value
+        case "suite" if command.startswith("publish.py"):  # a step of the workflow, with more options
+            assert re.search(rf"scripts/{re.escape(command)}( |$)", (ROOT / value).read_text(), re.MULTILINE)
         case "suite":
             assert re.search(rf"{re.escape(command)}( [A-Z]+=\S+)?$", (ROOT / value).read_text(), re.MULTILINE)
         case "needs":
@@ -154,6 +174,32 @@ def test_it_runs_as_it_stands(command: str) -> None:
     done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert PROOFS[command]["run"] in done.stdout
+
+
+def test_a_night_without_github(tmp_path: Path) -> None:
+    """The script of docs/registry.md, with stand-ins for make and uv of which two fail: it goes on, and ends as `all` did.
+    What it calls is what the nightly workflow calls, or `all` in its place."""
+    page = ROOT / "docs/registry.md"
+    (script,) = [block for block in blocks(page) if block.title == "night.sh"]
+    (tmp_path / "night.sh").write_text(script.text)
+    programs = tmp_path / ".state/bin"
+    programs.mkdir(parents=True)
+    (programs / "make").write_text('#!/bin/sh\necho make "$@" >>calls\n')
+    codes = 'case "$4" in scan) exit 3 ;; all) exit 1 ;; esac'
+    (programs / "uv").write_text(f'#!/bin/sh\necho uv "$@" >>calls\nset -- x "$@"\n{codes}\n')
+    for program in programs.iterdir():
+        program.chmod(0o755)
+    done = subprocess.run(["bash", tmp_path / "night.sh"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (1, "")
+    calls = [shlex.split(line) for line in (tmp_path / "calls").read_text().splitlines()]
+    assert calls[0] == ["make", "up"]
+    steps = [call[3] for call in calls[1:]]
+    assert steps == ["scan", "all", "status", "prune"]
+    night = (ROOT / ".github/workflows/nightly.yml").read_text()
+    theirs = set(re.findall(r"scripts/publish.py (\w+)", night))
+    assert theirs - {*steps} == {"plan", "build", "compose", "test", "record", "index", "promote"}, "what `all` does"
+    options = {word for call in calls[1:] for word in call if word.startswith("--")}
+    assert [option for option in sorted(options) if option not in night] == []
 
 
 # ---- What parsers say ------------------------------------------------------------------------------------------------
@@ -235,6 +281,7 @@ def ran(given: list[str]) -> None:
         "uv run scripts/publish.py imge",
         "uv run scripts/publish.py all --onyl x",
         "publish.py imge",
+        "publish.py plan --evrywhere",
         "scripts/publish.py all --onyl x",
         "source tools/nothing.bash",
         "uv run scripts/nothing.py",

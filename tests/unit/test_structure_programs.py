@@ -42,7 +42,9 @@ def test_the_simulators_have_the_name_that_the_distribution_gives_them(
     query.chmod(0o755)
     env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "ROS_DISTRO": distro}
     script = STRUCTURE / "programs/components/desktop_full.sh"
-    done = subprocess.run(["bash", "-eu", "-o", "pipefail", script], env=env, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        ["bash", "-eu", "-o", "pipefail", script], env=env, capture_output=True, text=True, check=False
+    )
     assert (done.returncode, done.stdout) == (0, f"installed {package}\n"), done.stderr
 
 

@@ -4,6 +4,7 @@ status."""
 from __future__ import annotations
 
 import argparse
+import difflib
 import json
 import os
 import shutil
@@ -352,35 +353,61 @@ def print_status(state: State, as_json: bool) -> None:
         say(f"{name:<{width}}  {value}")
 
 
+COMMANDS = {
+    "tools": "find the tools that builds need, install those that are missing",
+    "linters": "those Python packages, and actionlint, which is built in some seconds",
+    "up": "the same, then start the local registry and the builder",
+    "emulate": "let this machine build and test for the other architecture, with QEMU",
+    "engine": "install Docker where there is none: tests run images in it",
+    "browser": "install Chromium where there is none: tests open the catalogue's page in it",
+    "scanner": "find or build trivy, which looks for known vulnerabilities in images: 10 minutes",
+    "signer": "find or build cosign, which signs images: a quarter of an hour",
+    "room": "remove what GitHub's machines bring and nobody needs here; on those only",
+    "down": "stop the registry and the builder; keeps what they stored",
+    "clean": "stop them and remove all that was made (.state, .venv)",
+    "status": "say what is running",
+}
+"""What there is to call, with what it does."""
+
+DESCRIPTION = """\
+Sets this machine up for building images: tools, a local registry, a builder. All that it makes is in .state;
+Debian packages are installed only where they are missing, and it says so.
+"""
+
+EPILOG = """\
+Environment:
+  ROSML_DOCKER_HUB=0|1  do not ask whether Docker Hub answers
+  ROSML_CA_BUNDLE       a company's certificates; also SSL_CERT_FILE, REQUESTS_CA_BUNDLE, CURL_CA_BUNDLE
+  BUILDX_BUILDER        use this builder
+
+Examples:
+  python3 scripts/bootstrap.py up
+  python3 scripts/bootstrap.py status --json
+"""
+
+
 def parser() -> argparse.ArgumentParser:
     """The command line."""
     top = argparse.ArgumentParser(
         prog="bootstrap.py",
-        description="Sets this machine up for building images: tools, a local registry, a builder. "
-        "All that it makes is in .state; Debian packages are installed only where they are missing, and it says so.",
-        epilog="Environment: ROSML_DOCKER_HUB=0|1 (do not ask whether Docker Hub answers), ROSML_CA_BUNDLE (a company's "
-        "certificates; also SSL_CERT_FILE, REQUESTS_CA_BUNDLE, CURL_CA_BUNDLE), BUILDX_BUILDER (use this builder).",
+        description=DESCRIPTION,
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    found = commands.add_parser("tools", help="find the tools that builds need, install those that are missing")
-    found.add_argument(
+    found = {name: commands.add_parser(name, help=what) for name, what in COMMANDS.items()}
+    found["tools"].add_argument(
         "--python", action="store_true", help="only uv and the Python packages: enough for linters and lists"
     )
-    commands.add_parser("linters", help="those Python packages, and actionlint, which is built in some seconds")
-    commands.add_parser("up", help="the same, then start the local registry and the builder")
-    commands.add_parser("emulate", help="let this machine build and test for the other architecture, with QEMU")
-    commands.add_parser("engine", help="install Docker where there is none: tests run images in it")
-    commands.add_parser("browser", help="install Chromium where there is none: tests open the catalogue's page in it")
-    commands.add_parser(
-        "scanner", help="find or build trivy, which looks for known vulnerabilities in images: 10 minutes"
-    )
-    commands.add_parser("signer", help="find or build cosign, which signs images: a quarter of an hour")
-    commands.add_parser("room", help="remove what GitHub's machines bring and nobody needs here; on those only")
-    commands.add_parser("down", help="stop the registry and the builder; keeps what they stored")
-    commands.add_parser("clean", help="stop them and remove all that was made (.state, .venv)")
-    shown = commands.add_parser("status", help="say what is running")
-    shown.add_argument("--json", action="store_true", help="for machines")
+    found["status"].add_argument("--json", action="store_true", help="for machines")
     return top
+
+
+def unknown(name: str) -> str:
+    """What to say of a command that there is not."""
+    near = difflib.get_close_matches(name, COMMANDS, n=3, cutoff=0.5)
+    guess = f"; did you mean {' or '.join(near)}?" if near else ""
+    return f"no command '{name}'{guess}"
 
 
 def terminate(_number: int, _frame: FrameType | None) -> NoReturn:
@@ -390,6 +417,10 @@ def terminate(_number: int, _frame: FrameType | None) -> NoReturn:
 
 def main(root: Path, argv: Sequence[str]) -> int:
     """Runs a command; gives the exit code: 0, 1 (failed), 2 (usage), 130 (interrupted)."""
+    if argv and not argv[0].startswith("-") and argv[0] not in COMMANDS:
+        print(colour("error: ", 31) + unknown(argv[0]), file=sys.stderr)
+        print("remedy: see all with: python3 scripts/bootstrap.py --help", file=sys.stderr)
+        return 2
     arguments = parser().parse_args(argv)
     signal.signal(signal.SIGTERM, terminate)
     state = State(root)
