@@ -96,7 +96,8 @@ TALK_SECONDS = 600
 
 
 def test_both_frameworks_share_their_layers_and_import_in_either_order(published: Publish) -> None:
-    both, torch = published(BOTH), published(FIRST)
+    both = published(BOTH)
+    torch = published(names.image_target(both.image.distribution, "core", "torch", both.image.stack))
     more = len(both.image.parts) - PAYLOAD_PARTS
     assert both.layers[-PAYLOAD_PARTS - more : -more] == torch.layers[-PAYLOAD_PARTS:]
     report = verify.read_report(ROOT / ".state" / "tests" / both.image.target / "report", ("ml", "ros1-perception"))
