@@ -26,6 +26,15 @@ from tests.e2e.conftest import CHECKOUT, Run, run
 
 NOTHING = "#!/usr/bin/env bash\n"
 
+CONTRACT = """\
+#!/usr/bin/env bash
+set -euo pipefail
+source "$(dirname "$0")/../build/network.sh"
+mkdir -p /docker-ros/ws
+"$(dirname "$0")/../build/clean.sh"
+"""
+"""The workspace: where WORKDIR has to make a folder, it has the time of day."""
+
 ESSENTIALS = """\
 #!/usr/bin/env bash
 set -euo pipefail
@@ -277,7 +286,7 @@ def make(folder: Path, services: Services) -> Mini:
     (folder / ".state" / "services.json").write_text(json.dumps(facts | own))
     for name, text in {
         "base/install": ESSENTIALS,
-        "base/contract": NOTHING,
+        "base/contract": CONTRACT,
         "tensorflow/install-compiler": NOTHING,
     }.items():
         (folder / f"components/{name}.sh").write_text(text)
