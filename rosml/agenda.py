@@ -455,7 +455,10 @@ def _ask(agenda: Agenda) -> None:
     with ThreadPoolExecutor(8) as pool:
         for name, answer in zip(rows, pool.map(asked, rows), strict=True):
             if isinstance(answer, RosmlError):
-                agenda.remarks.append(f"{name}: {answer.message}; its packages are taken for unchanged")
+                if answer.exit_code == 2:  # what the user said is wrong, and not the network
+                    raise answer
+                remark = f"{name}: {answer.message}; its packages are taken for unchanged; {answer.remedy}"
+                agenda.remarks.append(remark)
             else:
                 agenda.upstream[name] = answer
 

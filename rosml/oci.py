@@ -387,23 +387,22 @@ class Registry:
         """
         if repository in self._keeping:
             return False
-        try:  # 404 may also be how a registry says that it knows no such request
-            gone = self._delete(repository, digest) or not self.head(repository, digest)
+        try:  # 404 may also be how a registry says that it knows no such request; nobody waits for one that is busy
+            gone = self._delete(repository, digest, tuple(_TRANSIENT)) or not self.head(repository, digest)
         except RosmlError:
             gone = False
         if not gone:
             self._keeping.add(repository)
         return gone
 
-    def _delete(self, repository: str, reference: str) -> bool:
-        """Removes a manifest or tag; False if the registry says that there is none."""
+    def _delete(self, repository: str, reference: str, allow: tuple[int, ...] = ()) -> bool:
+        """Removes a manifest or tag; False if the registry says that there is none, or answers as is allowed."""
         path = f"{repository}/manifests/{reference}"
-        answer = self._ask(
-            "DELETE", path, repository, allow=(404, 405), push=True, also=(_scope(repository, "delete"),)
-        )
+        also = (_scope(repository, "delete"),)
+        answer = self._ask("DELETE", path, repository, allow=(404, 405, *allow), push=True, also=also)
         if answer.status_code == 405:
             raise RosmlError(f"{self.host} deletes nothing", "let its operator allow it, or delete with its own tools")
-        return answer.status_code != 404
+        return answer.status_code not in (404, *allow)
 
     # ---- Blobs -------------------------------------------------------------------------------------------------------
 

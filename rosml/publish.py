@@ -284,6 +284,8 @@ class Publisher:
             day = sync.published(source)
             sync.remember(self.services.state, source, day)
         except RosmlError as error:  # what the builder has of it may be enough
+            if error.exit_code == 2:
+                raise
             day = sync.remembered(self.services.state, source)
             self.say(f"{error.message}; taken for as it was last time: {day or 'never asked'}")
         self.say(f"ROS's apt repository {source.address}, published {day or 'nobody knows when'}")

@@ -5,20 +5,18 @@ from __future__ import annotations
 import json
 import os
 import re
-import urllib.request
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, date
 from email.utils import parsedate_to_datetime
-from http.client import HTTPException
 from pathlib import Path
 
-from rosml import files
+from rosml import files, release_file
 from rosml.errors import RosmlError
 from rosml.model import Distribution, Matrix
 
 CHANNELS = ("live", "snapshot", "final")
-SECONDS = 20.0
+MIRROR = "ROS_APT_MIRROR"
 RELEASE_BYTES = 1 << 20
 """More than any InRelease file has; ROS's have some ten kB."""
 
@@ -100,23 +98,14 @@ def published(source: Source, environ: Mapping[str, str] = os.environ) -> str:
     Raises:
         RosmlError: it does not answer, or says no date.
     """
-    address = source.address
-    if mirror := environ.get("ROS_APT_MIRROR", ""):
-        address = f"{mirror.rstrip('/')}/{address.removeprefix('http://')}"
+    address = release_file.address(source.address, environ.get(MIRROR, ""), MIRROR)
     url = f"{address}/dists/{source.codename}/InRelease"
-    try:
-        with urllib.request.urlopen(url, timeout=SECONDS) as answer:
-            text = answer.read(RELEASE_BYTES).decode(errors="replace")
-    except (OSError, ValueError, HTTPException) as error:
-        reason = getattr(error, "reason", None) or error
-        raise RosmlError(
-            f"{url} does not answer ({reason})", "check the network, HTTP_PROXY and ROS_APT_MIRROR"
-        ) from None
+    text = release_file.read(url, RELEASE_BYTES, MIRROR)
     found = re.search(r"^Date: (.+)$", text, re.MULTILINE)
     try:
         return parsedate_to_datetime(found[1] if found else "").astimezone(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
     except ValueError:
-        raise RosmlError(f"{url} says no date", "check the mirror") from None
+        raise RosmlError(f"{release_file.shown(url)} says no date", "check the mirror") from None
 
 
 def remember(state: Path, source: Source, when: str) -> None:

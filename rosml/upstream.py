@@ -9,11 +9,9 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-import urllib.request
 from collections.abc import Mapping
-from http.client import HTTPException
 
-from rosml import base_images, sync
+from rosml import base_images, release_file, sync
 from rosml.errors import RosmlError
 from rosml.model import Matrix
 
@@ -21,7 +19,7 @@ SUITES = ("debian/dists/{suite}", "debian/dists/{suite}-updates", "debian-securi
 """What Debian's images install from: the release, its updates, its security."""
 
 DEBIAN = "http://deb.debian.org"
-SECONDS = 20.0
+MIRROR = "OS_APT_MIRROR"
 RELEASE_BYTES = 1 << 22
 """More than any Release file has; Debian's have some hundred kB."""
 
@@ -44,9 +42,7 @@ def state(matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.env
     suite = base_images.debian_suite(matrix.operating_systems[facts.os].image)
     if not suite:
         return ""
-    archive = DEBIAN
-    if mirror := environ.get("OS_APT_MIRROR", ""):
-        archive = f"{mirror.rstrip('/')}/{DEBIAN.removeprefix('http://')}"
+    archive = release_file.address(DEBIAN, environ.get(MIRROR, ""), MIRROR)
     found = [packages(f"{archive}/{path.format(suite=suite)}/Release") for path in SUITES]
     return f"debian {suite} {hashlib.sha256(' '.join(found).encode()).hexdigest()[:16]}"
 
@@ -57,12 +53,7 @@ def packages(url: str) -> str:
     Raises:
         RosmlError: it does not answer, or with something else.
     """
-    try:
-        with urllib.request.urlopen(url, timeout=SECONDS) as answer:
-            text = answer.read(RELEASE_BYTES).decode(errors="replace")
-    except (OSError, ValueError, HTTPException) as error:
-        remedy = "check the network, HTTP_PROXY and OS_APT_MIRROR"
-        raise RosmlError(f"{url} does not answer ({error})", remedy) from None
+    text = release_file.read(url, RELEASE_BYTES, MIRROR)
     if not (found := INDEXES.findall(text)):
-        raise RosmlError(f"{url} names no lists of packages", "check the mirror")
+        raise RosmlError(f"{release_file.shown(url)} names no lists of packages", "check the mirror")
     return " ".join(digest for digest, _ in sorted(found, key=lambda item: item[1]))

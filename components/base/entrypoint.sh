@@ -24,7 +24,8 @@ become() {
 
 # give FOLDER: it becomes the user's, with all in it that is root's. Whatever is mounted keeps its owner.
 give() {
-  local folder=$1 point skipped=()
+  local folder point skipped=()
+  folder=$(realpath --canonicalize-existing -- "$1") || return 0
   while read -r _ _ _ _ point _; do
     printf -v point %b "$point" # a space is \040 there
     if [[ $point != / && $folder/ == "${point%/}"/* ]]; then return; fi
@@ -42,18 +43,22 @@ give() {
 give_workspace() {
   local workspace
   workspace=$(realpath --canonicalize-existing -- "${WORKSPACE:-/docker-ros/ws}" 2>/dev/null) || return 0
-  case $workspace in
-    / | /home | /opt | /srv | /mnt | /media | /tmp) return ;;
-    /bin* | /boot* | /dev* | /etc* | /lib* | /proc* | /root* | /run* | /sbin* | /sys* | /usr* | /var*) return ;;
+  case $workspace/ in
+    // | /home/ | /opt/ | /srv/ | /mnt/ | /media/ | /tmp/) return ;;
+    /bin/* | /boot/* | /dev/* | /etc/* | /lib/* | /lib32/* | /lib64/* | /libx32/* | /proc/* | /root/* | /run/*) return ;;
+    /sbin/* | /sys/* | /usr/* | /var/*) return ;;
   esac
-  if [[ ! -e $home/ws && -w $home ]]; then ln --symbolic "$workspace" "$home/ws"; fi
+  if [[ ! -e $home/ws && ! -L $home/ws && $home/ != "$workspace"/* && -w $home ]]; then
+    ln --symbolic "$workspace" "$home/ws"
+  fi
   give "$workspace"
 }
 
-# give_home: a folder with what a new user has. Where something is mounted below it, the engine made it, for root.
+# give_home: a folder with what a new user has. Where something is mounted below it, the engine made it, for root. One that is
+# mounted itself stays as it is.
 give_home() {
   local file
-  if [[ -d $home && $(stat --format %u "$home") -eq $uid ]]; then return; fi
+  if [[ -d $home && $(stat --format %u "$home") -eq $uid ]] || mountpoint --quiet "$home"; then return; fi
   mkdir --parents "$home" || fail "cannot make a home for the user $user" "the line above says why" 71
   for file in /etc/skel/.[!.]* /etc/skel/*; do
     if [[ -e $file && ! -e $home/${file##*/} ]]; then cp --recursive "$file" "$home"; fi

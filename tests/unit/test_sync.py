@@ -53,6 +53,7 @@ def test_what_there_is_not(real: Catalogue, name: str, environ: dict[str, str], 
 
 ANSWERS = {
     "good": "Origin: ROS\nDate: Fri, 20 Nov 2026 22:14:09 +0100\nCodename: noble\n",
+    "protected": "Date: Fri, 20 Nov 2026 21:14:09 UTC\n",
     "dateless": "Origin: ROS\n",
     "odd": "Date: some day\n",
 }
@@ -64,7 +65,8 @@ def mirror() -> Iterator[str]:
         def do_GET(self) -> None:
             name, _, path = self.path.lstrip("/").partition("/")
             known = name in ANSWERS and path == "packages.ros.org/ros2/ubuntu/dists/noble/InRelease"
-            self.send_response(200 if known else 404)
+            closed = name == "protected" and self.headers["Authorization"] != "Basic dXNlcjpzZWNyZXQ="
+            self.send_response(401 if closed else 200 if known else 404)
             self.end_headers()
             self.wfile.write(ANSWERS[name].encode() if known else b"")
 
@@ -90,9 +92,22 @@ def test_nobody_knows(mirror: str, name: str, words: str) -> None:
         sync.published(SOURCE, {"ROS_APT_MIRROR": f"{mirror}/{name}"})
 
 
-def test_a_mirror_that_is_no_address() -> None:
-    with pytest.raises(RosmlError, match="does not answer"):
-        sync.published(SOURCE, {"ROS_APT_MIRROR": "nonsense"})
+@pytest.mark.parametrize("mirror", ["nonsense", "http://a b", "ftp://mirror"])
+def test_a_mirror_that_is_no_address(mirror: str) -> None:
+    with pytest.raises(RosmlError, match="ROS_APT_MIRROR is not an address") as caught:
+        sync.published(SOURCE, {"ROS_APT_MIRROR": mirror})
+    assert caught.value.exit_code == 2 and caught.value.remedy
+
+
+def test_a_mirrors_password_is_sent_and_never_told(mirror: str) -> None:
+    closed = mirror.replace("http://", "http://user:secret@")
+    assert sync.published(SOURCE, {"ROS_APT_MIRROR": f"{closed}/protected"}) == "2026-11-20T21:14:09Z"
+    for name in ("absent", "dateless"):
+        with pytest.raises(RosmlError) as caught:
+            sync.published(SOURCE, {"ROS_APT_MIRROR": f"{closed}/{name}"})
+        assert "secret" not in caught.value.message + caught.value.remedy and "127.0.0.1" in caught.value.message
+    with pytest.raises(RosmlError, match="401"):
+        sync.published(SOURCE, {"ROS_APT_MIRROR": f"{mirror}/protected"})
 
 
 def test_remembered(tmp_path: Path) -> None:
