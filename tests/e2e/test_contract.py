@@ -341,6 +341,22 @@ def test_a_home_with_something_mounted_in_it_becomes_the_users(container: Contai
     assert owners(sources) == before
 
 
+def test_homes_and_workspaces_in_odd_places(container: Container) -> None:
+    """A workspace whose name begins like a folder of the system; one that is the home; a home behind a link; a ~/ws that leads
+    nowhere."""
+    user = "DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh bash -euc"
+    for script in (
+        f"mkdir /dev_ws; WORKSPACE=/dev_ws {user} 'touch /dev_ws/mine; test ~/ws -ef /dev_ws'",
+        f"mkdir -p /home/dockeruser; WORKSPACE=/home/dockeruser {user} 'touch ~/mine; test ! -e ~/ws'",
+        f"mkdir -p /srv/homes; rmdir /home; ln -s srv/homes /home; {user} 'cd; test -O .bashrc; touch mine'",
+        f"mkdir -p /srv/mine; ln -s /srv/mine /home/dockeruser; {user} 'cd; test -O .bashrc; touch mine'",
+        f"mkdir /home/dockeruser; ln -s /nowhere /home/dockeruser/ws; {user} 'cd; touch mine'",
+        f"{user} 'rm -rf /docker-ros/ws/src; test -L ~/ws'; {user} 'cd; touch mine'",
+    ):
+        done = container.run("bash", "-euc", script)
+        assert (done.code, done.out, done.err) == (0, "", ""), (script, done)
+
+
 def test_files_that_come_and_go_keep_nobody_out(container: Container) -> None:
     """`docker exec CONTAINER /entrypoint.sh …`, while something works in the workspace."""
     busy = "while :; do mkdir -p a/b; touch a/b/{1..200}; rm -rf a; done"
