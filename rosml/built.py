@@ -9,6 +9,7 @@ from datetime import date
 from pathlib import Path
 from typing import Annotated, Any
 
+import click
 from pydantic import Field, ValidationError
 
 from rosml import files, results
@@ -16,12 +17,18 @@ from rosml.catalogue import Published
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.model import Facts, Target
-from rosml.problems import listed
+from rosml.problems import counted, listed
 
 BEGIN = "<!-- built {day}: written by scripts/generate_bake.py -->"
 END = "<!-- /built -->"
 OUTDATED = "†"
 """Stands in the tables beside what is outdated; the text says why."""
+
+REMEDY = "git checkout docs/built.json"
+
+Bytes = Annotated[int, Field(ge=0, le=10**15)]
+Passed = Annotated[int, Field(ge=0, le=10**6)]
+Seconds = Annotated[float, Field(ge=0, le=10**8, allow_inf_nan=False)]
 
 
 class Built(Facts):
@@ -36,25 +43,46 @@ class Built(Facts):
 
     target: Target
     date: Annotated[date, Field(strict=False)]
-    compressed: int | None = None
-    unpacked: int | None = None
-    passed: int
-    seconds: float | None = None
+    compressed: Bytes | None = None
+    unpacked: Bytes | None = None
+    passed: Passed
+    seconds: Seconds | None = None
     outdated: bool = False
 
 
 def read(file: Path) -> tuple[Built, ...]:
-    """The records.
+    """The records, at most one for each target; targets that the matrix does not have are allowed.
 
     Raises:
         RosmlError: the file is no list of them.
     """
+    wrong = f"{files.shown(file)}: no list of what was built"
     try:
-        return tuple(Built.model_validate(item) for item in json.loads(file.read_text(encoding="utf-8")))
-    except (OSError, ValueError, TypeError, ValidationError) as error:
-        raise RosmlError(
-            f"{file}: no list of what was built: {error}", "get it back: git checkout docs/built.json"
-        ) from None
+        content = json.loads(file.read_text(encoding="utf-8"))
+    except RecursionError:
+        raise RosmlError(f"{wrong}: nested too deeply", REMEDY) from None
+    except (OSError, ValueError) as error:
+        raise RosmlError(f"{wrong}: {error}", REMEDY) from None
+    if not isinstance(content, list):
+        raise RosmlError(wrong, REMEDY)
+    found: dict[str, Built] = {}
+    for number, facts in enumerate(content, start=1):
+        try:
+            item = Built.model_validate(facts)
+        except ValidationError as error:
+            raise RosmlError(f"{wrong}: record {number}: {_first(error)}", REMEDY) from None
+        except OverflowError:
+            raise RosmlError(f"{wrong}: record {number}: a number is too large", REMEDY) from None
+        if item.target in found:
+            raise RosmlError(f"{wrong}: record {number}: {item.target} is there twice", REMEDY)
+        found[item.target] = item
+    return tuple(found.values())
+
+
+def _first(error: ValidationError) -> str:
+    """What is wrong, without the value: that may be of any length."""
+    problem = error.errors(include_url=False, include_context=False, include_input=False)[0]
+    return ": ".join(text for text in (".".join(map(str, problem["loc"])), problem["msg"]) if text)
 
 
 def text(records: Iterable[Built]) -> str:
@@ -70,20 +98,42 @@ def merged(known: Iterable[Built], newer: Iterable[Built], catalogue: Catalogue)
     return tuple(by_target[image.target] for image in catalogue.images if image.target in by_target)
 
 
+def left_out(known: Iterable[Built], catalogue: Catalogue) -> str:
+    """A remark about records that `merged` leaves out; empty where there are none."""
+    number = sum(item.target not in catalogue.by_target for item in known)
+    if not number:
+        return ""
+    images, are, them = ("an image", "is", "it") if number == 1 else ("images", "are", "them")
+    return (
+        f"docs/built.json: {counted(number, 'record')} of {images} that the matrix no longer has {are} left out "
+        f"({REMEDY} brings {them} back)"
+    )
+
+
 def record(file: Path, newer: Sequence[Built], catalogue: Catalogue) -> int:
-    """Writes newer records into the file; gives how many.
+    """Writes newer records into the file, and says which old ones it loses; gives how many.
 
     Raises:
         RosmlError: the file is no list of records, or cannot be written.
     """
-    files.write(file, text(merged(read(file), newer, catalogue)))
+    known = read(file)
+    files.write(file, text(merged(known, newer, catalogue)))
+    if remark := left_out(known, catalogue):
+        click.echo(remark, err=True)
     return len(newer)
+
+
+def _made(**facts: Any) -> Built:
+    try:
+        return Built(**facts)
+    except ValidationError as error:
+        raise RosmlError(f"{facts['target']}: cannot be recorded: {_first(error)}", "publish it again") from None
 
 
 def of_results(records: Iterable[results.Record], day: date) -> tuple[Built, ...]:
     """What `make image` wrote down in this checkout; what failed was not built."""
     return tuple(
-        Built(
+        _made(
             target=item["target"],
             date=day,
             compressed=item["compressed"],
@@ -104,7 +154,7 @@ def of_catalogue(published: Published) -> tuple[Built, ...]:
         platform = build.platforms[0] if build else None
         if build and platform and build.created and platform.tests and not platform.tests.failures:
             found.append(
-                Built(
+                _made(
                     target=image.target,
                     date=date.fromisoformat(build.created[:10]),
                     compressed=platform.size.compressed,

@@ -95,7 +95,7 @@ def _told(as_json: bool, message: str, remedy: str, code: int) -> int:
         try:
             click.echo(json.dumps({"error": click.unstyle(message), "remedy": remedy}, indent=2))
             sys.stdout.flush()
-        except BrokenPipeError:
+        except OSError:  # its reader is gone, or its disk is full; people were told already
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return code
 

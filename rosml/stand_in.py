@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rosml import ROOT
+from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 
 if TYPE_CHECKING:  # imports the catalogue, which imports this module
@@ -32,14 +33,24 @@ def assembled(catalogue: Catalogue, built: Iterable[Built], folder: Path = ROOT)
 
     Args:
         catalogue: the images. built: which of them were built. folder: a checkout; one without that page lists none.
+
+    Raises:
+        RosmlError: that page is damaged, and would take payloads from the tables in silence.
     """
     return frozenset({*_listed(folder / DIGESTS), *_joined(catalogue, built)})
 
 
 def _listed(file: Path) -> list[tuple[str, str]]:
-    if not file.is_file():
+    remedy = f"git checkout {DIGESTS}"
+    try:
+        found = _ROW.findall(file.read_text(encoding="utf-8"))
+    except FileNotFoundError:
         return []
-    return [(name, platform) for name, platform in _ROW.findall(file.read_text(encoding="utf-8"))]
+    except UnicodeDecodeError:
+        raise RosmlError(f"{DIGESTS} is not UTF-8", remedy) from None
+    if not found:
+        raise RosmlError(f"{DIGESTS} lists no payload", remedy)
+    return [(name, platform) for name, platform in found]
 
 
 def _joined(catalogue: Catalogue, built: Iterable[Built]) -> Iterator[tuple[str, str]]:

@@ -98,7 +98,14 @@ def main(
     else:
         from rosml import missing
 
-        (verify if check else write)(generated(catalogue, output), missing.lost(catalogue))
+        wanted, lost = generated(catalogue, output), missing.lost(catalogue)
+        if check:
+            verify(wanted, lost)
+            return
+        remark = "" if output else left_out(catalogue)
+        write(wanted, lost)
+        if remark:
+            click.echo(remark, err=True)
 
 
 def list_images(catalogue: Catalogue, groups: tuple[str, ...], as_json: bool) -> None:
@@ -167,6 +174,13 @@ def generated(catalogue: Catalogue, output: Path | None) -> dict[Path, str]:
         ROOT / "docs/built.md": built.render(page, known),
         ROOT / "README.md": readme.render(front, catalogue, known),
     }
+
+
+def left_out(catalogue: Catalogue) -> str:
+    """A remark about records of what was built that writing will lose."""
+    from rosml import built
+
+    return built.left_out(built.read(ROOT / "docs/built.json"), catalogue)
 
 
 def write(wanted: dict[Path, str], lost: RosmlError | None = None) -> None:

@@ -13,12 +13,12 @@ from conftest import ROOT
 from memory_registry import PREFIX
 from shelf import FIRST, Shelf
 
-from rosml import built, readme
+from rosml import built, command, readme
 from rosml.built import Built
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.gather import Gatherer
-from scripts import publish
+from scripts import generate_bake, publish
 
 DAY = date(2026, 11, 22)
 ONE = Built(target="bookworm-core", date=DAY, compressed=325_100_000, unpacked=1_270_000_000, passed=21, seconds=23.8)
@@ -61,12 +61,88 @@ def test_newer_records_take_the_place_of_older_ones(tmp_path: Path, real: Catalo
     assert len(file.read_text().splitlines()) == 4, "a line for each"
 
 
-@pytest.mark.parametrize("text", ["", "{}x", '[{"target": "a"}]', '[{"target": "a", "date": "x", "passed": 1}]', "3"])
-def test_a_damaged_file_is_told(text: str, tmp_path: Path) -> None:
+GOOD = '{"target": "a", "date": "2026-11-22", "passed": 1}'
+
+
+def with_facts(facts: str) -> str:
+    return f"[{GOOD.removesuffix('}')}, {facts}}}]"
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "Expecting value"),
+        ("{}x", "Extra data"),
+        ("3", "built"),
+        ("{}", "built"),
+        ("[3]", "record 1: "),
+        ("[" * 200_000, "nested too deeply"),
+        ('[{"target": "a"}]', "record 1: date: "),
+        ('[{"target": "a", "date": "x", "passed": 1}]', "record 1: date: "),
+        (with_facts('"passed": -1'), "record 1: passed: "),
+        (with_facts(f'"passed": {10**30}'), "record 1: passed: "),
+        (with_facts('"compressed": -1'), "record 1: compressed: "),
+        (with_facts(f'"compressed": {10**400}'), "record 1: compressed: "),
+        (with_facts(f'"unpacked": {10**16}'), "record 1: unpacked: "),
+        (with_facts(f'"unpacked": 1{"0" * 5000}'), "4300 digits"),
+        (with_facts('"seconds": NaN'), "record 1: seconds: "),
+        (with_facts('"seconds": Infinity'), "record 1: seconds: "),
+        (with_facts('"seconds": -1.5'), "record 1: seconds: "),
+        (with_facts(f'"seconds": {10**400}'), "record 1: "),
+        (f"[{GOOD}, {GOOD.replace('22', '23')}]", "record 2: a is there twice"),
+        ("\udcff", "can't decode"),
+    ],
+    ids=lambda value: value[:40].encode(errors="replace").decode(),
+)
+def test_a_damaged_file_is_told(text: str, says: str, tmp_path: Path) -> None:
     file = tmp_path / "built.json"
-    file.write_text(text)
-    with pytest.raises(RosmlError, match="no list of what was built"):
+    file.write_text(text, encoding="utf-8", errors="surrogateescape")
+    with pytest.raises(RosmlError, match="no list of what was built") as caught:
         built.read(file)
+    assert says in caught.value.message
+    assert caught.value.remedy == "git checkout docs/built.json"
+    assert len(caught.value.message) < 400
+
+
+def test_targets_that_the_matrix_does_not_have_are_read(tmp_path: Path) -> None:
+    (tmp_path / "built.json").write_text(f"[{GOOD}]")
+    assert [item.target for item in built.read(tmp_path / "built.json")] == ["a"]
+
+
+def test_what_cannot_be_recorded_is_told() -> None:
+    record = {"target": "bookworm-core", "compressed": -5, "unpacked": 9, "seconds": {}, "passed": 3, "failed": 0}
+    with pytest.raises(RosmlError, match="bookworm-core: cannot be recorded: compressed: "):
+        built.of_results([record], DAY)
+
+
+def test_records_that_are_left_out_are_told(
+    real: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    gone = [ONE.model_copy(update={"target": name}) for name in ("gone-core", "gone-base")]
+    assert built.left_out((ONE, OTHER), real) == ""
+    one = "1 record of an image that the matrix no longer has is left out (git checkout docs/built.json brings it back)"
+    assert built.left_out((ONE, gone[0]), real) == f"docs/built.json: {one}"
+    two = (
+        "2 records of images that the matrix no longer has are left out (git checkout docs/built.json brings them back)"
+    )
+    file = tmp_path / "docs/built.json"
+    file.parent.mkdir()
+    file.write_text(built.text((ONE, *gone)))
+    built.record(file, (), real)
+    assert capsys.readouterr().err == f"docs/built.json: {two}\n"
+
+    file.write_text(text := built.text((ONE, *gone)))
+    monkeypatch.setattr(generate_bake, "ROOT", tmp_path)
+    monkeypatch.setattr(generate_bake, "generated", lambda *_: {file: built.text((ONE,))})
+    matrix = ["--matrix", str(ROOT / "matrix.yaml")]
+    monkeypatch.setattr("rosml.expand.load", lambda *_: real)
+    assert command.run(generate_bake.main, arguments=[*matrix, "--check"]) == 1
+    assert (file.read_text(), "left out" in capsys.readouterr().err) == (text, False)
+    assert command.run(generate_bake.main, arguments=matrix) == 0
+    told = capsys.readouterr().err
+    assert f"built.json: written\ndocs/built.json: {two}\n" in told
+    assert command.run(generate_bake.main, arguments=matrix) == 0
+    assert "left out" not in capsys.readouterr().err
 
 
 def test_results_that_failed_were_not_built() -> None:

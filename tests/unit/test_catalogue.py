@@ -328,8 +328,9 @@ def test_status(real: Catalogue) -> None:
         "not built",
         f"{nobody}, nor assembled torch-cpu-py312 for linux/amd64",
     ), "for arm64 it was"
-    assert state("noetic-core-torch-cu121")[1].endswith(
-        "common-cu121-py38 for linux/amd64, torch-cu121-py38 for linux/amd64"
+    assert state("noetic-core-torch-cu121")[0] == "stand-in"
+    assert state("jazzy-core-torch-cu130")[1].endswith(
+        "torch-cu130-py312 for linux/amd64, torch-cu130-py312 for linux/arm64"
     )
 
 
@@ -345,6 +346,27 @@ def test_payloads_count_as_assembled_where_they_are_recorded(real: Catalogue, tm
     assert stand_in.assembled(real, [record], tmp_path) == {
         (name, "linux/amd64") for name in ("cuda-cu128", "common-cu128-py311", "torch-cu128-py311")
     }
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        (b"", "lists no payload"),
+        (b"# Digests\n\n| payload | platform | layer | MB | bytecode |\n", "lists no payload"),
+        (b"\xff\xfe", "is not UTF-8"),
+    ],
+)
+def test_a_damaged_table_of_payloads_is_told(real: Catalogue, tmp_path: Path, content: bytes, says: str) -> None:
+    """README.md would lose states in silence. One that is not there is no fault."""
+    assert stand_in.assembled(real, (), tmp_path) == frozenset()
+    (tmp_path / "docs").mkdir()
+    (tmp_path / stand_in.DIGESTS).write_bytes(content)
+    with pytest.raises(RosmlError) as caught:
+        stand_in.assembled(real, (), tmp_path)
+    assert (caught.value.message, caught.value.remedy) == (
+        f"docs/digests.md {says}",
+        "git checkout docs/digests.md",
+    )
 
 
 def rows_of(test: str) -> str:

@@ -185,6 +185,15 @@ def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout, done.stderr) == (0, "line\n", "")
 
 
+@pytest.mark.parametrize("more", [[], ["--json"]])
+def test_output_on_a_full_disk(more: list[str]) -> None:
+    argv = [sys.executable, str(ROOT / "scripts/generate_bake.py"), "--list", *more]
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(argv, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert done.returncode == 1
+    assert re.fullmatch("error: No space left on device\nremedy: free some disk space .*\n", done.stderr)
+
+
 @pytest.mark.parametrize(
     "shell", ['"$0" "$1" >&-', 'PYTHONIOENCODING=latin-1 "$0" "$1"', 'LC_ALL=C PYTHONUTF8=0 "$0" "$1"']
 )
