@@ -3,6 +3,7 @@ test, or says why it cannot be."""
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 import subprocess
@@ -21,7 +22,7 @@ from rosml.expand import Catalogue
 from rosml.explain import explain
 from rosml.listing import members
 from scripts import bench, compose, publish
-from tests.documented import blocks, documented, pages
+from tests.documented import blocks, commands, documented, pages
 from tests.proofs import lacking
 
 PROOFS: dict[str, dict[str, str]] = yaml.safe_load((ROOT / "tests/documented.yaml").read_text())
@@ -176,30 +177,64 @@ def test_it_runs_as_it_stands(command: str) -> None:
     assert PROOFS[command]["run"] in done.stdout
 
 
-def test_a_night_without_github(tmp_path: Path) -> None:
-    """The script of docs/registry.md, with stand-ins for make and uv of which two fail: it goes on, and ends as `all` did.
-    What it calls is what the nightly workflow calls, or `all` in its place."""
+@pytest.mark.parametrize(
+    ("failing", "code"),
+    [({}, 0), ({"all": 1}, 1), ({"scan": 3, "all": 1}, 3), ({"scan": 4}, 4), ({"prune": 1}, 1), ({"scanner": 2}, 2)],
+)
+def test_a_night_without_github(tmp_path: Path, failing: dict[str, int], code: int) -> None:
+    """The script of docs/registry.md, with stand-ins for make and uv of which some fail: it ends there while it sets up, and
+    goes on later; its code is the first failure's. What it calls is what the nightly workflow calls, or `all` in the
+    place of steps."""
     page = ROOT / "docs/registry.md"
     (script,) = [block for block in blocks(page) if block.title == "night.sh"]
     (tmp_path / "night.sh").write_text(script.text)
     programs = tmp_path / ".state/bin"
     programs.mkdir(parents=True)
-    (programs / "make").write_text('#!/bin/sh\necho make "$@" >>calls\n')
-    codes = 'case "$4" in scan) exit 3 ;; all) exit 1 ;; esac'
-    (programs / "uv").write_text(f'#!/bin/sh\necho uv "$@" >>calls\nset -- x "$@"\n{codes}\n')
-    for program in programs.iterdir():
-        program.chmod(0o755)
+    cases = "".join(f"{step}) exit {failed} ;; " for step, failed in failing.items())
+    for name, place in (("make", 1), ("uv", 3)):
+        text = f'#!/bin/sh\necho {name} "$@" >>calls\ncase "${place}" in {cases}esac\n'
+        (programs / name).write_text(text)
+        (programs / name).chmod(0o755)
     done = subprocess.run(["bash", tmp_path / "night.sh"], capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (1, "")
+    assert (done.returncode, done.stderr) == (code, "")
     calls = [shlex.split(line) for line in (tmp_path / "calls").read_text().splitlines()]
-    assert calls[0] == ["make", "up"]
-    steps = [call[3] for call in calls[1:]]
+    assert calls[:2] == [["make", "up"], ["make", "scanner"]]
+    steps = [call[3] for call in calls[2:]]
+    if "scanner" in failing:
+        assert steps == []
+        return
     assert steps == ["scan", "all", "status", "prune"]
     night = (ROOT / ".github/workflows/nightly.yml").read_text()
     theirs = set(re.findall(r"scripts/publish.py (\w+)", night))
     assert theirs - {*steps} == {"plan", "build", "compose", "test", "record", "index", "promote"}, "what `all` does"
-    options = {word for call in calls[1:] for word in call if word.startswith("--")}
+    options = {word for call in calls[2:] for word in call if word.startswith("--")}
     assert [option for option in sorted(options) if option not in night] == []
+
+
+def test_a_second_night_leaves_the_log_of_the_first_alone(tmp_path: Path) -> None:
+    (crontab,) = [block for block in blocks(ROOT / "docs/registry.md") if block.title == "crontab"]
+    command = crontab.text.split(maxsplit=5)[5]
+    folder = tmp_path / "rosml"
+    folder.mkdir()
+    (folder / "night.sh").write_text('echo begun; bash -c "$SECOND"; echo refused: $?\n')
+    environment = {**os.environ, "HOME": str(tmp_path), "SECOND": command}
+    for nights in (1, 2):
+        done = subprocess.run(["bash", "-c", command], env=environment, capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+        assert (folder / ".state/night.log").read_text() == "begun\nrefused: 1\n" * nights
+
+
+def test_uv_that_make_installed(tmp_path: Path) -> None:
+    """The README's line finds it, where the machine has none."""
+    (line,) = [
+        line for block in blocks(ROOT / "README.md") for line in commands(block) if line.startswith("export PATH")
+    ]
+    uv = tmp_path / ".state/bin/uv"
+    uv.parent.mkdir(parents=True)
+    uv.write_text("#!/bin/sh\necho found\n")
+    uv.chmod(0o755)
+    done = subprocess.run(["bash", "-c", f"{line}; uv"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, "found\n")
 
 
 # ---- What parsers say ------------------------------------------------------------------------------------------------
