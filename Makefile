@@ -39,6 +39,11 @@ AT_MOST ?= 4
 OUTPUT ?=
 # Where `make locks` writes its table of versions, in Markdown.
 REPORT ?=
+# Which part of `make test-all` runs: i/n is that of the i-th of n machines.
+SHARD ?= 1/1
+# Proofs that `make test-all` runs, and nothing else: files in tests/proofs.
+PROOF ?=
+export SHARD
 export TARGET REV PLATFORM ONLY SERVE SINCE REPORT OUTPUT
 # Not under its own name, which is that of a variable of docker-bake.hcl.
 export PLACE := $(REGISTRY)
@@ -60,12 +65,13 @@ endif
 
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
+# Sets up all that tests need, then runs them; the set-up's time counts.
+SUITE := started=$$(date +%s); $(BOOTSTRAP) up; $(BOOTSTRAP) engine; $(BOOTSTRAP) linters; $(BOOTSTRAP) browser; $(RUN) --group page python -m tests.suite --started "$$started"
 PAGE := $(RUN) --group page pytest tests/page
-# As many tests at a time as there are processors; of those of real builds, two files.
+# As many tests at a time as there are processors.
 BESIDE := --numprocesses=auto
-LANES := --numprocesses=2 --dist=loadfile --no-loadscope-reorder --verbose
 
-.PHONY: help image test test-arm64 lint unit page bench list explain generate plan diff locks up emulation scanner signer room publish standing catalogue down clean status docs
+.PHONY: help image test test-all lint unit page bench list explain generate plan diff locks up emulation scanner signer room publish standing catalogue down clean status docs
 
 help: ## this list
 	@python3 tools/make_help.py
@@ -75,14 +81,11 @@ image: .python ## build, test, push and tag one image: make image TARGET=bookwor
 	@$(BOOTSTRAP) up
 	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$$PLATFORM") -- "$$TARGET"
 
-test: up ## the whole suite: linters, unit tests, the catalogue's page, real builds
-	@$(BOOTSTRAP) engine
-	@$(BOOTSTRAP) linters
-	@$(BOOTSTRAP) browser
-	@failed=; $(RUN) pytest $(BESIDE) tests/lint tests/unit || failed=1; $(PAGE) || failed=1; $(RUN) pytest $(LANES) tests/e2e || failed=1; test -z "$$failed"
+test: ## what every change must pass: linters, unit tests, the catalogue's page, real images; it says where its time went
+	@$(SUITE)
 
-test-arm64: emulation ## an image for arm64 with both frameworks, built and tested under emulation: half an hour
-	@ROSML_TEST_ARM64=1 $(RUN) pytest tests/e2e/test_arm64.py
+test-all: ## that, and every proof in tests/proofs: SHARD=1/3 is the part of the first of three machines, PROOF=cuda one proof
+	@$(SUITE) --all --shard "$$SHARD" $(patsubst %,--proof "%",$(PROOF))
 
 lint: .linters ## the linters only
 	@$(RUN) pytest tests/lint

@@ -1,5 +1,4 @@
-"""The tests find the same environment however they are started: a make that a test calls is not a sub-make, and Ctrl-C is
-not ignored."""
+"""The tests find the same environment however they are started, and no skip is free."""
 
 from __future__ import annotations
 
@@ -8,9 +7,11 @@ import signal
 
 import pytest
 
+from tests import proof
 from tests.fork import skip_ours
+from tests.skips import pytest_make_collect_report, pytest_runtest_makereport  # noqa: F401 (hooks)
 
-for name in ("MAKELEVEL", "MAKEFLAGS", "MFLAGS"):
+for name in ("MAKELEVEL", "MAKEFLAGS", "MFLAGS"):  # a make that a test calls is not a sub-make
     os.environ.pop(name, None)
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and some CI leave it; tests send it to programs
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -18,3 +19,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and some CI le
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     skip_ours(items)
+    for item in items:
+        for mark in item.iter_markers("full"):
+            if mark.args or mark.kwargs.get("proof") not in proof.names():
+                raise pytest.UsageError(f"{item.nodeid}: mark it full(proof=NAME), where tests/proofs/ has NAME.yaml")

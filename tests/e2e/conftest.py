@@ -12,7 +12,9 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+import tempfile
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -23,6 +25,7 @@ from rosml import ROOT, expand, registry
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.services import Services
+from rosml.turn import turn
 from tests.e2e.builders import builder
 
 NAMESPACE = "rosml-test"
@@ -47,12 +50,11 @@ CHECKOUT = (
 
 FIRST = (
     "images",
-    "fleet",
     "publisher",
+    "fleet",
     "secure_registry",
     "attached",
     "workflows",
-    "tensorflow",
     "contract",
     "ros",
     "documentation",
@@ -68,6 +70,35 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if item.path.parent == Path(__file__).parent:
             item.add_marker(pytest.mark.e2e)
+
+
+SESSION = "ROSML_TEST_SESSION"
+"""Variable that names a folder which all processes of a run share: what was published, and the builder for small projects."""
+
+CLOSING = pytest.StashKey[ExitStack]()
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Starts, once for all processes of a run, a builder for small projects: where real images are built they would wait for
+    minutes."""
+    if os.environ.get("PYTEST_XDIST_WORKER") or session.config.option.collectonly:
+        return
+    with ExitStack() as stack:
+        folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="rosml-e2e-")))
+        stack.enter_context(pytest.MonkeyPatch.context()).setenv(SESSION, str(folder))
+        with suppress(RosmlError):  # without services each test that needs them says so
+            found = Services.load(ROOT)
+            found.require_builder()
+            if found.builder_kind == "buildkitd":
+                name = f"small-{os.getpid()}"
+                stack.enter_context(builder(name, folder / "builder", found))
+                (folder / "name").write_text(name)
+        session.config.stash[CLOSING] = stack.pop_all()
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    if stack := session.config.stash.get(CLOSING, None):
+        stack.close()
 
 
 @dataclass(frozen=True)
@@ -116,14 +147,27 @@ def services() -> Services:
 
 
 @pytest.fixture(scope="session")
-def beside(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Services]:
-    """The services with a builder for small projects, which would wait for minutes where real images are built."""
-    if services.builder_kind != "buildkitd":  # a container of Docker: one is enough of them
-        yield services
-        return
-    name = f"beside-{os.getpid()}"
-    with builder(name, tmp_path_factory.mktemp("beside") / "builder", services):
-        yield dataclasses.replace(services, builder=name, builder_kind="user")
+def beside(services: Services) -> Services:
+    """The services with the builder for small projects; the usual one where Docker has it: one container is enough."""
+    name = Path(os.environ[SESSION], "name")
+    if not name.is_file():
+        return services
+    return dataclasses.replace(services, builder=name.read_text(), builder_kind="user")
+
+
+@pytest.fixture(scope="session")
+def own_builders(services: Services) -> None:
+    """For tests that start, tell and kill builders of their own."""
+    if services.builder_kind != "buildkitd":
+        pytest.skip("Docker is the builder here, and these tests start and kill a buildkitd of their own")
+
+
+def small_file_system(folder: Path, size: str, services: Services) -> None:
+    """Mounts one of a size, such as `50m`; whoever calls it unmounts it."""
+    if os.geteuid() != 0:
+        assert services.builder_kind != "buildkitd", "without Docker, set-up and tests need root"
+        pytest.skip("Docker is the builder here, and only root may mount a file system")
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(folder)], check=True)
 
 
 @pytest.fixture(scope="session")
@@ -151,17 +195,19 @@ class Published:
 
 @pytest.fixture(scope="session")
 def published(services: Services, catalogue: Catalogue) -> Callable[[str], Published]:
-    """Publishes a target once per session."""
-    done: dict[str, Published] = {}
+    """Publishes a target once per run, whichever process is the first to want it."""
+    folder = Path(os.environ[SESSION])
 
     def once(target: str) -> Published:
-        if target not in done:
-            outcome = publish(target)
-            assert outcome.code == 0, outcome.err
-            image = catalogue.image(target)
-            repository = f"{services.registry}/{NAMESPACE}/{image.repository}"
-            done[target] = Published(image, json.loads(outcome.out), repository, services)
-        return done[target]
+        file = folder / f"{target}.json"
+        with turn(folder / f"{target}.lock", lambda: LOG.info("%s: another test publishes it", target)):
+            if not file.exists():
+                outcome = publish(target)
+                assert outcome.code == 0, outcome.err
+                file.write_text(outcome.out)
+        image = catalogue.image(target)
+        repository = f"{services.registry}/{NAMESPACE}/{image.repository}"
+        return Published(image, json.loads(file.read_text()), repository, services)
 
     return once
 

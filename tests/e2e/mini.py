@@ -3,12 +3,14 @@ next to nothing. A publishing run of six images takes seconds, so that it can be
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import uuid
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -17,14 +19,18 @@ from typing import Any
 
 import yaml
 
-from rosml import ROOT, agenda, expand, oci, pipeline
+from rosml import ROOT, agenda, base_images, expand, oci, pipeline
 from rosml.expand import Catalogue
 from rosml.ledger import ARTIFACT, INDEX, Ledger
 from rosml.promote import UNDO
 from rosml.services import Services
+from rosml.turn import turn
 from tests.e2e.conftest import CHECKOUT, Run, run
 
 NOTHING = "#!/usr/bin/env bash\n"
+
+NATIVE = base_images.native_architecture()
+OTHER = "amd64" if NATIVE == "arm64" else "arm64"
 
 CONTRACT = """\
 #!/usr/bin/env bash
@@ -35,15 +41,14 @@ mkdir -p /docker-ros/ws
 """
 """The workspace: where WORKDIR has to make a folder, it has the time of day."""
 
-ESSENTIALS = """\
-#!/usr/bin/env bash
-set -euo pipefail
-source "$(dirname "$0")/../build/network.sh"
-apt-get update
-apt-get install --yes --no-install-recommends python3
-"$(dirname "$0")/../build/clean.sh"
+BASE = """\
+FROM {os}
+RUN --mount=type=bind,source=components,target=/run/components --mount=type=bind,source=tools,target=/run/tools \\
+    --mount=type=bind,source=tools/requirements.txt,target=/run/requirements.txt --mount=type=secret,id=ca-bundle \\
+    /run/components/payload/install-assembler.sh
 """
-"""All that the tests' runner needs: a builder with an empty cache would take minutes for the rest."""
+"""The base image of small projects: what the real Dockerfile would install on top of Debian, which a builder with an empty
+cache need not do."""
 
 ROS = """\
 #!/usr/bin/env bash
@@ -106,7 +111,7 @@ class Mini:
 
     def all(self, *arguments: str, env: dict[str, str] | None = None) -> dict[str, Any]:
         """A whole publishing run that succeeds; what it says."""
-        outcome = self.publish("all", "--serve", "amd64", "--json", *arguments, env=env)
+        outcome = self.publish("all", "--serve", NATIVE, "--json", *arguments, env=env)
         assert outcome.code == 0, outcome.err + outcome.out
         content = json.loads(outcome.out)
         assert isinstance(content, dict)
@@ -116,7 +121,7 @@ class Mini:
         self, *arguments: str, env: dict[str, str] | None = None, log: Path = Path(os.devnull)
     ) -> subprocess.Popen[bytes]:
         """A publishing run that somebody ends; what it says goes into a file."""
-        command = self.command("all", "--serve", "amd64", "--registry", self.registry, *arguments)
+        command = self.command("all", "--serve", NATIVE, "--registry", self.registry, *arguments)
         with log.open("wb") as said:
             return subprocess.Popen(
                 command,
@@ -139,23 +144,23 @@ class Mini:
                 found |= {("test", entry.target)} if entry.passed else set()
         return found
 
-    def put_arm64(self, target: str = "bookworm-core", **labels: str) -> str:
-        """Puts what a native runner for arm64 would have left: an image, here of amd64's layers, and its entry, with tests
+    def put_other(self, target: str = "bookworm-core", **labels: str) -> str:
+        """Puts what a runner for the other architecture would have left: an image, here of this one's layers, and its entry, with tests
         that passed. Gives its digest.
 
         Args:
-            target: a ROS image that stands on no other one, and is there for amd64. labels: that it has to itself.
+            target: a ROS image that stands on no other one, and is there for this architecture. labels: that it has to itself.
         """
         client = self.client()
         book, here = Ledger(client, self.prefix), Services.load(self.folder)
-        plan = agenda.survey(here, self.catalogue, client, self.prefix, [target], ["arm64"])
-        item, other = plan.by_key[target, "arm64"], book.read(target, "amd64")
+        plan = agenda.survey(here, self.catalogue, client, self.prefix, [target], [OTHER])
+        item, other = plan.by_key[target, OTHER], book.read(target, NATIVE)
         assert other and not item.needs
         path = book.path(item.repository)
         manifest = client.manifest(path, other.digest)
         assert manifest
         config = client.json_blob(path, manifest.content["config"]["digest"])
-        config["architecture"] = "arm64"
+        config["architecture"] = OTHER
         config["config"]["Labels"] |= {f"io.rosml.{name}": value for name, value in labels.items()}
         data = oci.encoded(config)
         client.put_blob(path, data)
@@ -164,7 +169,7 @@ class Mini:
         known = book.read(*item.key)
         before = (*known.superseded, known.digest) if known else ()
         own = {"inputs": plan.inputs.digest(*item.key), "tested": plan.tests(item), "digest": digest}
-        book.write(replace(other, architecture="arm64", superseded=before, **own), plan.inputs.of(*item.key))  # type: ignore[arg-type]
+        book.write(replace(other, architecture=OTHER, superseded=before, **own), plan.inputs.of(*item.key))  # type: ignore[arg-type]
         return digest
 
     def mark(self, ros: str = "1", payload: str = "1") -> None:
@@ -253,6 +258,38 @@ def begun(said: str) -> set[tuple[str, str]]:
     return {(step, target) for step, target in re.findall(r"^==> (build|compose|test) (\S+) for ", said, re.M)}
 
 
+def base(services: Services, catalogue: Catalogue) -> tuple[str, str]:
+    """Name and digest of the base image of small projects; made where the registry has none of today's recipe."""
+    parent = base_images.ensure(services, catalogue.matrix.operating_systems["bookworm"])
+    recipe = BASE.format(os=parent)
+    used = ("components/payload/install-assembler.sh", "components/build/network.sh", "tools/requirements.txt")
+    content = recipe.encode() + b"".join((ROOT / name).read_bytes() for name in used)
+    repository = f"rosml-test/{hashlib.sha256(content).hexdigest()[:12]}/debian"
+    client = oci.Registry(services.registry)
+    with turn(ROOT / ".state/base/mini.lock", lambda: None), tempfile.TemporaryDirectory() as folder:
+        if not client.head(repository, "bookworm"):
+            for name in used:
+                target = Path(folder, name)
+                target.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(ROOT / name, target)
+            (Path(folder) / "Dockerfile").write_text(recipe)
+            output = f"type=image,push=true,name={services.registry}/{repository}:bookworm"
+            secret = ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
+            command = [
+                *services.buildx,
+                "build",
+                "--progress",
+                "plain",
+                "--provenance=false",
+                "--output",
+                output,
+                *secret,
+            ]
+            outcome = run(*command, folder, env=services.environment())
+            assert outcome.code == 0, outcome.err
+        return f"{services.registry}/{repository}:bookworm", client.head(repository, "bookworm")
+
+
 def make(folder: Path, services: Services) -> Mini:
     """A small checkout in a folder, with a place of its own in the registry."""
     for name in CHECKOUT:
@@ -266,7 +303,10 @@ def make(folder: Path, services: Services) -> Mini:
     matrix = yaml.safe_load((ROOT / "matrix.yaml").read_text())
     matrix["distributions"] = {"bookworm": matrix["distributions"]["bookworm"] | {"components": ["core", "base"]}}
     matrix["distributions"]["bookworm"]["default_stack"] = "cpu"
-    matrix["operating_systems"] = {"bookworm": matrix["operating_systems"]["bookworm"]}
+    image, digest = base(services, expand.load(ROOT / "matrix.yaml"))
+    matrix["operating_systems"] = {
+        "bookworm": matrix["operating_systems"]["bookworm"] | {"image": image, "digest": digest}
+    }
     matrix["frameworks"] = {name: matrix["frameworks"][name] for name in ("none", "tensorflow")}
     matrix["stacks"] = {"cpu": {k: v for k, v in matrix["stacks"]["cpu"].items() if k != "torch"}}
     matrix["releases"] = {"tensorflow": {"2.20.0": matrix["releases"]["tensorflow"]["2.20.0"]}, "torch": {}}
@@ -282,10 +322,11 @@ def make(folder: Path, services: Services) -> Mini:
         if (ROOT / ".state" / name).exists():
             (folder / ".state" / name).symlink_to(ROOT / ".state" / name)
     facts = json.loads((ROOT / ".state" / "services.json").read_text())
-    own = {"builder": services.builder, "builder_kind": services.builder_kind}
+    own = {"builder": services.builder, "builder_kind": services.builder_kind, "mirror": False}
     (folder / ".state" / "services.json").write_text(json.dumps(facts | own))
     for name, text in {
-        "base/install": ESSENTIALS,
+        "base/install": NOTHING,
+        "payload/install-assembler": NOTHING,
         "base/contract": CONTRACT,
         "tensorflow/install-compiler": NOTHING,
     }.items():

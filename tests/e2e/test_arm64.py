@@ -1,26 +1,23 @@
-"""Images for arm64, built and tested under emulation: import, arithmetic, C++ programs, ROS that talks.
+"""Images for the other architecture, built and tested under emulation: import, arithmetic, C++ programs, ROS that talks.
 
-On two cores it takes half an hour, so `make test` leaves it out; `make test-arm64` runs it.
+On two cores it takes half an hour; `make test-all PROOF=arm64` runs it.
 """
 
 from __future__ import annotations
 
 import json
-import os
 
 import pytest
 
 from rosml import base_images
 from tests.e2e.conftest import publish
 
-FOREIGN = base_images.native_architecture() != "arm64"
-"""On a machine for arm64 these are the images of all other tests."""
+OTHER = "amd64" if base_images.native_architecture() == "arm64" else "arm64"
 
 
-@pytest.mark.skipif(not os.environ.get("ROSML_TEST_ARM64"), reason="half an hour under emulation: make test-arm64")
-@pytest.mark.skipif(not FOREIGN, reason="this machine is for arm64: test_images.py builds for it")
-def test_both_frameworks_on_arm64() -> None:
-    outcome = publish("bookworm-core-ml-cpu", "--platform", "linux/arm64")
+@pytest.mark.full(proof="arm64")
+def test_both_frameworks_on_the_other_architecture() -> None:
+    outcome = publish("bookworm-core-ml-cpu", "--platform", f"linux/{OTHER}")
     assert outcome.code == 0, outcome.err
     result = json.loads(outcome.out)
     assert result["failed"] == 0

@@ -20,7 +20,7 @@ from rosml.services import Services
 from rosml.signer import Signer, SignerFailed
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG, run
-from tests.e2e.mini import Mini
+from tests.e2e.mini import NATIVE, Mini
 
 ONLY = ("--only", "bookworm-core-tensorflow-cpu")
 
@@ -71,16 +71,16 @@ def test_entries_and_provenance(mini: Mini) -> None:
     with oci.Registry(mini.services.registry) as counting:
         services = Services.load(mini.folder)
         plan = agenda.survey(
-            services, mini.catalogue, counting, mini.prefix, [ONLY[1]], ("amd64",), date="2027-01-01T00:00:00Z"
+            services, mini.catalogue, counting, mini.prefix, [ONLY[1]], (NATIVE,), date="2027-01-01T00:00:00Z"
         )
-        again = Pipeline(plan, counting, services.registry, mini.prefix, LOG.info, ("amd64",))
+        again = Pipeline(plan, counting, services.registry, mini.prefix, LOG.info, (NATIVE,))
         for step in ("build", "compose", "test", "index", "promote"):
             getattr(again, step)()
         assert (again.outcomes, counting.uploaded) == ([], 0)
 
     test = mini.folder / "tests/structure/contract.yaml"
     test.write_text(test.read_text() + "# another\n")
-    image = known["bookworm-core", "amd64"]
+    image = known["bookworm-core", NATIVE]
     where = (f"{mini.prefix}/{image.repository}", image.digest, ledger.ARTIFACT)
     mini.all(*ONLY)
     known = entries(mini)
@@ -89,7 +89,7 @@ def test_entries_and_provenance(mini: Mini) -> None:
     (left,) = client.referrers(*where)
     assert client.manifest(where[0], left["digest"]), "the newest one"
     found = Ledger(client, mini.prefix).attached(image.repository, image.digest)
-    assert found and found[0].facts == known["bookworm-core", "amd64"].facts
+    assert found and found[0].facts == known["bookworm-core", NATIVE].facts
     assert json.loads(mini.publish("prune", "--json").out)["superseded"] == []
 
     book = Ledger(client, mini.prefix)
@@ -129,7 +129,7 @@ def cosign(tmp_path: Path, mini: Mini) -> dict[str, str]:
 
 def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
     """By the real cosign: before tags move, once, and only ours count."""
-    refused = mini.publish("all", "--serve", "amd64", "--sign", *ONLY, env=cosign | {"COSIGN_PASSWORD": "wrong"})
+    refused = mini.publish("all", "--serve", NATIVE, "--sign", *ONLY, env=cosign | {"COSIGN_PASSWORD": "wrong"})
     assert refused.code == 1 and "the signing key cannot be read" in refused.err and "COSIGN_PASSWORD" in refused.err
     assert mini.tags() == {}, "it is told before anything is built"
     done = mini.all(*ONLY, "--sign", env=cosign)
@@ -148,7 +148,7 @@ def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
         assert sum("sigstore" in kind for kind in kinds) == 1, kinds
     assert mini.all(*ONLY, "--sign", env=cosign)["outcomes"] == []
 
-    image = known["bookworm-core", "amd64"]
+    image = known["bookworm-core", NATIVE]
     with pytest.raises(SignerFailed, match="has no signature"):
         signer.verify(f"{mini.services.registry}/{mini.prefix}/ros@{image.digest}")
     pruned = json.loads(mini.publish("prune", "--days", "0", "--newest", "0", "--json").out)

@@ -1,11 +1,10 @@
-"""Images are put together in the registry: the same as a build gives, in next to no time and bytes."""
+"""Images are put together in the registry: the same as a build gives, in next to no bytes."""
 
 from __future__ import annotations
 
 import gzip
 import json
 import sys
-import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -14,19 +13,16 @@ from typing import Any
 import pytest
 
 from rosml import ROOT, compose, filelist, oci, registry
-from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.services import Services
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG, NAMESPACE, Published, Run, run
+from tests.e2e.images import build, push_payload
 from tests.e2e.mini import Mini
-from tests.e2e.test_images import build, push_payload
 
 PARTS = ("common-cpu-py311", "tensorflow-cc-cpu", "tensorflow-cpu-py311")
-SECONDS, BYTES = 1.0, 10_000
-"""What composing an image may take."""
-TRIES = 5
-"""How often it may try, on a machine whose processors others take."""
+BYTES = 10_000
+"""What composing an image may upload."""
 
 
 @pytest.fixture(scope="module")
@@ -41,17 +37,13 @@ def composed(checkout: Path, *arguments: str) -> Run:
     return run(sys.executable, str(ROOT / "scripts/compose.py"), *arguments, cwd=checkout)
 
 
-def small_and_quick(checkout: Path, tag: str, *images: str) -> dict[str, Any]:
-    """Composes an image and holds it to its budgets. Seconds count when nothing else takes the processors: it may try again,
-    with other tags. What the first call says."""
-    said: list[dict[str, Any]] = []
-    while not said or (len(said) < TRIES and said[-1]["seconds"] >= SECONDS):
-        outcome = composed(checkout, *images, "--tag", f"{tag}-{len(said)}" if said else tag, "--json")
-        assert outcome.code == 0, outcome.err
-        said.append(json.loads(outcome.out))
-    assert said[-1]["seconds"] < SECONDS, [item["seconds"] for item in said]
-    assert said[0]["uploaded"] < BYTES
-    return said[0]
+def small(checkout: Path, tag: str, *images: str) -> dict[str, Any]:
+    """Composes an image, of which no layer is moved, and holds it to its bytes; what the command says."""
+    outcome = composed(checkout, *images, "--tag", tag, "--json")
+    assert outcome.code == 0, outcome.err
+    said: dict[str, Any] = json.loads(outcome.out)
+    assert said["uploaded"] < BYTES and said["copied"] == 0
+    return said
 
 
 def parts(mini: Mini) -> list[str]:
@@ -75,8 +67,8 @@ def test_as_a_build_would_make_it(mini: Mini) -> None:
     target = "bookworm-core-tensorflow-cpu"
     namespace = f"{mini.prefix}/built"
     outcome = run(*mini.command("image", target, "--namespace", namespace, "--json"), cwd=mini.folder)
-    assert outcome.code in (0, 1), outcome.err  # the budget and labels are the real ones' business
-    built = config(client, f"{namespace}/ros-tf", json.loads(outcome.out)["manifest"] if outcome.code == 0 else "")
+    assert outcome.code == 0, outcome.err
+    built = config(client, f"{namespace}/ros-tf", json.loads(outcome.out)["manifest"])
     ours = config(client, f"{mini.prefix}/ros-tf", "bookworm-core-cpu")
     assert ours[0] == built[0]
     for name in ("Entrypoint", "Cmd", "WorkingDir", "Labels"):
@@ -89,10 +81,10 @@ def test_as_a_build_would_make_it(mini: Mini) -> None:
 
 
 def test_for_users(mini: Mini) -> None:
-    """Under a second, under ten kilobytes, whatever the order; by a second call nothing at all."""
+    """Under ten kilobytes, whatever the order; a second call changes nothing."""
     tag = f"{mini.registry}/mine:latest"
-    said = small_and_quick(mini.folder, tag, f"{mini.registry}/ros:bookworm-core", *parts(mini))
-    assert said["copied"] == 0 and said["mounted"] == said["layers"]
+    said = small(mini.folder, tag, f"{mini.registry}/ros:bookworm-core", *parts(mini))
+    assert said["mounted"] == said["layers"]
     again = composed(mini.folder, f"{mini.registry}/ros:bookworm-core", *parts(mini)[::-1], "--tag", tag, "--json")
     assert json.loads(again.out)["digest"] == said["digest"]
     layers, found = config(mini.client(), f"{mini.prefix}/mine", "latest")
@@ -145,7 +137,7 @@ def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
     assert "both carry /opt/mini-payload/tensorflow-cc" in outcome.err
 
 
-def test_two_hundred_images_in_a_minute(mini: Mini) -> None:
+def test_two_hundred_images(mini: Mini) -> None:
     """Each of a ROS image of its own: a config of its own over layers that are there."""
     client = mini.client()
     layers, found = config(client, f"{mini.prefix}/ros", "bookworm-core")
@@ -170,32 +162,11 @@ def test_two_hundred_images_in_a_minute(mini: Mini) -> None:
             target = f"{mini.registry}/many:{number}"
             return composer.compose(f"{mini.registry}/ros@{images[number]}", parts(mini), target)
 
-        start = time.monotonic()
         results = list(pool.map(one, range(200)))
-        seconds = time.monotonic() - start
-    assert seconds < 60
     assert len({result.digest for result in results}) == 200
     assert max(result.uploaded for result in results) < BYTES
     assert len(client.tags(f"{mini.prefix}/many")) == 200
-    LOG.info("200 images in %.1f s, %d bytes", seconds, sum(result.uploaded for result in results))
-
-
-def test_a_registry_that_refuses_leaves_no_tag(mini: Mini, monkeypatch: pytest.MonkeyPatch) -> None:
-    client = mini.client()
-    put = oci.Registry.put_manifest
-
-    def refuse(self: oci.Registry, repository: str, reference: str, *rest: Any) -> str:
-        if reference == "broken":
-            raise RosmlError("the connection was dropped", "run it again")
-        return put(self, repository, reference, *rest)
-
-    monkeypatch.setattr(oci.Registry, "put_manifest", refuse)
-    with (
-        compose.Composer(lambda _: client, mini.folder / "cache") as composer,
-        pytest.raises(RosmlError, match="dropped"),
-    ):
-        composer.compose(f"{mini.registry}/ros:bookworm-core", parts(mini), f"{mini.registry}/mine:broken")
-    assert client.head(f"{mini.prefix}/mine", "broken") == ""
+    LOG.info("200 images, %d bytes", sum(result.uploaded for result in results))
 
 
 def test_a_real_one_runs(
@@ -216,7 +187,7 @@ def test_a_real_one_runs(
         assert filelist.ARTIFACT in listed, "other tools find the list as well"
     tag = f"{place}/composed:latest"
     payloads = [f"{place}/payload:{name}" for name in image.image.parts]
-    small_and_quick(ROOT, tag, f"{place}/ros:bookworm-core", *payloads)
+    small(ROOT, tag, f"{place}/ros:bookworm-core", *payloads)
     layers, found = config(client, f"{NAMESPACE}/composed", "latest")
     assert layers == image.layers
     built = config(client, f"{NAMESPACE}/{image.image.repository}", image.result["manifest"])[1]

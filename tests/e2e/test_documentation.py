@@ -17,7 +17,7 @@ from rosml import ROOT, registry
 from rosml.services import Services
 from tests.documented import SHELLS, Block, blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, run
-from tests.e2e.test_images import FIRST, build
+from tests.e2e.images import build
 
 Publish = Callable[[str], Published]
 
@@ -87,8 +87,9 @@ def node(services: Services, image: Published, folder: Path) -> None:
     assert re.search(r"^#\d+ [\d.]+ cpu after 2 s$", said, re.MULTILINE), said
 
 
+@pytest.mark.full(proof="cuda")
 def test_cplusplus_with_pytorch(services: Services, published: Publish, tmp_path: Path) -> None:
-    image = published(FIRST)
+    image = published("bookworm-core-torch-cu128")
     (tmp_path / "example").mkdir()
     example(services, image, tmp_path / "example", "PyTorch")
     node(services, image, tmp_path / "node")

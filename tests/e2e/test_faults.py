@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import os
 import signal
 import subprocess
 import sys
@@ -13,26 +11,11 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, registry
+from rosml import registry
 from rosml.services import Services
-from tests.e2e.conftest import HANGS, NAMESPACE, Published, publish, run
+from tests.e2e.conftest import HANGS, NAMESPACE, Published, publish, run, small_file_system
 
 TARGET = "bookworm-core"
-
-
-def rewrite_services(checkout: Path, **changes: object) -> None:
-    """Replaces facts in the checkout's services.json; the link to the real one goes."""
-    path = checkout / ".state" / "services.json"
-    content = json.loads(path.read_text()) | changes
-    path.unlink()
-    path.write_text(json.dumps(content))
-
-
-def test_an_unknown_target_names_near_ones() -> None:
-    outcome = publish("bookworm-core-torch-cu129")
-    assert outcome.code == 2
-    assert "bookworm-core-torch-cu128" in outcome.err
-    assert "Traceback" not in outcome.err
 
 
 def test_a_failing_structure_test_leaves_every_tag(
@@ -118,31 +101,12 @@ def test_a_stale_bake_file_is_found_and_written_anew(published: Callable[[str], 
     assert run(sys.executable, generator, "--check", "--output", str(checkout / "docker-bake.hcl")).code == 0
 
 
-def test_a_registry_that_is_down(checkout: Path) -> None:
-    rewrite_services(checkout, registry="127.0.0.1:9")  # the discard port: nothing answers
-    outcome = publish(TARGET, root=checkout)
-    assert outcome.code == 1
-    assert "registry at 127.0.0.1:9 does not answer" in outcome.err
-    assert "make up" in outcome.err
-
-
-def test_a_builder_that_is_down(checkout: Path) -> None:
-    rewrite_services(checkout, builder="nobody")
-    outcome = publish(TARGET, root=checkout)
-    assert outcome.code == 1
-    assert "builder 'nobody'" in outcome.err
-    assert "make up" in outcome.err
-
-
 @pytest.fixture
-def full_disk(checkout: Path) -> Iterator[Path]:
+def full_disk(checkout: Path, services: Services) -> Iterator[Path]:
     """The checkout with its state on a file system of 50 MB."""
-    if os.geteuid() != 0:
-        pytest.skip("mounting a small file system needs root")
     content = (checkout / ".state" / "services.json").read_text()
     state = checkout / ".state"
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=50m", "tmpfs", str(state)], check=False).returncode != 0:
-        pytest.skip("this machine does not allow mounts")
+    small_file_system(state, "50m", services)
     (state / "services.json").write_text(content)
     yield checkout
     subprocess.run(["umount", str(state)], check=True)
@@ -182,13 +146,6 @@ def test_interrupted_in_the_middle(
     for tag in before.result["tags"]:
         assert registry.digest(services, tag) == before.result["digest"]
     assert publish(TARGET).code == 0
-
-
-def test_make_lists_its_commands() -> None:
-    outcome = run("make", cwd=ROOT)
-    assert outcome.code == 0
-    for command in ("image", "test", "list", "up", "down", "clean"):
-        assert f"{command} " in outcome.out
 
 
 def test_the_root_of_a_build_step_is_the_builders_alone(

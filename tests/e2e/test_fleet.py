@@ -24,14 +24,10 @@ from rosml.pipeline import now
 from rosml.services import Services
 from tests.e2e import mini as minis
 from tests.e2e.builders import builder
-from tests.e2e.conftest import HANGS, run
-from tests.e2e.mini import NOTHING, Mini, begun
+from tests.e2e.conftest import HANGS, run, small_file_system
+from tests.e2e.mini import NATIVE, NOTHING, Mini, begun
 
-
-@pytest.fixture(scope="module", autouse=True)
-def buildkitd(services: Services) -> None:
-    if services.builder_kind != "buildkitd":
-        pytest.skip("needs a buildkitd of our own, which this machine's Docker takes the place of")
+pytestmark = pytest.mark.usefixtures("own_builders")
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +67,7 @@ def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Servic
         (mini.folder / name).write_text(NOTHING)
     plan = tmp_path / "plan.json"
     assert mini.publish("plan", "--output", str(plan), "--shards", "4").code == 0
-    shards = [shard for shard in json.loads(plan.read_text())["shards"] if shard["architecture"] == "amd64"]
+    shards = [shard for shard in json.loads(plan.read_text())["shards"] if shard["architecture"] == NATIVE]
     assert [shard["distributions"] for shard in shards] in (
         [["bookworm"], ["other"]],
         [["other"], ["bookworm"]],
@@ -94,7 +90,7 @@ def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Servic
             assert {f"{distribution}-core", f"{distribution}-base"} <= done
             assert not any(name.startswith("other" if distribution == "bookworm" else "bookworm") for name in done)
     for step in ("compose", "index", "promote"):
-        assert mini.publish(step, "--plan", str(plan), "--serve", "amd64").code == 0
+        assert mini.publish(step, "--plan", str(plan), "--serve", NATIVE).code == 0
     assert mini.tags() == {}, "nothing was tested"
     made = {
         entry["target"] for entry in json.loads(mini.publish("plan", "--json").out)["tasks"] if "test" in entry["steps"]
@@ -141,12 +137,9 @@ def _mended(mini: Mini, tags: dict[str, str]) -> None:
 
 
 def test_a_builder_without_room(mini: Mini, services: Services, tmp_path: Path) -> None:
-    if os.geteuid() != 0:
-        pytest.skip("mounting a small file system needs root")
     disk = tmp_path / "disk"
     disk.mkdir()
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=60m", "tmpfs", str(disk)], check=False).returncode != 0:
-        pytest.skip("this machine does not allow mounts")
+    small_file_system(disk, "60m", services)
     tags = published(mini, "bookworm-core")
     try:
         name = f"small-{os.getpid()}"
@@ -238,7 +231,7 @@ def test_a_registry_that_fails_now_and_then(mini: Mini, services: Services) -> N
             place = f"{address}/{mini.prefix}"
             outcome = run(
                 *mini.command(
-                    "all", "--only", "bookworm-core*", "--serve", "amd64", "--registry", place, "--date", date
+                    "all", "--only", "bookworm-core*", "--serve", NATIVE, "--registry", place, "--date", date
                 ),
                 cwd=mini.folder,
             )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 from collections.abc import Callable
@@ -14,19 +13,13 @@ from rosml import ROOT, base_images, builder, publish, registry, verify
 from rosml.expand import Catalogue
 from rosml.services import Services
 from tests.e2e.conftest import LOG, NAMESPACE, Published
-from tests.e2e.test_images import build, build_on
+from tests.e2e.images import build, build_on
 
 Publish = Callable[[str], Published]
 
-AGAIN = os.environ.get("ROSML_TEST_REPRODUCIBLE", "bookworm-core").split()
-"""Images that are built once more without a cache; "bookworm-desktop-full trixie-desktop-full" takes ten minutes more."""
 
-DESKTOP = os.environ.get("ROSML_TEST_DESKTOP", "")
-DESKTOPS = ["bookworm-desktop", "trixie-desktop"] if DESKTOP == "1" else DESKTOP.split()
-"""Images whose windows are opened: 1 for those that are built here, or names of others."""
-
-
-@pytest.mark.parametrize("target", AGAIN)
+@pytest.mark.full(proof="rebuild")
+@pytest.mark.parametrize("target", ["bookworm-core"])
 def test_the_same_packages_give_the_same_layers(
     target: str, published: Publish, services: Services, catalogue: Catalogue
 ) -> None:
@@ -56,9 +49,8 @@ def test_one_more_package_from_the_images_own_apt_source(
     assert 'child_frame_id: "camera"' in said
 
 
-@pytest.mark.parametrize(
-    "target", DESKTOPS or [pytest.param("", marks=pytest.mark.skip("ROSML_TEST_DESKTOP is not set"))]
-)
+@pytest.mark.full(proof="desktop")
+@pytest.mark.parametrize("target", ["bookworm-desktop", "trixie-desktop"])
 def test_windows_open(services: Services, published: Publish, tmp_path: Path, target: str) -> None:
     """rviz and a program of Qt's on a virtual display, which no image has: the structure tests have no network."""
     steps = ["install-packages xvfb x11-utils", "timeout --kill-after=10 400 /entrypoint.sh /desktop/run.sh"]
@@ -84,6 +76,7 @@ def test_a_containerizers_flow(services: Services, published: Publish, tmp_path:
     assert "score: python" in said and "score: c++" in said
 
 
+@pytest.mark.full(proof="wheels")
 def test_ros_2_from_wheels_is_a_row_of_its_own(published: Publish) -> None:
     """rclpy talks under the entrypoint, as root and as a user: its structure tests say so."""
     image = published("jazzy-wheels-core")

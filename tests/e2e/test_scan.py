@@ -31,6 +31,7 @@ from rosml.scan import Outcome, Part
 from rosml.services import Services
 from rosml.trivy import Database, ScannerFailed, Trivy
 from tests.e2e.conftest import LOG, NAMESPACE, Published
+from tests.e2e.mini import NATIVE
 
 UPDATED = datetime.now(UTC).replace(microsecond=0) - timedelta(hours=1)
 
@@ -147,7 +148,7 @@ def joined(services: Services, catalogue: Catalogue, registry: Any, published: C
     made = payloads.publish(services, catalogue, item, LOG.info, NAMESPACE)
     index = registry.manifest(f"{NAMESPACE}/payload", made.digest).content
     wheels = next(
-        (it["digest"] for it in index.get("manifests", []) if it["platform"]["architecture"] == "amd64"), made.digest
+        (it["digest"] for it in index.get("manifests", []) if it["platform"]["architecture"] == NATIVE), made.digest
     )
     parts = (
         Part.of("bookworm-core", ros.reference, True),
@@ -200,7 +201,7 @@ def test_parts_are_scanned(
     trivy: Trivy, rules: policy.Rules, database: Database, registry: Any, joined: Joined
 ) -> None:
     """Debian's packages and Python's wheels; what no version mends is listed, and what is mended here is not."""
-    image = scan.Image("bookworm-core-common-cu128", "amd64", joined.parts)
+    image = scan.Image("bookworm-core-common-cu128", NATIVE, joined.parts)
     shelf = sbom.Shelf(registry, f"trivy {trivy.version}")
     facts: dict[str, Any] = {"now": datetime.now(UTC), "whole": True, "say": LOG.info}
     run = scan.scan_images([image], rules, trivy, shelf, **facts)
@@ -247,7 +248,7 @@ def test_a_database_that_is_too_old(
 ) -> None:
     old = Trivy(trivy.program, trivy.version, tmp_path, trivy.environment)
     write_database(tmp_path / "db", UPDATED - timedelta(days=9))
-    image = scan.Image("joined", "amd64", joined.parts)
+    image = scan.Image("joined", NATIVE, joined.parts)
     shelf = sbom.Shelf(registry, f"trivy {trivy.version}")
     run = scan.scan_images([image], rules, old, shelf, now=datetime.now(UTC), whole=True)
     assert run.outcome is Outcome.SCANNER_FAILED

@@ -24,11 +24,12 @@ from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.builders import builder
 from tests.e2e.conftest import Run, run
-from tests.e2e.mini import NOTHING, Mini
+from tests.e2e.mini import NATIVE, NOTHING, Mini
 from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
-from tests.e2e.test_fleet import buildkitd  # noqa: F401 (a fixture)
 
-ONLY = ("--only", "bookworm-core*", "--serve", "amd64")
+pytestmark = pytest.mark.usefixtures("own_builders")
+
+ONLY = ("--only", "bookworm-core*", "--serve", NATIVE)
 SECRETS = (PASSWORD, encoded(NAME, PASSWORD), encoded(NAME, "wrong-" + PASSWORD), json.dumps(PASSWORD)[1:-1])
 HELPER = '#!/bin/sh\ntest "$1" = get || exit 1\nread -r server\nprintf "%s" "$(cat "$0.secret")"\n'
 
@@ -185,7 +186,7 @@ def test_a_credential_helper(company: Company, tmp_path: Path, monkeypatch: pyte
     (tmp_path / f"{helper.name}.secret").write_text(json.dumps(secret))
     monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
     company.login(credHelpers={company.secure.host: "stand-in"})
-    outcome = company.publish("all", "--only", "bookworm-core", "--serve", "amd64")
+    outcome = company.publish("all", "--only", "bookworm-core", "--serve", NATIVE)
     assert outcome.code == 0, outcome.err
     assert "ros:bookworm-core" in company.tags()
     nothing_secret(company, outcome)
@@ -196,7 +197,7 @@ def test_the_environment(company: Company, monkeypatch: pytest.MonkeyPatch) -> N
     company.login(auths={company.secure.host: {"auth": encoded(NAME, "wrong-" + PASSWORD)}})
     right = {"auths": {company.secure.host: {"auth": encoded(NAME, PASSWORD)}}}
     monkeypatch.setenv("DOCKER_AUTH_CONFIG", json.dumps(right))
-    outcome = company.publish("all", "--only", "bookworm-core", "--serve", "amd64")
+    outcome = company.publish("all", "--only", "bookworm-core", "--serve", NATIVE)
     assert outcome.code == 0, outcome.err
     assert "ros:bookworm-core" in company.tags()
     nothing_secret(company, outcome)
@@ -286,7 +287,7 @@ def test_a_bundle_for_everything(
         outcome = company.publish("build", "--only", "bookworm-core", "--json")
     assert outcome.code == 0, outcome.err
     book = Ledger(oci.Registry(host, ca_bundle=str(bundle)), company.prefix)
-    entry = book.read("bookworm-core", "amd64")
+    entry = book.read("bookworm-core", NATIVE)
     assert entry
     layers = images.layers(Services.load(machine), f"{host}/{company.prefix}/ros@{entry.digest}")
     assert sum(layer.size for layer in layers) == entry.size

@@ -25,7 +25,7 @@ from rosml.programs import pinned_version
 from rosml.services import Services
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG
-from tests.e2e.mini import Mini
+from tests.e2e.mini import NATIVE, Mini
 
 SCANNER = """\
 #!{python} -IS
@@ -97,7 +97,7 @@ class Night:
         """What stands for GitHub's expressions, and the files that it reads."""
         found = {
             "REGISTRY": self.mini.registry,
-            "SERVE": "amd64",
+            "SERVE": NATIVE,
             "SHARDS": "2",
             "ONLY": self.only,
             "ROSML_FORCE": "",
@@ -227,7 +227,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     assert mini.tags() == {}
     assert {name.partition("/")[0] for name in first.artifacts["scan"]} == {"scan.json", "reports"}
     book = Ledger(mini.client(), mini.prefix)
-    before = book.read("bookworm-base-tensorflow-cpu", "amd64")
+    before = book.read("bookworm-base-tensorflow-cpu", NATIVE)
     assert before and before.digest and not before.scanned, "the scan wrote nothing"
 
     time.sleep(1.1)  # another date
@@ -240,7 +240,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     date = json.loads(second.artifacts["plan"]["plan.json"])["date"]
     found = mini.client().manifest(f"{mini.prefix}/ros-tf", "bookworm-base-cpu")
     assert found and found.content["annotations"]["io.rosml.date"] == date
-    after = book.read("bookworm-base-tensorflow-cpu", "amd64")
+    after = book.read("bookworm-base-tensorflow-cpu", NATIVE)
     assert after and (after.digest, after.scanned) == (before.digest, "clean")
     assert f"## Plan of {date}" in second.summary
     assert "| promote | `bookworm-base-tensorflow-cpu` |" in second.summary

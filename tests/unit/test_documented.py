@@ -22,8 +22,8 @@ from rosml.expand import Catalogue
 from rosml.explain import explain
 from rosml.listing import members
 from scripts import bench, compose, publish
+from tests.calls import lacking
 from tests.documented import blocks, commands, documented, pages
-from tests.proofs import lacking
 
 PROOFS: dict[str, dict[str, str]] = yaml.safe_load((ROOT / "tests/documented.yaml").read_text())
 SCRIPTS = {**COMMANDS, "scripts/bench.py": bench.main, "scripts/compose.py": compose.main}

@@ -1,0 +1,101 @@
+"""What tests do with published images: build on them as users do, and push single targets."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from rosml import ROOT, base_images, builder, names, registry
+from rosml.expand import Payload
+from rosml.publish import COMPRESSION
+from rosml.services import Services
+from tests.e2e.conftest import NAMESPACE, Published, run
+
+Publish = Callable[[str], Published]
+
+NATIVE = base_images.native_architecture()
+PLATFORM = f"linux/{NATIVE}"
+
+
+def build(services: Services, folder: Path, *options: str) -> str:
+    """Builds a folder's Dockerfile as a user would; returns what the builder said: of every step, because what another run or
+    another test left in the cache says nothing."""
+    if not any(option.startswith("--no-cache") for option in options):
+        options = ("--no-cache", *options)
+    secret = ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
+    command = [*services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", *secret, *options]
+    outcome = run(*command, str(folder), env=services.environment())
+    assert outcome.code == 0, outcome.err
+    return outcome.err
+
+
+INSTALL = """\
+#!/bin/bash
+set -e
+source /run/network.sh
+apt-get update
+apt-get install --yes "$@"
+"""
+
+
+def build_on(services: Services, image: Published, folder: Path, steps: Sequence[str], name: str = "") -> str:
+    """Builds on an image; returns what the builder said.
+
+    Args:
+        services: what `make up` started.
+        image: to build on.
+        folder: an empty one.
+        steps: commands; one of them may be `install-packages PACKAGE…`, from the image's own apt source.
+        name: of a folder beside this file, which becomes /NAME.
+    """
+    shutil.copy(ROOT / "components/build/network.sh", folder)
+    (folder / "install-packages").write_text(INSTALL)
+    (folder / "install-packages").chmod(0o755)
+    if name:
+        shutil.copytree(Path(__file__).parent / name, folder / name)
+    mounts = (
+        "--mount=type=bind,source=network.sh,target=/run/network.sh --mount=type=secret,id=ca-bundle "
+        "--mount=type=bind,source=install-packages,target=/usr/local/bin/install-packages"
+    )
+    lines = [f"FROM {image.result['reference']}", *([f"COPY {name} /{name}"] if name else [])]
+    lines += [f"RUN {mounts if step.startswith('install-packages') else ''} {step}" for step in steps]
+    (folder / "Dockerfile").write_text("\n".join(lines) + "\n")
+    return build(services, folder)
+
+
+def push(
+    services: Services,
+    base: Published,
+    target: str,
+    prefix: str,
+    *sets: str,
+    variables: Mapping[str, str] | None = None,
+) -> None:
+    """Builds a target, on the operating system of a published image, and pushes it by its tags below a place."""
+    bake = builder.Bake(
+        target,
+        f"push-{target}",
+        ROOT / "docker-bake.hcl",
+        (f"{target}.output=type=image,push=true,{COMPRESSION}", *sets),
+        {
+            "REGISTRY": prefix,
+            names.os_variable(base.image.os): base_image(base),
+            "PLATFORM": PLATFORM,
+            **(variables or {}),
+        },
+    )
+    builder.run(services, bake)
+
+
+def push_payload(
+    services: Services, image: Published, payload: Payload, *sets: str, variables: Mapping[str, str] | None = None
+) -> list[str]:
+    """Pushes a payload as an image of its own, by its name as a tag; returns its layers."""
+    prefix = f"{services.registry}/{NAMESPACE}"
+    push(services, image, payload.target, prefix, *sets, variables=variables)
+    return [layer.digest for layer in registry.layers(services, f"{prefix}/payload:{payload.name}")]
+
+
+def base_image(image: Published) -> str:
+    return f"docker-image://{image.result['base'].split()[0]}"

@@ -1,0 +1,210 @@
+"""Runs the suite, says where its time went, and records what was proved.
+
+`make test` is what every change must pass. `make test-all` is that and every proof in tests/proofs/; `SHARD=i/n` deals them out
+to n machines, `PROOF=name` runs one of them.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+
+import click
+
+from tests.proof import ROOT, Proof, Proved, names
+
+LOGS = ROOT / ".state" / "log"
+LANES = ("--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder", "--verbose")
+QUICK_MINUTES = 30.0
+"""About how long `make test` takes on two cores."""
+
+
+@dataclass(frozen=True)
+class Phase:
+    """One call of pytest, or of something else."""
+
+    name: str
+    command: Sequence[str]
+    environment: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a phase ended: seconds, exit code, and what its tests came to."""
+
+    name: str
+    seconds: float
+    code: int
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+    log: Path = Path()
+
+
+def pytest(*arguments: str) -> list[str]:
+    """A call of pytest in this environment."""
+    return [sys.executable, "-m", "pytest", *arguments]
+
+
+QUICK = (
+    Phase("linters and unit tests", pytest("--numprocesses=auto", "tests/lint", "tests/unit")),
+    Phase("the catalogue's page", pytest("tests/page")),
+    Phase("real images", pytest(*LANES, "-m", "not full", "tests/e2e")),
+)
+"""What `make test` runs after the set-up."""
+
+
+def proof_phase(proof: Proof) -> Phase:
+    """The call that proves something."""
+    return Phase(f"proof: {proof.name}", pytest(*LANES, *proof.arguments), proof.environment)
+
+
+def run(phase: Phase) -> Outcome:
+    """Runs a phase; what it says is on the terminal and in a log."""
+    click.secho(f"==> {phase.name}", bold=True, err=True)
+    LOGS.mkdir(parents=True, exist_ok=True)
+    name = re.sub(r"[^a-z0-9]+", "-", phase.name)
+    log, counts = LOGS / f"test-{name}.log", LOGS / f"test-{name}.xml"
+    counts.unlink(missing_ok=True)
+    started = time.monotonic()
+    with log.open("wb") as stream:
+        process = subprocess.Popen(
+            [*phase.command, f"--junitxml={counts}"],
+            cwd=ROOT,
+            env={**os.environ, **phase.environment},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
+        assert process.stdout
+        try:
+            while data := process.stdout.read1():
+                stream.write(data)
+                sys.stdout.buffer.write(data)
+                sys.stdout.flush()
+        except BaseException:
+            process.terminate()
+            process.wait()
+            raise
+        code = process.wait()
+    return Outcome(phase.name, time.monotonic() - started, code, *_counts(counts), log)
+
+
+def _counts(file: Path) -> tuple[int, int, int]:
+    """Tests that passed, failed and were skipped, by a report in JUnit's form; none where there is no report."""
+    if not file.is_file():
+        return 0, 0, 0
+    suites = list(ElementTree.parse(file).getroot().iter("testsuite"))
+    total, failed, errors, skipped = (
+        sum(int(suite.get(name, "0")) for suite in suites) for name in ("tests", "failures", "errors", "skipped")
+    )
+    return total - failed - errors - skipped, failed + errors, skipped
+
+
+def deal(proofs: Sequence[Proof], shard: int, shards: int) -> tuple[bool, list[Proof]]:
+    """What one of several machines runs: whether `make test` is in it, and which proofs; the longest are dealt first, each to
+    the machine that has least."""
+    loads = [0.0] * shards
+    loads[0] = QUICK_MINUTES
+    mine = []
+    for proof in sorted(proofs, key=lambda proof: (-proof.minutes, proof.name)):
+        least = loads.index(min(loads))
+        loads[least] += proof.minutes
+        if least == shard - 1:
+            mine.append(proof)
+    return shard == 1, sorted(mine, key=lambda proof: proof.name)
+
+
+def settle(proof: Proof, outcome: Outcome) -> str:
+    """Records a proof, or says why it is none. In CI nothing is written: the committed proof must agree.
+
+    Returns:
+        What is wrong; empty where it was proved.
+    """
+    if outcome.code or outcome.failed or outcome.skipped or not outcome.passed:
+        return f"{proof.name}: {outcome.failed} failed, {outcome.skipped} skipped, {outcome.passed} passed"
+    if os.environ.get("CI"):
+        stale = proof.stale()
+        if not stale and proof.proved and proof.proved.passed != outcome.passed:
+            stale = f"{proof.name}: {outcome.passed} tests passed, and tests/proofs/{proof.name}.yaml says {proof.proved.passed}"
+        return stale
+    log = "sha256:" + hashlib.sha256(outcome.log.read_bytes()).hexdigest()
+    proof.record(Proved(datetime.now(UTC).date().isoformat(), proof.digest(), outcome.passed, log))
+    return ""
+
+
+def set_up(commands: Sequence[str]) -> Outcome:
+    """Runs commands of scripts/bootstrap.py."""
+    started, code = time.monotonic(), 0
+    for command in commands:
+        code = (
+            code or subprocess.run([sys.executable, "scripts/bootstrap.py", command], cwd=ROOT, check=False).returncode
+        )
+    return Outcome("set-up for proofs", time.monotonic() - started, code)
+
+
+def table(outcomes: Sequence[Outcome]) -> str:
+    """Where the time went."""
+    rows = [("phase", "time", "passed", "failed", "skipped")]
+    for outcome in outcomes:
+        failed = f"exit {outcome.code}" if outcome.code and not outcome.failed else str(outcome.failed or "")
+        counts = (str(outcome.passed or ""), failed, str(outcome.skipped or ""))
+        rows.append((outcome.name, _time(outcome.seconds), *counts))
+    rows.append(("all", _time(sum(outcome.seconds for outcome in outcomes)), "", "", ""))
+    width = max(len(row[0]) for row in rows)
+    return "\n".join(f"{row[0]:<{width}}" + "".join(f"{cell:>10}" for cell in row[1:]) for row in rows)
+
+
+def _time(seconds: float) -> str:
+    return f"{int(seconds // 60)}:{int(seconds % 60):02d}"
+
+
+class Shard(click.ParamType):
+    """`2/3`: the second of three machines."""
+
+    name = "i/n"
+
+    def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> tuple[int, int]:
+        match = re.fullmatch(r"([1-9]\d*)/([1-9]\d*)", value)
+        if not match or int(match[1]) > int(match[2]):
+            self.fail(f"{value!r} is no shard; write it as i/n, such as 1/3", param, ctx)
+        return int(match[1]), int(match[2])
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option("--all", "everything", is_flag=True, help="Run every proof as well.")
+@click.option("--shard", type=Shard(), default="1/1", show_default=True, help="What one of several machines runs.")
+@click.option("--proof", "wanted", type=click.Choice(names()), multiple=True, help="Run this proof alone.")
+@click.option("--started", type=float, help="When the set-up began, in seconds since 1970.")
+def main(everything: bool, shard: tuple[int, int], wanted: tuple[str, ...], started: float | None) -> None:
+    """Runs the suite; set-up comes first: `make test`, `make test-all`."""
+    quick, proofs = not wanted, [Proof.load(name) for name in wanted]
+    if everything and not wanted:
+        quick, proofs = deal([Proof.load(name) for name in names()], *shard)
+    outcomes = [Outcome("set-up", time.time() - started, 0)] if started else []
+    wrong: list[str] = []
+    if quick:
+        outcomes += [run(phase) for phase in QUICK]
+    wrong += [f"{outcome.name}: failed" for outcome in outcomes if outcome.code]
+    if needs := sorted({command for proof in proofs for command in proof.needs}):
+        outcomes.append(set_up(needs))
+    for proof in proofs:
+        outcomes.append(run(proof_phase(proof)))
+        wrong += filter(None, [settle(proof, outcomes[-1])])
+    click.echo(f"\n{table(outcomes)}")
+    for line in wrong:
+        click.secho(line, fg="red", err=True)
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
