@@ -17,7 +17,7 @@ MAKEFILE = Path(__file__).resolve().parent.parent / "Makefile"
 GROUPS = {
     "Images": ("image", "list", "explain"),
     "Change": ("generate", "locks", "diff", "plan", "docs"),
-    "Check": ("lint", "unit", "test", "test-arm64", "page", "bench"),
+    "Check": ("lint", "unit", "test", "test-all", "page", "bench"),
     "Publish": ("publish", "standing", "catalogue"),
     "This machine": ("up", "status", "down", "clean", "emulation", "scanner", "signer", "room"),
 }

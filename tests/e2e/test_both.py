@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import textwrap
 from pathlib import Path
@@ -17,8 +16,8 @@ from tests.e2e.images import Publish, build, build_on, push
 
 pytestmark = pytest.mark.full(proof="cuda")
 
-BOTH = os.environ.get("ROSML_TEST_BOTH", "bookworm-perception-ml-cu128")
-"""An image with cv_bridge and both frameworks; another one takes minutes more: ROSML_TEST_BOTH=trixie-perception-ml-cu128."""
+BOTH = "bookworm-perception-ml-cu128"
+"""An image with cv_bridge and both frameworks."""
 
 TALK_SECONDS = 600
 """Longest that two processes may talk, for all orders of imports; 90 seconds are usual."""

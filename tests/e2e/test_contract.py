@@ -455,6 +455,25 @@ def test_commands_of_ros_are_completed(container: Container) -> None:
     assert container.run("bash", "-ic", "type -t roscd").out == "function\n"
 
 
+@pytest.mark.parametrize(
+    ("environment", "command", "most"),
+    [
+        ({}, ("sh", "-c"), 30),
+        ({"DOCKER_UID": "1000", "DOCKER_GID": "1001"}, ("sh", "-c"), 60),
+        ({}, ("bash", "-ic"), 60),
+    ],
+    ids=["root", "user", "interactive shell"],
+)
+def test_a_start_takes_few_processes(
+    container: Container, environment: dict[str, str], command: tuple[str, ...], most: int
+) -> None:
+    """A container counts its processes from 1: the number of the last one says how many there were before it. How long a
+    start takes is measured by `make bench`."""
+    done = container.run(*command, "sh -c 'echo number $$'", options=env(environment))
+    number = int(done.out.split("number ")[1])
+    assert number <= most, number
+
+
 # ---- Other images: the same contract on frameworks, and on a ROS that has something to source ---------------------------
 
 OTHERS = {

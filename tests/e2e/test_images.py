@@ -79,6 +79,16 @@ def test_an_image_is_built_tested_and_published(pair: Pair, published: Publish, 
     assert config["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
 
 
+def test_make_image(published: Publish, services: Services) -> None:
+    """The front door, as it stands in the README; with a builder that has built the image before."""
+    image = published("bookworm-core")
+    done = run("make", "image", "TARGET=bookworm-core", cwd=ROOT)
+    assert done.code == 0, done.err
+    reference = f"{services.registry}/rosml/{image.image.tags[0]}"
+    assert f"FROM {reference}" in done.out + done.err
+    assert [layer.digest for layer in registry.layers(services, reference)] == image.layers
+
+
 def test_a_second_call_changes_nothing(pair: Pair, published: Publish) -> None:
     first = published(pair.first)
     again = publish(pair.first)

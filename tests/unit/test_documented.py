@@ -24,6 +24,7 @@ from rosml.listing import members
 from scripts import bench, compose, publish
 from tests.calls import lacking
 from tests.documented import blocks, commands, documented, pages
+from tests.proof import Proof
 
 PROOFS: dict[str, dict[str, str]] = yaml.safe_load((ROOT / "tests/documented.yaml").read_text())
 SCRIPTS = {**COMMANDS, "scripts/bench.py": bench.main, "scripts/compose.py": compose.main}
@@ -127,6 +128,8 @@ def test_the_proof_is_there(command: str) -> None:
             assert re.search(rf"scripts/{re.escape(command)}( |$)", (ROOT / value).read_text(), re.MULTILINE)
         case "suite":
             assert re.search(rf"{re.escape(command)}( [A-Z]+=\S+)?$", (ROOT / value).read_text(), re.MULTILINE)
+        case "proof":
+            assert Proof.load(value).command == command or not command.startswith("make test-all")
         case "needs":
             assert len(value) >= len("a GPU")
         case _:
