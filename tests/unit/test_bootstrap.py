@@ -51,8 +51,14 @@ def test_every_go_tool_is_pinned(tool: install.GoTool) -> None:
     module = ROOT / "tools" / "go" / tool.folder
     pin = install.parse_pin((module / "go.mod").read_text())
     assert re.fullmatch(r"v\d+\.\d+\.\d+", pin.version)
-    root = pin.package.split("/cmd/")[0]
+    root = "github.com/distribution/distribution/v3" if pin.package == "." else pin.package.split("/cmd/")[0]
     assert f"{root} {pin.version} h1:" in (module / "go.sum").read_text()
+
+
+def test_the_local_registry_links_no_cloud() -> None:
+    """The stock program links three clouds' drivers: twice the code to fetch, compile and link, for a local folder."""
+    pins = (ROOT / "tools/go/registry/go.sum").read_text().lower()
+    assert not {word for word in ("aws-sdk", "azure", "cloud.google.com", "oauth2") if word in pins}
 
 
 def test_python_tools_are_pinned_by_hash() -> None:
@@ -76,6 +82,11 @@ require (
 )
 """
     assert install.parse_pin(go_mod) == install.Pin("example.org/a/v3/cmd/a", "v3.1.2")
+
+
+def test_parse_pin_takes_the_module_that_an_own_program_requires() -> None:
+    go_mod = "module x.invalid/tools\n\nrequire example.org/a/v3 v3.1.2\n\nrequire (\n\texample.org/b v0.1.0 // indirect\n)\n"
+    assert install.parse_pin(go_mod) == install.Pin(".", "v3.1.2")
 
 
 @pytest.mark.parametrize("text", ["", "tool example.org/a/cmd/a\n"])
@@ -191,9 +202,10 @@ def test_go_tool_is_built_once(state: State, go: Path, capsys: pytest.CaptureFix
     assert again.have == ["regctl v1.2.3"]
 
 
-def test_go_tool_is_built_anew_when_a_pin_changes(state: State, go: Path) -> None:
+@pytest.mark.parametrize("changed", ["go.sum", "main.go"])
+def test_go_tool_is_built_anew_when_a_pin_changes(state: State, go: Path, changed: str) -> None:
     install.Installer(state, "").go_tool(install.REGCTL)
-    (state.root / "tools/go/regctl/go.sum").write_text("changed")
+    (state.root / "tools/go/regctl" / changed).write_text("changed")
     (state.bin / "regctl").write_text("old")
     assert "readonly" in Path(install.Installer(state, "").go_tool(install.REGCTL)).read_text()
 

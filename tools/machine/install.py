@@ -46,25 +46,29 @@ GO_TOOLS = (REGCTL, REGISTRY, BUILDX, BUILDKITD, TRIVY, COSIGN, ACTIONLINT)
 
 @dataclass(frozen=True)
 class Pin:
-    """What a go.mod says of its tool: the package to build and the version of its module."""
+    """What a go.mod says of its tool: the package to build (``.``: the main.go beside it) and the version of its module."""
 
     package: str
     version: str
 
 
 def parse_pin(go_mod: str) -> Pin:
-    """Reads a go.mod with one ``tool`` line.
+    """Reads a go.mod: with one ``tool`` line, or that of a program of our own, which requires one module directly.
 
     Raises:
-        ValueError: there is no such line, or its module is not required.
+        ValueError: neither says what to build, or the tool's module is not required.
     """
+    required = re.findall(r"^(?:require)?\s+(\S+) (v\S+)( // indirect)?$", go_mod, re.MULTILINE)
     tool = re.search(r"^tool (\S+)$", go_mod, re.MULTILINE)
     if not tool:
-        raise ValueError("no tool line")
+        direct = [version for _module, version, indirect in required if not indirect]
+        if len(direct) != 1:
+            raise ValueError("no tool line, and not one module that is required directly")
+        return Pin(".", direct[0])
     package = tool[1]
     modules = [
         (module, version)
-        for module, version in re.findall(r"^(?:require)?\s+(\S+) (v\S+)", go_mod, re.MULTILINE)
+        for module, version, _indirect in required
         if package == module or package.startswith(f"{module}/")
     ]
     if not modules:
@@ -320,7 +324,9 @@ def which_system(name: str) -> str | None:
 
 def pins_digest(module: Path) -> str:
     """Hash of all that a tool's build depends on."""
-    content = b"".join((module / name).read_bytes() for name in ("go.mod", "go.sum"))
+    content = b"".join(
+        file.read_bytes() for file in sorted(module.iterdir()) if file.name.endswith((".go", ".mod", ".sum"))
+    )
     return hashlib.sha256(content).hexdigest()[:16]
 
 
