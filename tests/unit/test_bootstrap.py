@@ -16,7 +16,8 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
@@ -159,14 +160,91 @@ def test_set_up_does_not_build_the_scanner_and_the_signer(state: State, monkeypa
         return tool.name
 
     monkeypatch.setattr(install.Installer, "go_tool", go_tool)
-    for name in ("debian_packages", "packages"):
-        monkeypatch.setattr(install.Installer, name, lambda self, wanted: None)
+    monkeypatch.setattr(install.Installer, "apt", lambda self, packages: "apt-get")
+    for name in ("debian_packages", "fetching"):
+        monkeypatch.setattr(install.Installer, name, lambda self, wanted: nullcontext())
+    monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group: None)
     monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "uv")
     monkeypatch.setattr(commands, "choose_builder", lambda installer, hub: ("buildkitd", "rosml"))
     monkeypatch.setenv("PATH", "/nowhere")
     commands.install_tools(state, hub=True, bundle="")
     assert "regctl" in built
-    assert not {"trivy", "cosign"} & set(built)
+    assert not {"trivy", "cosign", "actionlint"} & set(built)
+
+
+@pytest.fixture
+def bare(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A checkout on a machine that has uv and stand-ins for Go and apt, which note their calls, and nothing else."""
+    calls = state.root / "calls"
+    for tool in install.GO_TOOLS:
+        module = state.root / "tools/go" / tool.folder
+        module.mkdir(parents=True)
+        (module / "go.mod").write_text(
+            f"tool example.org/{tool.folder}/cmd/x\nrequire example.org/{tool.folder} v1.2.3\n"
+        )
+    script = f"""case $1 in
+  version) echo go version go1.26.8 linux/amd64 ;;
+  mod) echo "fetch $(basename $PWD)" >>{calls} ;;
+  build) echo "build $(basename $PWD)" >>{calls}; mkdir -p $GOCACHE; while [ "$1" != -o ]; do shift; done; echo >"$2" ;;
+esac"""
+    folder = program(state.root / "mine", "go", script).parent
+    program(folder, "apt-get", f'case $* in *install*) echo "apt ${{*##*recommends }}" >>{calls} ;; esac')
+    program(folder, "uv", f'case $* in *sync*) echo "uv $*" >>{calls} ;; *) echo uv 0.13.8 ;; esac')
+    for name in ("sh", "basename", "mkdir", "rm"):
+        os.symlink(str(shutil.which(name)), folder / name)
+    monkeypatch.setenv("PATH", str(folder))
+    monkeypatch.setattr(install, "which_system", lambda name: str(folder / name) if (folder / name).exists() else None)
+    monkeypatch.setattr(commands, "which_system", install.which_system)
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    return calls
+
+
+@pytest.mark.parametrize("tests", [False, True])
+def test_set_up_of_a_bare_machine(state: State, bare: Path, capsys: pytest.CaptureFixture[str], tests: bool) -> None:
+    """One call of apt, one of uv, each module fetched and each program built once, and the compiler's caches dropped
+    after the last of them: otherwise the standard library would be compiled twice."""
+    found = commands.install_tools(state, hub=False, bundle="", tests=tests)
+    calls = bare.read_text().splitlines()
+    folders = ["actionlint"] * tests + ["buildkit", "buildx", "regctl", "registry"]
+    assert sorted(call for call in calls if call.startswith("build ")) == [f"build {name}" for name in folders]
+    for_tests = " docker.io chromium" if tests else ""
+    assert [call for call in calls if call.startswith("apt ")] == [f"apt runc mmdebstrap{for_tests}"]
+    assert [call for call in calls if call.startswith("uv ")] == ["uv sync --group page" if tests else "uv sync"]
+    assert not (state.folder / "go").exists()
+    assert (found.regctl, found.buildx) == (str(state.bin / "regctl"), (str(state.bin / "buildx"),))
+    said = capsys.readouterr().out
+    assert "fetching them in the background" in said and "installs the Debian packages runc (" in said
+    bare.unlink()
+    commands.install_tools(state, hub=False, bundle="", tests=tests)
+    assert not [call for call in bare.read_text().splitlines() if call.startswith(("build ", "fetch "))]
+
+
+def test_what_may_not_be_installed_is_told_before_minutes_of_compiling(
+    state: State, bare: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    monkeypatch.setattr(commands, "choose_builder", lambda installer, hub: ("docker", "rosml"))
+    with pytest.raises(Failure, match=r"docker\.io .*chromium .*only root may") as caught:
+        commands.install_tools(state, hub=True, bundle="", tests=True)
+    assert "apt-get install --no-install-recommends docker.io chromium" in caught.value.remedy
+    assert not bare.exists()
+
+
+def test_a_failure_of_uv_ends_the_set_up(state: State, bare: Path) -> None:
+    uv = shutil.which("uv") or ""
+    program(Path(uv).parent, "uv", "case $* in *sync*) echo no index >&2; exit 2 ;; *) echo uv 0.13.8 ;; esac")
+    with pytest.raises(Failure, match=r"(?s)Python packages: failed.*no index"):
+        commands.install_tools(state, hub=True, bundle="")
+
+
+def test_modules_are_fetched_in_the_background_and_no_longer_than_they_are_needed(state: State, go: Path) -> None:
+    began = state.root / "began"
+    program(go.parent, "go", f"case $1 in version) echo go1.26.8 ;; mod) echo $$ >{began}; exec sleep 60 ;; esac")
+    with install.Installer(state, "").fetching([install.REGCTL]):
+        assert wait_until(lambda: began.exists() and bool(began.read_text()), 20)
+        pid = int(began.read_text())
+        assert command_line(pid)
+    assert not command_line(pid)
 
 
 def test_our_own_folder_does_not_count_as_the_machines(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -282,64 +360,68 @@ def test_no_package_is_installed_without_need(state: State, monkeypatch: pytest.
 
 
 @pytest.mark.parametrize(
-    ("answers", "there", "root", "asked", "said"),
+    ("answers", "there", "root", "asked", "remedy"),
     [
         (True, ["apt-get"], True, [], ""),
         (False, ["dockerd", "apt-get"], True, [], ""),
         (False, ["apt-get"], True, ["docker.io"], ""),
-        (False, ["apt-get"], False, [], "will be skipped, and say so"),
-        (False, [], True, [], "will be skipped, and say so"),
+        (
+            False,
+            ["apt-get"],
+            False,
+            [],
+            "sudo sh -c 'apt-get update && apt-get install --no-install-recommends docker.io'",
+        ),
+        (False, [], True, [], "install docker.io"),
     ],
 )
 def test_an_engine_for_the_tests_of_the_contract(
     state: State,
     monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
     answers: bool,
     there: list[str],
     root: bool,
     asked: list[str],
-    said: str,
+    remedy: str,
 ) -> None:
-    """Installed only where no Docker answers and it can be; no reason to stop otherwise."""
-    packages: list[str] = []
+    """Installed only where no Docker answers; where it cannot be, tests would be missing: that is a failure."""
     monkeypatch.setattr(commands, "docker_is_there", lambda installer: answers)
+    assert installed(commands.engine, state, monkeypatch, there, root) == (asked, remedy)
+
+
+def installed(
+    work: Callable[[State], None], state: State, monkeypatch: pytest.MonkeyPatch, there: list[str], root: bool
+) -> tuple[list[str], str]:
+    """What a command has apt install on a machine with some programs, and the remedy that it gives where it fails."""
+    packages: list[str] = []
     monkeypatch.setattr(commands, "which_system", lambda name: name if name in there else None)
+    monkeypatch.setattr(install, "which_system", lambda name: name if name in there else None)
     monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
-    monkeypatch.setattr(install.Installer, "debian_packages", lambda self, wanted: packages.extend(wanted))
-    commands.engine(state)
-    assert packages == asked
-    assert said in capsys.readouterr().out
+    monkeypatch.setattr(install, "run", lambda what, argv, *_, **__: packages.extend(argv[-1:] * ("install" in argv)))
+    try:
+        work(state)
+    except Failure as failure:
+        return packages, failure.remedy
+    return packages, ""
 
 
 @pytest.mark.parametrize(
-    ("there", "root", "asked", "said"),
+    ("there", "root", "asked", "remedy"),
     [
         (["google-chrome", "apt-get"], True, [], ""),
         (["apt-get"], True, ["chromium"], ""),
-        (["apt-get"], False, [], "will be skipped, and say so"),
-        ([], True, [], "will be skipped, and say so"),
+        (["apt-get"], False, [], "sudo sh -c 'apt-get update && apt-get install --no-install-recommends chromium'"),
+        ([], True, [], "install chromium"),
     ],
 )
 def test_a_browser_for_the_tests_of_the_page(
-    state: State,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    there: list[str],
-    root: bool,
-    asked: list[str],
-    said: str,
+    state: State, monkeypatch: pytest.MonkeyPatch, there: list[str], root: bool, asked: list[str], remedy: str
 ) -> None:
-    packages: list[str] = []
     groups: list[str] = []
-    monkeypatch.setattr(commands, "which_system", lambda name: name if name in there else None)
-    monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
     monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "uv")
     monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="": groups.append(group))
-    monkeypatch.setattr(install.Installer, "debian_packages", lambda self, wanted: packages.extend(wanted))
-    commands.browser(state)
-    assert (packages, groups) == (asked, ["page"])
-    assert said in capsys.readouterr().out
+    assert installed(commands.browser, state, monkeypatch, there, root) == (asked, remedy)
+    assert groups == ["page"]
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The commands of scripts/bootstrap.py: tools, linters, browser, up, emulate, engine, scanner, signer, room, down, clean,
+"""The commands of scripts/bootstrap.py: tools, linters, browser, up, suite, emulate, engine, scanner, signer, room, down, clean,
 status."""
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import FrameType
 from typing import Any, Callable, NoReturn
@@ -41,6 +42,10 @@ from machine.state import State, read_json, write_atomically
 OLDEST_REGCTL = (0, 11)
 OLDEST_BUILDX = (0, 26)
 OLDEST_UV = (0, 9)
+
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chromium-headless-shell")
+"""What the tests of the catalogue's page take: the first one that is there."""
 
 
 def docker_is_there(installer: Installer) -> bool:
@@ -104,22 +109,64 @@ def missing_packages(kind: str, hub: bool) -> dict[str, str]:
     return packages
 
 
-def install_tools(state: State, hub: bool, bundle: str) -> Tools:
-    """Finds or installs all that the services and builds need."""
+def engine_packages(installer: Installer) -> dict[str, str]:
+    """Docker, where neither a daemon answers nor one can be started."""
+    there = docker_is_there(installer) or which_system("dockerd")
+    return {} if there else {"docker.io": "runs images for the tests of the runtime contract"}
+
+
+def browser_packages() -> dict[str, str]:
+    """Chromium, where there is no browser of its kind."""
+    there = any(which_system(name) for name in BROWSERS)
+    return {} if there else {"chromium": "opens the catalogue's page in its tests"}
+
+
+def install_tools(state: State, hub: bool, bundle: str, tests: bool = False) -> Tools:
+    """Finds or installs all that the services and builds need; with ``tests`` also what `make test` needs.
+
+    apt and uv wait for the network for the most part, so they work beside Go's compiler.
+    """
     installer = Installer(state, bundle)
     kind, builder = choose_builder(installer, hub)
-    installer.debian_packages(missing_packages(kind, hub))
-    uv = installer.uv(OLDEST_UV)
-    regctl = installer.found("regctl", ["version"], OLDEST_REGCTL) or installer.go_tool(REGCTL)
-    registry = installer.go_tool(REGISTRY)
-    buildx = buildx_of(installer) or (installer.go_tool(BUILDX),)
-    buildkitd = installer.go_tool(BUILDKITD) if kind == "buildkitd" else ""
+    packages = missing_packages(kind, hub)
+    if tests:
+        packages = {**packages, **engine_packages(installer), **browser_packages()}
+    if packages:
+        installer.apt(packages)  # whether it may is told now, not after minutes of compiling
+    regctl = installer.found("regctl", ["version"], OLDEST_REGCTL)
+    buildx = buildx_of(installer)
+    linter = not tests or installer.found_exactly(ACTIONLINT, ["--version"])
+    wanted = [tool for tool, there in ((REGCTL, regctl), (BUILDX, buildx), (ACTIONLINT, linter)) if not there]
+    wanted += [REGISTRY, *([BUILDKITD] if kind == "buildkitd" else [])]
+    built: dict[str, str] = {}
+
+    def beside() -> str:
+        installer.debian_packages(packages)
+        uv = installer.uv(OLDEST_UV)
+        installer.packages(uv, "page" if tests else "")
+        return uv
+
+    with ThreadPoolExecutor(1) as pool, installer.fetching(wanted):
+        others = pool.submit(beside)
+        for tool in wanted:
+            if others.done():
+                others.result()  # a failure ends it now
+            built[tool.name] = installer.go_tool(tool)
+        uv = others.result()
     runc = (which_system("runc") or which_system("crun") or "") if kind == "buildkitd" else ""
     installer.drop_go_caches()
-    installer.packages(uv)
     installer.report()
     offer_path(state)
-    return Tools(kind, builder, buildx, regctl, registry, uv, buildkitd, runc)
+    return Tools(
+        kind,
+        builder,
+        buildx or (built[BUILDX.name],),
+        regctl or built[REGCTL.name],
+        built[REGISTRY.name],
+        uv,
+        built.get(BUILDKITD.name, ""),
+        runc,
+    )
 
 
 def tools(state: State) -> Tools:
@@ -173,20 +220,15 @@ def linters(state: State) -> None:
         installer.drop_go_caches()
 
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chromium-headless-shell")
-"""What the tests of the catalogue's page take: the first one that is there."""
-
-
 def browser(state: State) -> None:
-    """Command ``browser``."""
+    """Command ``browser``.
+
+    Raises:
+        Failure: there is none, and it cannot be installed.
+    """
     installer = Installer(state, network.ca_bundle(os.environ))
     installer.packages(installer.uv(OLDEST_UV), "page")
-    if any(which_system(name) for name in BROWSERS):
-        return
-    if which_system("apt-get") is None or os.geteuid() != 0:
-        say("there is no Chromium: the tests of the catalogue's page will be skipped, and say so")
-        return
-    installer.debian_packages({"chromium": "opens the catalogue's page in its tests"})
+    installer.debian_packages(browser_packages())
 
 
 def scanner(state: State) -> None:
@@ -207,20 +249,25 @@ def signer(state: State) -> None:
     write_atomically(state.signer, json.dumps({"cosign": path}, indent=2) + "\n")
 
 
-def prepare(state: State) -> tuple[Tools, bool, str]:
+def prepare(state: State, tests: bool = False) -> tuple[Tools, bool, str]:
     """Looks at the network, then at the tools: those, whether Docker Hub answers, and the user's CA bundle."""
     bundle = network.ca_bundle(os.environ)
     hub = network.docker_hub_answers(os.environ, bundle)
     say("Docker Hub: answers" if hub else "Docker Hub: does not answer; Debian base images are made here")
-    return install_tools(state, hub, bundle), hub, bundle
+    return install_tools(state, hub, bundle, tests), hub, bundle
 
 
-def up(state: State) -> None:
+def up(state: State, tests: bool = False) -> None:
     """Command ``up``."""
     started = time.monotonic()
-    found, hub, bundle = prepare(state)
+    found, hub, bundle = prepare(state, tests)
     services.up(state, found, hub, bundle, buildkit_image(state))
     say(f"set-up: done in {elapsed(started)}")
+
+
+def suite(state: State) -> None:
+    """Command ``suite``."""
+    up(state, tests=True)
 
 
 def emulate(state: State) -> None:
@@ -231,14 +278,13 @@ def emulate(state: State) -> None:
 
 
 def engine(state: State) -> None:
-    """Command ``engine``."""
+    """Command ``engine``.
+
+    Raises:
+        Failure: there is none, and it cannot be installed.
+    """
     installer = Installer(state, network.ca_bundle(os.environ))
-    if docker_is_there(installer) or which_system("dockerd"):
-        return
-    if which_system("apt-get") is None or os.geteuid() != 0:
-        say("no Docker answers: the tests of the runtime contract that need one will be skipped, and say so")
-        return
-    installer.debian_packages({"docker.io": "runs images for the tests of the runtime contract"})
+    installer.debian_packages(engine_packages(installer))
 
 
 def down(state: State) -> None:
@@ -357,6 +403,7 @@ COMMANDS = {
     "tools": "find the tools that builds need, install those that are missing",
     "linters": "those Python packages, and actionlint, which is built in some seconds",
     "up": "the same, then start the local registry and the builder",
+    "suite": "the same for `make test`: with Docker, Chromium and actionlint where there are none",
     "emulate": "let this machine build and test for the other architecture, with QEMU",
     "engine": "install Docker where there is none: tests run images in it",
     "browser": "install Chromium where there is none: tests open the catalogue's page in it",
@@ -435,6 +482,7 @@ def main(root: Path, argv: Sequence[str]) -> int:
             "linters": linters,
             "browser": browser,
             "up": up,
+            "suite": suite,
             "emulate": emulate,
             "engine": engine,
             "scanner": scanner,

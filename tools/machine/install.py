@@ -9,11 +9,12 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from machine.console import Failure, elapsed, run, say
+from machine.console import Failure, elapsed, end_group, run, say
 from machine.state import State, write_atomically
 
 Version = tuple[int, ...]
@@ -148,19 +149,64 @@ class Installer:
     # ---- Go -------------------------------------------------------------------------------------------------------
     def pin(self, tool: GoTool) -> Pin:
         """What pins a Go program."""
-        return parse_pin((self.state.root / "tools" / "go" / tool.folder / "go.mod").read_text())
+        return parse_pin((self.module(tool) / "go.mod").read_text())
+
+    def module(self, tool: GoTool) -> Path:
+        """Folder of the Go module that pins a program."""
+        return self.state.root / "tools" / "go" / tool.folder
+
+    def stamp(self, tool: GoTool) -> Path:
+        """The file that vouches for a program in ``.state/bin``."""
+        return self.state.bin / f".{tool.name}.pin"
+
+    def stamp_text(self, tool: GoTool) -> str:
+        """What that file says where the program is the pinned one."""
+        return f"{self.pin(tool).version} {pins_digest(self.module(tool))}\n"
+
+    def is_built(self, tool: GoTool) -> bool:
+        """Whether a program is in ``.state/bin`` as it is pinned now."""
+        stamp = self.stamp(tool)
+        built = (self.state.bin / tool.name).exists() and stamp.exists()
+        return built and stamp.read_text() == self.stamp_text(tool)
+
+    @contextmanager
+    def fetching(self, tools: Sequence[GoTool]) -> Iterator[None]:
+        """Fetches the modules of Go programs that are not built yet in the background, while others compile.
+
+        A failure is not told: the build, which waits for what it needs, tells it. Nothing runs on after the block.
+        """
+        folders = [str(self.module(tool)) for tool in tools if not self.is_built(tool)]
+        go = shutil.which("go", path=self.go_path())
+        if not folders or go is None:
+            yield
+            return
+        say(f"Go modules of {', '.join(Path(folder).name for folder in folders)}: fetching them in the background")
+        script = 'go=$1; shift; for folder; do cd "$folder" && "$go" mod download; done'
+        with (self.state.log / "go-modules.log").open("ab") as log:
+            process = subprocess.Popen(
+                ["sh", "-c", script, "sh", go, *folders],
+                stdin=subprocess.DEVNULL,
+                stdout=log,
+                stderr=subprocess.STDOUT,
+                env=self.go_environment(),
+                start_new_session=True,
+            )
+        try:
+            yield
+        finally:
+            end_group(process)
 
     def go_tool(self, tool: GoTool) -> str:
         """Path of a Go program in ``.state/bin``, built if it is not there or its pins have changed.
 
         Safe to interrupt: the build goes to another name, and the stamp that vouches for the program comes last.
         """
-        module = self.state.root / "tools" / "go" / tool.folder
+        module = self.module(tool)
         pin = self.pin(tool)
-        wanted = f"{pin.version} {pins_digest(module)}\n"
+        wanted = self.stamp_text(tool)
         program = self.state.bin / tool.name
-        stamp = self.state.bin / f".{tool.name}.pin"
-        if program.exists() and stamp.exists() and stamp.read_text() == wanted:
+        stamp = self.stamp(tool)
+        if self.is_built(tool):
             self.have.append(f"{tool.name} {pin.version}")
             return str(program)
         go = self.go()
@@ -195,7 +241,7 @@ class Installer:
         Raises:
             Failure: there is none, or it is too old to fetch the release that the pins need.
         """
-        path = shutil.which("go", path=f"{self.outer_path()}{os.pathsep}/usr/local/go/bin")
+        path = shutil.which("go", path=self.go_path())
         remedy = f"install Go {dotted(OLDEST_GO)} or newer (https://go.dev/dl) and call this again"
         if path is None:
             raise Failure("Go is not installed; it builds the tools that this machine lacks", remedy)
@@ -203,6 +249,10 @@ class Installer:
         if version < OLDEST_GO:
             raise Failure(f"{path} is Go {dotted(version)}; too old to build the tools that this machine lacks", remedy)
         return path
+
+    def go_path(self) -> str:
+        """Where Go is looked for: on PATH, and where its own archive is unpacked."""
+        return f"{self.outer_path()}{os.pathsep}/usr/local/go/bin"
 
     def go_environment(self) -> dict[str, str]:
         """Environment of a Go build: caches in the state folder, none of the user's flags, no C compiler needed."""
@@ -287,6 +337,20 @@ class Installer:
             say(f"Python packages: installed into .venv in {elapsed(started)}")
 
     # ---- Debian ---------------------------------------------------------------------------------------------------
+    def apt(self, packages: Mapping[str, str]) -> str:
+        """Path of apt-get, which may install packages. ``packages``: as in ``debian_packages``.
+
+        Raises:
+            Failure: this is no Debian or Ubuntu, or this user may not.
+        """
+        missing = f"missing: {reasons_of(packages)}"
+        apt = which_system("apt-get")
+        if apt is None:
+            raise Failure(f"{missing}; and this machine has no apt-get", f"install {' '.join(packages)}")
+        if os.geteuid() != 0:
+            raise Failure(f"{missing}; only root may install it", f"sudo sh -c '{by_hand(packages)}'")
+        return apt
+
     def debian_packages(self, packages: Mapping[str, str]) -> None:
         """Installs Debian packages, and says so before. ``packages``: their names, and what each is for.
 
@@ -295,15 +359,9 @@ class Installer:
         """
         if not packages:
             return
+        apt = self.apt(packages)
         names = " ".join(packages)
-        reasons = ", ".join(f"{package} ({why})" for package, why in packages.items())
-        by_hand = f"apt-get update && apt-get install --no-install-recommends {names}"
-        apt = which_system("apt-get")
-        if apt is None:
-            raise Failure(f"missing: {reasons}; and this machine has no apt-get", f"install {names}")
-        if os.geteuid() != 0:
-            raise Failure(f"missing: {reasons}; only root may install it", f"sudo sh -c '{by_hand}'")
-        say(f"this changes the system: installs the Debian packages {reasons}")
+        say(f"this changes the system: installs the Debian packages {reasons_of(packages)}")
         started = time.monotonic()
         env = dict(os.environ, DEBIAN_FRONTEND="noninteractive", LC_ALL="C.UTF-8")
         options = ["-o", "DPkg::Lock::Timeout=300", "-o", "Dpkg::Use-Pty=0", "-o", "Acquire::Retries=3"]
@@ -313,8 +371,18 @@ class Installer:
             run("apt-get update", [apt, *options, "update"], log, env=env)
             run("apt-get install", install, log, env=env, finish_on_interrupt=True)
         except Failure as failure:
-            raise Failure(failure.message, f"put it right by hand: {by_hand}") from None
+            raise Failure(failure.message, f"put it right by hand: {by_hand(packages)}") from None
         say(f"Debian packages {names}: installed in {elapsed(started)}")
+
+
+def reasons_of(packages: Mapping[str, str]) -> str:
+    """``runc (runs build steps), mmdebstrap (...)``."""
+    return ", ".join(f"{package} ({why})" for package, why in packages.items())
+
+
+def by_hand(packages: Mapping[str, str]) -> str:
+    """The command that installs Debian packages."""
+    return f"apt-get update && apt-get install --no-install-recommends {' '.join(packages)}"
 
 
 def which_system(name: str) -> str | None:
