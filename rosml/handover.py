@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from rosml import files, ledger
 from rosml.client import Client
 from rosml.errors import RosmlError
 from rosml.names import repository_path
-from rosml.oci import digest_of, encoded, is_digest
+from rosml.oci import digest_of, encoded, is_digest, is_place
 from rosml.pipeline import Outcome as Done
 from rosml.pipeline import Pipeline
 from rosml.sbom import MEDIA_TYPE, SCANNER_ANNOTATION, Sbom, Shelf
@@ -42,18 +43,31 @@ class Reader:
         self.sboms: list[dict[str, str]] = []
 
     def __getattr__(self, name: str) -> Any:
-        if name not in READS:
-            raise AttributeError(f"a scan that hands its results over does not {name.replace('_', ' ')}")
-        return getattr(self._client, name)
+        if name in READS:
+            return getattr(self._client, name)
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return partial(_refuse, name)
 
     def put_blob(self, _repository: str, data: bytes) -> str:
         """Keeps nothing: an entry's facts are in its manifest."""
         return digest_of(data)
 
     def put_manifest(self, _repository: str, _reference: str, content: Mapping[str, Any], _media_type: str) -> str:
-        """Keeps an entry of the ledger."""
-        self.entries.append(json.loads(content["annotations"][ledger.ANNOTATION]))
+        """Keeps an entry of the ledger.
+
+        Raises:
+            RosmlError: it is something else.
+        """
+        text = (content.get("annotations") or {}).get(ledger.ANNOTATION)
+        if text is None:
+            raise RosmlError("a scan that hands its results over puts only entries of the ledger", "record them first")
+        self.entries.append(json.loads(text))
         return digest_of(encoded(content))
+
+    def discard(self, _repository: str, _digest: str) -> bool:
+        """Removes nothing: the entry that another run replaced meanwhile is not this job's."""
+        return False
 
     def attach(
         self,
@@ -81,6 +95,16 @@ class Reader:
         files.write(file, json.dumps({"version": FORMAT, "date": date, "entries": entries, "sboms": self.sboms}))
 
 
+def _refuse(name: str, *_: Any, **__: Any) -> None:
+    """Any other method.
+
+    Raises:
+        RosmlError: always.
+    """
+    text = f"a scan that hands its results over does not {name.replace('_', ' ')}"
+    raise RosmlError(text, "run the scan without --output, where it may write")
+
+
 def record(pipeline: Pipeline, file: Path) -> None:
     """Writes into the registry what a scan handed over.
 
@@ -92,7 +116,7 @@ def record(pipeline: Pipeline, file: Path) -> None:
         if content["version"] != FORMAT:
             raise ValueError(f"it has format {content['version']}")
         entries = [_entry(item) for item in content["entries"]]
-        sboms = [_sbom(item, pipeline.prefix) for item in content["sboms"]]
+        sboms = [_sbom(item, pipeline.host, pipeline.prefix) for item in content["sboms"]]
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         text = f"{file} holds no results of a scan: {error}"
         raise RosmlError(text, "write it with: publish.py scan --output FILE", exit_code=2) from None
@@ -119,14 +143,15 @@ def _entry(item: Any) -> ledger.Entry:
     return found
 
 
-def _sbom(item: Mapping[str, str], prefix: str) -> tuple[str, str, str, Sbom]:
+def _sbom(item: Mapping[str, str], host: str, prefix: str) -> tuple[str, str, str, Sbom]:
     """Repository, digest, scanner and SBOM.
 
     Raises:
         ValueError: it is no SBOM, or one of something else.
     """
     repository, digest, scanner = (str(item[name]) for name in ("repository", "digest", "scanner"))
-    if not is_digest(digest) or not repository.startswith(repository_path(prefix, "")):
+    ours = is_place(host, repository) and repository.startswith(repository_path(prefix, ""))
+    if not is_digest(digest) or not ours:
         raise ValueError(f"{repository}@{digest} is none of our images")
     sbom = Sbom(item["content"].encode())
     try:

@@ -110,11 +110,48 @@ def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp
     assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was made anew since it was scanned")]
 
 
-@pytest.mark.parametrize("work", ["put_manifest", "tag", "delete", "mount", "copy_blob"])
+@pytest.mark.parametrize("work", ["tag", "delete", "detach", "mount", "copy_blob"])
 def test_a_scan_does_nothing_else(run: Callable[[], Run], work: str) -> None:
+    """And whoever calls it so is told in one sentence."""
     reader = handover.Reader(run().registry)
-    with pytest.raises((AttributeError, KeyError)):
+    with pytest.raises(RosmlError, match=f"does not {work.replace('_', ' ')}"):
         getattr(reader, work)(f"{PREFIX}/ros", "latest", {"annotations": {}}, "m")
+
+
+def test_a_scan_puts_no_manifest_but_entries(run: Callable[[], Run]) -> None:
+    reader = handover.Reader(run().registry)
+    with pytest.raises(RosmlError, match="only entries of the ledger"):
+        reader.put_manifest(f"{PREFIX}/ros", "latest", {"annotations": {}}, "m")
+
+
+class Meanwhile:
+    """A registry in which another publisher does something right after the first look at a tag of the ledger."""
+
+    def __init__(self, registry: Any, work: Callable[[], object]) -> None:
+        self.registry, self.work = registry, [work]
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.registry, name)
+
+    def head(self, repository: str, reference: str) -> str:
+        found = str(self.registry.head(repository, reference))
+        if self.work and repository == f"{PREFIX}/{ledger.REPOSITORY}":
+            self.work.pop()()
+        return found
+
+
+def test_another_run_may_write_the_entry_meanwhile(run: Callable[[], Run]) -> None:
+    """What it wrote stays, and what it replaced is not the scan's to remove."""
+    here = run()
+    entry = here.agenda.known[CORE]
+    book = ledger.Ledger(here.registry, PREFIX)
+    other = ledger.parse(entry.to_json() | {"passed": 77})
+    found = ledger.parse(entry.to_json() | {"scanned": "clean"})
+    assert other and found
+    reader = handover.Reader(Meanwhile(here.registry, lambda: book.write(other)))
+    ledger.Ledger(reader, PREFIX).write(found)
+    assert [item["scanned"] for item in reader.entries] == ["clean"]
+    assert book.read(*CORE) == other
 
 
 @pytest.mark.parametrize(
@@ -125,6 +162,9 @@ def test_a_scan_does_nothing_else(run: Callable[[], Run], work: str) -> None:
         {"entries": [{"target": "a", "architecture": "b", "digest": f"sha256:{'1' * 64}", "scanned": "fine"}]},
         {"entries": [{"target": "a", "architecture": "b", "digest": f"sha256:{'1' * 64}", "scanned": "clean", "x": 1}]},
         {"sboms": [{"repository": "elsewhere/ros"}]},
+        {"sboms": [{"repository": f"{PREFIX}/../../elsewhere/ros"}]},
+        {"sboms": [{"repository": f"{PREFIX}/%2e%2e/ros"}]},
+        {"sboms": [{"repository": f"{PREFIX}//ros"}]},
         {"sboms": [{"digest": f"sha256:{'1' * 64}"}]},
         {"sboms": [{"content": "{}"}]},
         {"sboms": [{"digest": "latest"}]},
