@@ -20,7 +20,13 @@ from rosml.progress import BuildProgress
 from rosml.services import Services
 from rosml.turn import turn
 
-# What BuildKit prints when something outside the build is wrong, and what helps.
+_LOGIN = "docker login, with an account that may push there; then run it again"
+_REFUSED = (
+    "a package index or mirror refuses this machine: check its address, the user and password in it, and what the proxy"
+    " allows; then run it again"
+)
+_AGAIN = "a mirror or index did not answer; run it again, finished steps are kept"
+
 _REMEDIES = (
     (
         "x509: certificate signed by unknown authority",
@@ -28,10 +34,8 @@ _REMEDIES = (
         " the builder of it",
     ),
     ("x509: certificate has expired", "the registry's operator has to renew its certificate"),
-    ("401 Unauthorized", "docker login, with an account that may push there; then run it again"),
-    ("insufficient_scope", "docker login, with an account that may push there; then run it again"),
-    ("no basic auth credentials", "docker login, with an account that may push there; then run it again"),
-    ("403 Forbidden", "docker login, with an account that may push there; then run it again"),
+    (r"unexpected status\b.*: 40[13]\b|insufficient_scope|no basic auth credentials", _LOGIN),
+    (r"(client error \(|returned error: |failed to fetch .* )40[13]\b", _REFUSED),
     ("Hash mismatch", "a download is not what the lock says: run 'make locks' if that is intended"),
     ("all requirements must have their versions pinned", "a lock is damaged: run 'make locks'"),
     ("failed to calculate checksum of ref", "a file of the build is missing; if it is a lock: run 'make locks'"),
@@ -41,8 +45,7 @@ _REMEDIES = (
     ),
     ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
     ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
-    ("Failed to fetch", "a mirror or index did not answer; run it again, finished steps are kept"),
-    ("error sending request", "a mirror or index did not answer; run it again, finished steps are kept"),
+    ("Failed to fetch|error sending request", _AGAIN),
     (
         "connection refused",
         "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'make up'",
@@ -53,6 +56,10 @@ _REMEDIES = (
         "the local registry's storage is damaged: make down; rm -r .state/registry; run it again",
     ),
 )
+"""Patterns of what BuildKit and the programs in a step print when something outside the build is wrong, and what helps. A
+registry refuses in BuildKit's words ("unexpected status from POST request to …: 403 Forbidden"), a package index in those of
+uv, curl or apt."""
+
 _CANCEL_SECONDS = 15.0
 
 _OURS = re.compile(r"PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
@@ -175,8 +182,7 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
     step = progress.failed()
     lines = list(step.tail) if step else []
     # uv names every hash that it would have accepted: the reason may stand far above the last lines.
-    text = "\n".join([*lines, step.error if step else "", *progress.other, *_end(log)])
-    remedy = next((remedy for sign, remedy in _REMEDIES if sign.lower() in text.lower()), "")
+    remedy = _remedy([*_end(log), *progress.other, step.error if step else "", *lines])
     message = f"building {bake.target} failed"
     if step:
         message += f" in step {step.label}"
@@ -185,6 +191,16 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
         lines = list(progress.other) or [f"buildx ended with exit code {code}"]
     message += "".join(f"\n    {line}" for line in lines)
     return RosmlError(f"{message}\n  the whole log: {log}", remedy)
+
+
+def _remedy(lines: Sequence[str]) -> str:
+    """What helps against the last line whose reason is known; empty if there is none. A build that goes on after an error,
+    such as a download that is tried again, did not fail because of it."""
+    for line in reversed(lines):
+        for pattern, remedy in _REMEDIES:
+            if re.search(pattern, line, re.IGNORECASE):
+                return remedy
+    return ""
 
 
 def _end(log: Path, lines: int = 200) -> list[str]:

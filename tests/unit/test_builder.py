@@ -212,6 +212,9 @@ def test_failure_without_a_step(tmp_path: Path, registry: str, bake: Bake) -> No
     assert "building a failed\n    buildx ended with exit code 1\n" in silent.message
 
 
+LOGIN = "docker login"
+
+
 @pytest.mark.parametrize(
     ("reason", "remedy"),
     [
@@ -224,6 +227,16 @@ def test_failure_without_a_step(tmp_path: Path, registry: str, bake: Bake) -> No
         ("E: Failed to fetch x.deb", "run it again"),
         ("error sending request for url", "run it again"),
         ("Hash mismatch for `x`", "make locks"),
+        ("failed to push ghcr.io/a: unexpected status from POST request to https://ghcr.io/v2/: 403 Forbidden", LOGIN),
+        (
+            "failed to resolve source metadata for x: unexpected status from HEAD request to https://x: 401 Unauthorized",
+            LOGIN,
+        ),
+        ("failed to authorize: failed to fetch oauth token: unexpected status: 401 Unauthorized", LOGIN),
+        ("error: HTTP status client error (403 Forbidden) for url (https://example.org/simple/torch/)", "its address"),
+        ("error: HTTP status client error (401 Unauthorized) for url (https://example.org/simple/)", "its address"),
+        ("E: Failed to fetch http://example.org/x.deb  403  Forbidden [IP: 192.0.2.1 80]", "its address"),
+        ("curl: (22) The requested URL returned error: 403", "its address"),
         ("exit code: 1", ""),
     ],
 )
@@ -238,6 +251,18 @@ def test_remedies(tmp_path: Path, bake: Bake, reason: str, remedy: str, where: s
     error = builder.failure(bake, progress, tmp_path / "x.log", 1)
     assert remedy in error.remedy
     assert bool(error.remedy) == bool(remedy)
+
+
+def test_the_step_that_failed_says_why(tmp_path: Path, bake: Bake) -> None:
+    """And not what the log says of others, nor what was tried again and went well."""
+    log = tmp_path / "x.log"
+    log.write_text("unexpected status from GET request to https://x: 401 Unauthorized\nE: Failed to fetch x.deb\n")
+    progress = BuildProgress()
+    progress.feed(vertex(completed=f"{DAY}12Z", error="exit code: 1"))
+    progress.steps[NAME].tail.extend(
+        ["Temporary failure resolving 'x', another try", "write: no space left on device", ""]
+    )
+    assert "free some disk space" in builder.failure(bake, progress, log, 1).remedy
 
 
 def test_the_reason_may_stand_far_above_the_last_lines(tmp_path: Path, bake: Bake) -> None:
