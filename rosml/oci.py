@@ -259,7 +259,9 @@ class Registry:
         self._asked = False
         self._challenge: _Challenge | None = None
         self._tokens: dict[frozenset[str], tuple[str, float]] = {}
-        self._lock = threading.RLock()
+        self._lock = threading.Lock()  # of its own state; never held while somebody is asked
+        self._finding = threading.Lock()
+        self._asking: dict[frozenset[str], threading.Lock] = {}
         self._attaching = threading.Lock()
         self._reached = False
         self._uploaded = 0
@@ -553,7 +555,11 @@ class Registry:
         if headers.get("oci-subject") != subject["digest"]:  # this registry keeps no account of referrers
             noted = {"annotations": dict(annotations)} if annotations else {}
             entry = {**descriptor(IMAGE, data), "artifactType": artifact_type, **noted}
-            self._list(repository, str(subject["digest"]), entry)
+
+            def listed_once(there: list[Any]) -> list[Any]:
+                return there if digest in [item["digest"] for item in there] else [*there, entry]
+
+            self._relist(repository, str(subject["digest"]), listed_once)
         return digest
 
     def detach(self, repository: str, subject: str, digest: str) -> None:
@@ -566,14 +572,7 @@ class Registry:
             RosmlError: the registry does not delete, does not answer or refuses.
         """
         self.delete(repository, digest)
-        tag = _fallback_tag(subject)
-        with self._attaching:
-            found = self.manifest(repository, tag)
-            there = (found.content.get("manifests") or []) if found else []
-            left = [item for item in there if item["digest"] != digest]
-            if len(left) < len(there):
-                content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": left}
-                self.put_manifest(repository, tag, content, INDEX)
+        self._relist(repository, subject, lambda there: [item for item in there if item["digest"] != digest])
 
     def forget(self, repository: str, subject: str) -> None:
         """Removes the list of what was attached to a manifest that is gone, from a registry that has no API for it.
@@ -584,21 +583,32 @@ class Registry:
         if there := self.head(repository, _fallback_tag(subject)):
             self.delete(repository, there)
 
-    def _list(self, repository: str, subject: str, entry: Mapping[str, Any]) -> None:
-        """Adds an artifact to the index under the fallback tag; again, if somebody else wrote it at the same time."""
+    def _relist(self, repository: str, subject: str, change: Callable[[list[Any]], list[Any]]) -> None:
+        """Changes the index under the fallback tag, and reads it again before it is written and after: what another
+        publisher wrote in between stays, and so does the change. Only two requests to write it at the very same time can
+        still undo each other, since registries have no conditional write.
+
+        Args:
+            change: gives what is to be listed for what is; nothing else where it is there already.
+
+        Raises:
+            RosmlError: others write it all the time; the registry does not answer or refuses.
+        """
         tag = _fallback_tag(subject)
 
-        def entries() -> list[dict[str, Any]]:
+        def read() -> tuple[str, list[Any]]:
             found = self.manifest(repository, tag)
-            return list(found.content.get("manifests") or []) if found else []
+            return (found.digest, list(found.content.get("manifests") or [])) if found else ("", [])
 
-        def add() -> bool:
-            there = entries()
-            if all(item["digest"] != entry["digest"] for item in there):
-                content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": [*there, dict(entry)]}
-                self.put_manifest(repository, tag, content, INDEX)
-                there = entries()
-            return any(item["digest"] == entry["digest"] for item in there)
+        def done() -> bool:
+            digest, there = read()
+            if (wanted := change(there)) == there:
+                return True
+            if self.head(repository, tag) != digest:
+                return False
+            self.put_manifest(repository, tag, {"schemaVersion": 2, "mediaType": INDEX, "manifests": wanted}, INDEX)
+            _, there = read()
+            return change(there) == there
 
         def lost(_: tenacity.RetryCallState) -> bool:
             raise RosmlError(f"{self.host}/{repository}:{tag} is written by others all the time", "run it again")
@@ -609,7 +619,7 @@ class Registry:
                 stop=tenacity.stop_after_attempt(ATTEMPTS),
                 wait=tenacity.wait_random(0, WAIT),
                 retry_error_callback=lost,
-            )(add)
+            )(done)
 
     # ---- Requests ----------------------------------------------------------------------------------------------------
 
@@ -808,20 +818,38 @@ class Registry:
         """
         with self._lock:
             challenge = self._challenge
-            if challenge is None:
-                return ""
-            if not self._asked:
-                self._credentials, self._asked = self._find_credentials(self.host), True
-            known = self._credentials
-            if not challenge.bearer:
-                if known is None:
-                    raise self._denied("in", "it asks for a user's name and a password")
-                return "Basic " + base64.b64encode(f"{known.username}:{known.password}".encode()).decode()
-            token, end = self._tokens.get(scopes, ("", 0.0))
-            if not token or f"Bearer {token}" == refused or time.monotonic() > end:
-                token, seconds = self._token(challenge, scopes | challenge.scopes if refused else scopes, known)
+        if challenge is None:
+            return ""
+        known = self._account()
+        if not challenge.bearer:
+            if known is None:
+                raise self._denied("in", "it asks for a user's name and a password")
+            return "Basic " + base64.b64encode(f"{known.username}:{known.password}".encode()).decode()
+        if header := self._kept(scopes, refused):
+            return header
+        with self._lock:
+            asking = self._asking.setdefault(scopes, threading.Lock())
+        with asking:  # one thread asks; who needs the same token waits for it, and nobody else does
+            if header := self._kept(scopes, refused):
+                return header
+            token, seconds = self._token(challenge, scopes | challenge.scopes if refused else scopes, known)
+            with self._lock:
                 self._tokens[scopes] = (token, time.monotonic() + 0.8 * seconds)
             return f"Bearer {token}"
+
+    def _account(self) -> Credentials | None:
+        """Who asks; a program that keeps passwords is run once."""
+        with self._finding:
+            if not self._asked:
+                self._credentials, self._asked = self._find_credentials(self.host), True
+            return self._credentials
+
+    def _kept(self, scopes: frozenset[str], refused: str) -> str:
+        """The header with the token that is there for some scopes; empty where there is none, or it does not hold."""
+        with self._lock:
+            token, end = self._tokens.get(scopes, ("", 0.0))
+        header = f"Bearer {token}"
+        return header if token and header != refused and time.monotonic() <= end else ""
 
     def _token(self, challenge: _Challenge, scopes: frozenset[str], known: Credentials | None) -> tuple[str, float]:
         """A Bearer token for some scopes, and for how many seconds it holds."""

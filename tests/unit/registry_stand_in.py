@@ -7,7 +7,7 @@ import hashlib
 import json
 import re
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -41,6 +41,7 @@ class StandIn:
         mounts: whether it mounts. referrers: whether it has the referrers API. page: how many tags a page has.
         users: who may log in, by name; nobody has to if there are none. bearer: whether they need a token.
         requests: all that came, as `METHOD path`. headers: of each.
+        answering: called with a request before its answer leaves, which was decided by then.
     """
 
     address: str = ""
@@ -61,6 +62,7 @@ class StandIn:
     lock: threading.Lock = field(default_factory=threading.Lock)
     uploads: int = 0
     aborted: int = 0
+    answering: Callable[[str], object] = lambda request: None
 
     def fault(self, method: str, path: str, kind: int | str, times: int = 1, **more: Any) -> None:
         """Tells it what to do wrong."""
@@ -110,6 +112,7 @@ class _Handler(BaseHTTPRequestHandler):
     do_GET = do_HEAD = do_PUT = do_POST = do_DELETE = _handle
 
     def _answer(self, code: int, body: bytes = b"", headers: dict[str, str] | None = None) -> None:
+        self.registry.answering(f"{self.command} {self.path}")
         self.send_response(code)
         for name, value in (headers or {}).items():
             self.send_header(name, value)

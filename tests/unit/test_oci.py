@@ -6,6 +6,7 @@ from __future__ import annotations
 import base64
 import json
 import logging
+import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -208,6 +209,28 @@ def test_many_attach_at_once(registry: Registry) -> None:
     assert len(set(made)) == 24
 
 
+@pytest.mark.parametrize("work", ["detach", "attach"])
+def test_two_publishers_change_what_is_attached(server: StandIn, registry: Registry, work: str) -> None:
+    """Without the API there is one list of it: what another publisher adds between a look at it and its change stays."""
+    subject = described(registry)
+    first = registry.attach("a", subject, TYPE, b"one", "text/plain")
+    theirs: list[str] = []
+
+    def meanwhile(request: str) -> None:
+        if request == f"GET /v2/a/manifests/{subject['digest'].replace(':', '-')}" and not theirs:
+            theirs.append("begun")
+            theirs.append(other.attach("a", subject, TYPE, b"theirs", "text/plain"))
+
+    with Registry(server.address) as other:
+        server.answering = meanwhile
+        if work == "detach":
+            registry.detach("a", subject["digest"], first)
+            ours = []
+        else:
+            ours = [first, registry.attach("a", subject, TYPE, b"two", "text/plain")]
+    assert {entry["digest"] for entry in registry.referrers("a", subject["digest"])} == {*ours, theirs[1]}
+
+
 # ---- What goes wrong -------------------------------------------------------------------------------------------------
 
 FAULTS: list[int | str] = [429, 500, 502, 503, 504, DROP]
@@ -362,7 +385,38 @@ def test_threads_share_a_token(server: StandIn, registry: Registry) -> None:
     server.bearer = True
     with ThreadPoolExecutor(16) as pool:
         list(pool.map(lambda _: registry.head("a", "x"), range(64)))
-    assert len(server.tokens) <= 16
+    assert len(server.tokens) == 1
+
+
+READERS = 16
+
+
+def test_readers_go_on_while_another_scope_gets_its_token(server: StandIn, registry: Registry) -> None:
+    """Nobody but who needs that token waits for it: all others are answered while the request for it is open."""
+    server.bearer = True
+    registry.head("a", "x")
+    asked, enough = threading.Event(), threading.Event()
+    read: list[str] = []
+    answered: list[int] = []
+
+    def answering(request: str) -> None:
+        if "/token" in request:
+            asked.set()
+            enough.wait(10)  # which ends the test where they do not go on
+            answered.append(len(read))
+        elif "/a/" in request:
+            read.append(request)
+            if len(read) == READERS:
+                enough.set()
+
+    server.answering = answering
+    with ThreadPoolExecutor(READERS + 1) as pool:
+        slow = pool.submit(registry.head, "b", "x")
+        assert asked.wait(10)
+        list(pool.map(lambda _: registry.head("a", "x"), range(READERS)))
+        slow.result()
+    assert answered == [READERS]
+    assert server.count("/token") == 2
 
 
 def test_a_token_that_ended_is_replaced(server: StandIn, registry: Registry) -> None:
