@@ -31,8 +31,10 @@ SBOM_SECONDS = 1800.0
 """A payload with CUDA is 3.5 GB compressed, and all of it is read."""
 SCAN_SECONDS = 600.0
 FETCH_SECONDS = 900.0
-SCHEMA = 2
-"""Version of the database's format that the pinned trivy reads."""
+DATABASE_FORMAT = 2
+"""Version of the database's format that the pinned trivy reads; also the tag of it in trivy's own repositories."""
+REPORT_FORMAT = 2
+"""Version of the JSON reports that the pinned trivy writes."""
 ATTEMPTS = 3
 PAUSE_SECONDS = 5.0
 """Before the second attempt; twice that before the third."""
@@ -180,7 +182,7 @@ class Trivy:
                 str(file),
                 seconds=self.scan_seconds,
             )
-        if report.get("SchemaVersion") != SCHEMA or not isinstance(report.get("Results", []), list):
+        if report.get("SchemaVersion") != REPORT_FORMAT or not isinstance(report.get("Results", []), list):
             raise ScannerFailed(f"trivy did not write a report about {what}", "run it again with another trivy")
         return report
 
@@ -237,10 +239,10 @@ class Trivy:
             raise ScannerFailed(f"there is no database of vulnerabilities in {folder}", "fetch it first") from None
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
             raise ScannerFailed(f"the database of vulnerabilities in {folder} is damaged", "fetch it anew") from None
-        if facts.get("Version") != SCHEMA:
+        if facts.get("Version") != DATABASE_FORMAT:
             raise ScannerFailed(
-                f"the database of vulnerabilities has format {facts.get('Version')}, and trivy reads {SCHEMA}",
-                "take the tag :2 of the repository, or pin a trivy that reads it",
+                f"the database of vulnerabilities has format {facts.get('Version')}, and trivy reads {DATABASE_FORMAT}",
+                f"take the tag :{DATABASE_FORMAT} of the repository, or pin a trivy that reads it",
             )
         source = folder / "source"
         return Database(
@@ -323,7 +325,8 @@ def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
     """
     reasons = []
     for repository in rules.repositories:
-        name, _, tag = repository.rpartition(":") if ":" in repository.rpartition("/")[2] else (repository, "", SCHEMA)
+        tagged = ":" in repository.rpartition("/")[2]
+        name, _, tag = repository.rpartition(":") if tagged else (repository, "", str(DATABASE_FORMAT))
         try:
             if digest := head(f"{name}:{tag}"):
                 return f"{name}@{digest}"

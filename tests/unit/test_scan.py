@@ -309,6 +309,19 @@ def test_a_database_of_another_format(world: World) -> None:
         scanned(world, image("a", base(world)))
 
 
+def test_a_new_format_of_the_database_is_no_other_format_of_reports(
+    world: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """trivy may change one without the other; its repositories name the database's as their tag."""
+    monkeypatch.setattr(trivy, "DATABASE_FORMAT", 3)
+    world.schema = 3
+    assert scanned(world, image("a", world.part("a", "bash", ros=True))).outcome is Outcome.CLEAN
+    database = rules(database="{repositories: [example.org/db], max_age_hours: 48}").policy.database
+    asked: list[str] = []
+    trivy.resolve(database, lambda reference: (asked.append(reference), "sha256:1")[1])
+    assert asked == ["example.org/db:3"]
+
+
 @pytest.mark.parametrize(
     ("hours", "says"),
     [(48, ""), (49, "was made 52 hours ago"), (24 * 30, "was made 30 days ago"), (-5, "made in the future")],
