@@ -37,6 +37,12 @@ class Overridable(Expression):
     fact: str
 
 
+@dataclass(frozen=True)
+class NoInput(Expression):
+    """An expression that holds no fact of the matrix: the caller of the bake file decides its value, or it follows from
+    what is an input anyway."""
+
+
 def render(catalogue: Catalogue) -> str:
     """The bake file. Depends on nothing but the catalogue."""
     parts = list(_head(catalogue))
@@ -207,7 +213,7 @@ def _groups(catalogue: Catalogue) -> Iterator[str]:
 
 
 def _abstract(catalogue: Catalogue) -> Iterator[Target]:
-    proxies = {proxy: call("given", Expression(proxy)) for proxy in PROXIES}
+    proxies = {proxy: _no_input("given", Expression(proxy)) for proxy in PROXIES}
     # Mirrors are secrets like the certificates: an argument would be in the image's history.
     secret = Expression(
         'concat(CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"], '
@@ -221,8 +227,10 @@ def _abstract(catalogue: Catalogue) -> Iterator[Target]:
     common: Labels = {
         "org.opencontainers.image.licenses": "Apache-2.0",
         **({"org.opencontainers.image.source": catalogue.matrix.source} if catalogue.matrix.source else {}),
-        "org.opencontainers.image.revision": call("given", Expression("REVISION")),
-        "org.opencontainers.image.created": Expression('timeadd("1970-01-01T00:00:00Z", "${SOURCE_DATE_EPOCH}s")'),
+        "org.opencontainers.image.revision": _no_input("given", Expression("REVISION")),
+        "org.opencontainers.image.created": _no_input(
+            "timeadd", "1970-01-01T00:00:00Z", template("${SOURCE_DATE_EPOCH}s")
+        ),
     }
     yield "_image", {"inherits": ["_common"], "labels": common}
     assembler = Expression(names.os_variable(next(iter(catalogue.matrix.operating_systems))))
@@ -271,13 +279,13 @@ def _distribution(matrix: Matrix, name: str, distribution: Distribution) -> dict
     system = matrix.operating_systems[distribution.os]
     variable = Expression(names.os_variable(distribution.os))
     common: Labels = {
-        "org.opencontainers.image.base.name": call("image_name", variable),
-        "org.opencontainers.image.base.digest": call("image_digest", variable),
+        "org.opencontainers.image.base.name": _no_input("image_name", variable),
+        "org.opencontainers.image.base.digest": _no_input("image_digest", variable),
         "io.rosml.distribution": name,
         "io.rosml.os": distribution.os,
         "io.rosml.python": system.python,
         "io.rosml.ros": str(distribution.ros),
-        **({"io.rosml.ros.sync": call("given", _sync_date(name))} if distribution.apt else {}),
+        **({"io.rosml.ros.sync": _no_input("given", _sync_date(name))} if distribution.apt else {}),
         **({"io.rosml.experimental": "true"} if distribution.experimental else {}),
     }
     platforms = _platforms(matrix.architectures[item].platform for item in rules.built_for(matrix, name))
@@ -306,8 +314,12 @@ def _ros(matrix: Matrix, name: str, distribution: Distribution) -> dict[str, obj
     }
 
 
-def _sync_date(distribution: str) -> Expression:
-    return call("sync_date", distribution)
+def _no_input(function: str, *arguments: str | Expression) -> NoInput:
+    return NoInput(call(function, *arguments).code)
+
+
+def _sync_date(distribution: str) -> NoInput:
+    return _no_input("sync_date", distribution)
 
 
 def _overridable(fact: str, variable: str) -> Overridable:
@@ -443,7 +455,9 @@ def _join(matrix: Matrix, image: Image) -> dict[str, object]:
     parts = dict(zip(rules.parts(framework, stack), image.parts, strict=True))
     everywhere = rules.joined_for(matrix, image.os, image.framework, image.stack)
     args: dict[str, str | Expression] = {"ACCELERATOR": stack.accelerator}
-    args |= {f"{part.upper().replace('-', '_')}_ROOT": call("root", parts[part]) for part in PARTS if part in parts}
+    args |= {
+        f"{part.upper().replace('-', '_')}_ROOT": _no_input("root", parts[part]) for part in PARTS if part in parts
+    }
     args |= {f"{name.upper()}_VERSION": version for name, version in image.versions.items() if name != "nccl"}
     return {
         "target": image.framework,

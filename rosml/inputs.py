@@ -1,8 +1,8 @@
 """What decides the content of an image or payload, and a digest of it: the same inputs, the same digest, anywhere.
 
 Nothing is listed by hand. The targets and their wiring are those of the bake file (`bake`), stages and the files they
-use are those of the Dockerfile (`dockerfile`); so an input that is added there counts at once. What variables decide
-(registry, proxies, the commit of a label) is no input: it is not in the matrix, or does not reach the content.
+use are those of the Dockerfile (`dockerfile`); so an input that is added there counts at once. What the caller decides
+(registry, proxies, the commit of a label) is no input, and declared so (`bake.NoInput`); any other expression is an error.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Inputs:
         key = (target, architecture)
         if key not in self._known:
             attributes = self._resolved(target)
-            arguments = {name: text for name, value in attributes["args"].items() if (text := self._text(value))}
+            arguments = self._texts(target, "args")
             inputs = {"platform": self.catalogue.matrix.architectures[architecture].platform}
             if attributes["target"] not in self._stages:
                 raise RosmlError(
@@ -60,11 +60,9 @@ class Inputs:
                 )
             inputs["Dockerfile: before the first stage"] = self._stages[""].digest
             inputs[".dockerignore"] = self._ignored
-            inputs |= self._stage(attributes["target"], attributes["contexts"], arguments, architecture)
+            inputs |= self._stage(attributes["target"], self._contexts(target), arguments, architecture)
             inputs |= {f"argument {name}": value for name, value in arguments.items()}
-            inputs |= {
-                f"label {name}": text for name, value in attributes["labels"].items() if (text := self._text(value))
-            }
+            inputs |= {f"label {name}": value for name, value in self._texts(target, "labels").items()}
             self._known[key] = inputs
         return self._known[key]
 
@@ -94,7 +92,7 @@ class Inputs:
         missing = [name.removeprefix("base image ") for name, value in used.items() if value == UNPINNED]
         idle = [
             name
-            for name, value in attributes["contexts"].items()
+            for name, value in self._contexts(image.target).items()
             if not self._context(value, architecture).items() <= used.items()
         ]
         if missing:
@@ -136,14 +134,38 @@ class Inputs:
             self._attributes[target] = merged
         return self._attributes[target]
 
-    def _text(self, value: str | Expression) -> str:
-        """A value that the catalogue decides: text, or a variable's default. Function calls are about variables."""
+    def _texts(self, target: str, kind: str) -> dict[str, str]:
+        """What the catalogue decides of a target's arguments or labels."""
+        every = self._resolved(target)[kind].items()
+        return {name: text for name, value in every if (text := self._text(value, f"{target}, {kind}: {name}"))}
+
+    def _contexts(self, target: str) -> dict[str, str | bake.Dependency]:
+        """A target's named contexts."""
+        every = self._resolved(target)["contexts"].items()
+        return {
+            name: value if isinstance(value, bake.Dependency) else self._text(value, f"{target}, contexts: {name}")
+            for name, value in every
+        }
+
+    def _text(self, value: str | Expression, where: str) -> str:
+        """A value that the catalogue decides: text, a variable's default, a fact; empty for what is no input.
+
+        Raises:
+            RosmlError: nobody says which fact it depends on: taken for no input, it would change an image unseen.
+        """
+        if isinstance(value, str):
+            return value
         if isinstance(value, bake.Overridable):
             return value.fact
-        return self._variables.get(value.code, "") if isinstance(value, Expression) else value
+        if isinstance(value, bake.NoInput):
+            return ""
+        if value.code in self._variables:
+            return self._variables[value.code]
+        text = f"{where} is {value.code}, and nothing says which fact of matrix.yaml decides it"
+        raise RosmlError(text, "declare it in rosml/bake.py: Overridable with its fact, or NoInput")
 
     def _stage(
-        self, name: str, contexts: Mapping[str, Any], arguments: Mapping[str, str], architecture: str
+        self, name: str, contexts: Mapping[str, str | bake.Dependency], arguments: Mapping[str, str], architecture: str
     ) -> dict[str, str]:
         """The inputs of a stage with what it stands on."""
         stage = self._stages.get(name)
@@ -161,15 +183,14 @@ class Inputs:
             inputs |= self._source(_filled(source, values))
         return inputs
 
-    def _context(self, value: str | Expression, architecture: str) -> dict[str, str]:
+    def _context(self, value: str | bake.Dependency, architecture: str) -> dict[str, str]:
         """The inputs behind a named context: another target, or a base image."""
         if isinstance(value, bake.Dependency):
             return {TARGET + value.target: self.digest(value.target, architecture)}
-        text = self._text(value)
-        if text.startswith("target:"):
-            target = text.removeprefix("target:")
+        if value.startswith("target:"):
+            target = value.removeprefix("target:")
             return {TARGET + target: self.digest(target, architecture)}
-        return _base_image(text.removeprefix("docker-image://"))
+        return _base_image(value.removeprefix("docker-image://"))
 
     def _source(self, source: str) -> dict[str, str]:
         """Digests of a file, of all files in a folder, or of all that a pattern matches."""

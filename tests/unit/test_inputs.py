@@ -13,7 +13,7 @@ import pytest
 import yaml
 from conftest import ROOT, SMALL, changed, parse
 
-from rosml import bake, dockerfile, expand, model, source
+from rosml import bake, dockerfile, expand, hcl, model, source
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload
 from rosml.inputs import MISSING, TARGET, Inputs
@@ -244,6 +244,31 @@ def test_a_fact_changes_what_it_reaches(name: str, project: Path, small: Catalog
     found = differing(digests(project), digests(project, changed(old, new)))
     assert {target for target, _ in found} == wanted(small) != set()
     assert found == {(target, name) for target, name in digests(project) if target in wanted(small)}
+
+
+EXPRESSIONS = [
+    hcl.call("overridable", "one", hcl.Expression("ROS_CHANNEL")),
+    hcl.call("given", hcl.Expression("REVISION")),
+    hcl.Expression("NO_VARIABLE"),
+    hcl.Expression('REVISION == "" ? "one" : "two"'),
+    hcl.template("${REGISTRY}/one"),
+]
+
+
+@pytest.mark.parametrize("where", ["args", "labels", "contexts"])
+@pytest.mark.parametrize("value", EXPRESSIONS, ids=lambda value: value.code)
+def test_an_expression_that_nobody_declared_is_an_error(
+    value: hcl.Expression, where: str, project: Path, small: Catalogue, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It may hold a fact of the matrix, and an image that it decides would not be built anew."""
+    every = bake.targets(small)
+    name = "parent" if where == "contexts" else "NEW"
+    own = every["alpha-core"]
+    changed = every | {"alpha-core": {**own, where: {**own.get(where, {}), name: value}}}
+    monkeypatch.setattr(bake, "targets", lambda _: changed)
+    with pytest.raises(RosmlError, match=f"alpha-core.*{name}") as caught:
+        Inputs(project, small).digest("alpha-core", "amd64")
+    assert value.code in caught.value.message and "rosml/bake.py" in caught.value.remedy
 
 
 def test_the_time_of_files_counts(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
