@@ -253,12 +253,8 @@ class Agenda:
     def hindrance(self, item: Item) -> str:
         """Why an item cannot be made on this machine; empty where it can."""
         image_or_payload = item.thing
-        locks = image_or_payload.unlocked if isinstance(image_or_payload, Image) else ()
-        lacking = [lock for lock in locks if lock.split("/")[2] == item.architecture]
-        if lacking:
+        if lacking := [lock for lock in image_or_payload.unlocked if lock.split("/")[2] == item.architecture]:
             return f"unlocked: {some(lacking)}"
-        if isinstance(image_or_payload, Payload) and self._unlocked(image_or_payload, item.architecture):
-            return "unlocked: its lock is missing"
         if item.kind == "joined":  # put together in the registry, from anywhere
             return ""
         if item.architecture not in self.architectures:
@@ -269,10 +265,6 @@ class Agenda:
         if item.kind == "payload":
             return ""
         return f"unbuildable here: {system.image} is on Docker Hub, which does not answer"
-
-    def _unlocked(self, payload: Payload, architecture: str) -> bool:
-        lock = dict(zip(payload.architectures, payload.locks, strict=True))[architecture]
-        return not (self.services.root / lock).is_file()
 
     def _reason(self, key: tuple[str, str]) -> str:
         """Why a part cannot be made here; of what it needs itself, if that is the reason."""

@@ -42,6 +42,7 @@ class Payload:
         platforms: the same as BuildKit calls them.
         locks: its lock for each architecture, relative to the project's root.
         disk: forecast of its size.
+        unlocked: the locks that are missing, or not of what the matrix says now; it cannot be assembled from these.
     """
 
     name: str
@@ -53,6 +54,7 @@ class Payload:
     platforms: tuple[str, ...]
     locks: tuple[str, ...]
     disk: Size
+    unlocked: tuple[str, ...] = ()
 
     @property
     def target(self) -> str:
@@ -264,7 +266,7 @@ def _text(file: Path) -> str:
 
 
 def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
-    """A catalogue that knows which of its images lack a lock."""
+    """A catalogue that knows which of its images and payloads lack a lock."""
     absent = catalogue.locks.difference(present)
     lost = absent - missing.waiting(catalogue.matrix, catalogue.payloads)
 
@@ -281,7 +283,11 @@ def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
         return replace(image, tests=tuple(dict.fromkeys((*image.tests, *long))))
 
     images = tuple(alone(image) if image.covered and locked.isdisjoint(image.covered) else image for image in images)
-    return replace(catalogue, images=images)
+    payloads = tuple(
+        replace(payload, unlocked=tuple(lock for lock in payload.locks if lock in absent))
+        for payload in catalogue.payloads
+    )
+    return replace(catalogue, images=images, payloads=payloads)
 
 
 def _long_tests(distribution: Distribution) -> tuple[str, ...]:

@@ -21,7 +21,7 @@ from rosml import base_images, builder, names, registry
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Payload
 from rosml.model import ANY_PYTHON
-from rosml.problems import unknown
+from rosml.problems import listed, unknown
 from rosml.publish import NAMESPACE, push_by_digest, write_excerpt
 from rosml.services import Services
 
@@ -78,7 +78,8 @@ def publish(
     again: bool = False,
     platform: str = "",
 ) -> Assembled:
-    """Assembles a payload for all architectures that have its lock, and moves its tag if these are all that it has.
+    """Assembles a payload for all architectures that have its lock, of what the matrix says now, and moves its tag if these
+    are all that it has.
 
     Args:
         services: registry and builder.
@@ -99,10 +100,11 @@ def publish(
     platforms = [
         name
         for name, lock in zip(payload.platforms, payload.locks, strict=True)
-        if platform in ("", name) and (services.root / lock).is_file()
+        if platform in ("", name) and lock not in payload.unlocked
     ]
     if not platforms:
-        raise RosmlError(f"payload {payload.name} has no lock yet: {', '.join(payload.locks)}", "run 'make locks'")
+        text = f"payload {payload.name} has no lock of what matrix.yaml says now: {listed(payload.unlocked)}"
+        raise RosmlError(text, "run 'make locks'")
     prefix = f"{services.registry}/{namespace}"
     repository = f"{prefix}/payload"
     base, digest = push(services, catalogue, payload, say, prefix, platforms, again)

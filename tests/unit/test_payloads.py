@@ -17,6 +17,7 @@ from rosml.errors import RosmlError
 from scripts import publish as script
 
 INDEX, LAYER = "sha256:" + "b" * 64, "sha256:" + "c" * 64
+LOCK = "locks/cpu/arm64/3.12/torch.txt"
 BAKE = """
 case $1 in
 build) shift; for word; do last=$word; done
@@ -61,8 +62,9 @@ class Stage:
     def publish(self, name: str, again: bool = False, platform: str = "", **changes: Any) -> payloads.Assembled:
         found = services(self.folder, **{**self.facts, **changes})
         (found.state / "tmp").mkdir(exist_ok=True)
-        payload = payloads.find(self.catalogue, name)
-        return payloads.publish(found, self.catalogue, payload, self.said.append, again=again, platform=platform)
+        catalogue = expand.with_locks(self.catalogue, expand.current_locks(self.catalogue, self.folder))
+        payload = payloads.find(catalogue, name)
+        return payloads.publish(found, catalogue, payload, self.said.append, again=again, platform=platform)
 
 
 @pytest.fixture
@@ -111,8 +113,24 @@ def test_an_architecture_without_a_lock_is_left_out(stage: Stage) -> None:
     assert "platform=linux/arm64 " in baked(stage)
     assert not [call for call in calls(stage.folder) if call.startswith("regctl image copy")]
     (stage.folder / "locks/cpu/arm64/3.12/common.txt").unlink()
-    with pytest.raises(RosmlError, match=r"no lock yet: locks/cpu/amd64/3\.12/common\.txt"):
+    with pytest.raises(RosmlError, match=r"has no lock .*: locks/cpu/amd64/3\.12/common\.txt") as caught:
         stage.publish("common-cpu-py312")
+    assert "make locks" in caught.value.remedy
+
+
+@pytest.mark.parametrize("of", ["another version", "a cut file", "another part"])
+def test_a_lock_of_something_else_is_none(stage: Stage, of: str) -> None:
+    """What it pins would be assembled under a label and a tag that promise what matrix.yaml says now."""
+    text = (stage.folder / LOCK).read_text()
+    wrong = {
+        "another version": text.replace("torch==2.10.0", "torch==2.9.1"),
+        "a cut file": text[: len(text) // 2],
+        "another part": (stage.folder / LOCK.replace("torch", "common")).read_text(),
+    }
+    (stage.folder / LOCK).write_text(wrong[of])
+    with pytest.raises(RosmlError, match=r"has no lock .*: locks/cpu/arm64/3\.12/torch\.txt"):
+        stage.publish("torch-cpu-py312", platform="linux/arm64")
+    assert not calls(stage.folder)
 
 
 @pytest.fixture

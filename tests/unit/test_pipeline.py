@@ -377,6 +377,18 @@ def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Place
     assert {outcome.target for outcome in again.outcomes} == {"omega-core"}
 
 
+def test_a_lock_of_another_version_makes_nothing(registry: Place, catalogue: Catalogue, project: Path) -> None:
+    """A stack was given a new release, and nobody ran 'make locks': its payload waits, as its images do."""
+    lock = next(name for name in catalogue.by_target[BASE].locks if name.endswith("amd64/3.12/torch.txt"))
+    (project / lock).write_text((project / lock).read_text().replace("torch==2.10.0", "torch==2.9.1"))
+    stale = expand.with_locks(catalogue, expand.current_locks(catalogue, project))
+    run = registry.publish(stale, architectures=("amd64",))
+    assert ("payload-torch-cu1-py312", "amd64") not in steps(run, "build")
+    assert "torch-cu1-py312" not in registry.tagged("payload")
+    found = run.agenda.hindrance(run.agenda.by_key["payload-torch-cu1-py312", "amd64"])
+    assert found == run.agenda.hindrance(run.agenda.by_key[BASE, "amd64"]) == f"unlocked: {lock}"
+
+
 def test_force_makes_everything_anew_once(registry: Place, catalogue: Catalogue) -> None:
     first = registry.publish(catalogue)
     run = registry.publish(catalogue, date=NEXT, force=True)
