@@ -214,6 +214,15 @@ def test_yaml_of_the_documentation_is_yaml(name: str, real: Catalogue) -> None:
     assert image in tags(real)
 
 
+def test_the_workflow_of_the_documentation_can_pull_private_packages() -> None:
+    """Packages that a repository publishes are private at first: its token has to be sent, and may read them."""
+    [block] = titled(".github/workflows/test.yml")
+    workflow = yaml.safe_load(block.text)
+    assert workflow["permissions"] == {"contents": "read", "packages": "read"}
+    [job] = workflow["jobs"].values()
+    assert job["container"]["credentials"] == {"username": "${{ github.actor }}", "password": "${{ github.token }}"}
+
+
 def test_a_dev_container_is_json() -> None:
     [block] = titled(".devcontainer/devcontainer.json")
     assert json.loads(block.text)["workspaceFolder"].startswith("/docker-ros/ws")
