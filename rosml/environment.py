@@ -11,6 +11,8 @@ REQUIRED = ("click", "httpx", "pydantic", "rich", "tenacity", "yaml", "zstandard
 
 if lacking := [name for name in REQUIRED if importlib.util.find_spec(name) is None]:
     print(
-        f"run it with: uv run scripts/{Path(sys.argv[0]).name} ({', '.join(lacking)}: not installed)", file=sys.stderr
+        f"error: not installed: {', '.join(lacking)}\n"
+        f"remedy: python3 scripts/bootstrap.py tools --python, then uv run scripts/{Path(sys.argv[0]).name}",
+        file=sys.stderr,
     )
     sys.exit(2)

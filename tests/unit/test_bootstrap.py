@@ -914,7 +914,7 @@ def test_status_after_the_services_died(tmp_path: Path) -> None:
 
 
 def test_clean_removes_what_was_made(tmp_path: Path) -> None:
-    for path in (".state/registry/blob", ".venv/bin/python", "mine.txt", "uv.lock"):
+    for path in (".state/registry/blob", ".venv/bin/python", "mine.txt"):
         (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / path).write_text("x" * 100)
     done = bootstrap(tmp_path, "clean")

@@ -100,7 +100,10 @@ def test_outside_of_the_virtual_environment(script: str) -> None:
     """Without any packages: before the first of them is imported, wherever that is."""
     argv = [sys.executable, "-S", str(ROOT / f"scripts/{script}.py"), "--help"]
     done = subprocess.run(argv, capture_output=True, text=True, check=False)
-    told = f"run it with: uv run scripts/{script}.py ({', '.join(environment.REQUIRED)}: not installed)\n"
+    told = (
+        f"error: not installed: {', '.join(environment.REQUIRED)}\n"
+        f"remedy: python3 scripts/bootstrap.py tools --python, then uv run scripts/{script}.py\n"
+    )
     assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
 
 

@@ -306,7 +306,6 @@ def clean(state: State) -> None:
             if folder.name != "__pycache__":
                 say(f"removing {folder}")
             remove(folder)
-    (state.root / "uv.lock").unlink(missing_ok=True)
     say(f"freed {freed / 1e9:.1f} GB" if freed else "nothing to remove")
 
 
@@ -401,7 +400,7 @@ def print_status(state: State, as_json: bool) -> None:
 
 COMMANDS = {
     "tools": "find the tools that builds need, install those that are missing",
-    "linters": "those Python packages, and actionlint, which is built in some seconds",
+    "linters": "the Python packages, and actionlint, which is built in some seconds",
     "up": "the same, then start the local registry and the builder",
     "suite": "the same for `make test`: with Docker, Chromium and actionlint where there are none",
     "emulate": "let this machine build and test for the other architecture, with QEMU",

@@ -27,6 +27,10 @@ OLDEST_GO: Version = (1, 21)
 """From this release on Go fetches the newer toolchain that a go.mod asks for by itself."""
 
 
+OLDEST_PYTHON: Version = (3, 11)
+"""That the commands run with, as pyproject.toml has it."""
+
+
 @dataclass(frozen=True)
 class GoTool:
     """A program built from its Go module; ``tools/go/<folder>`` pins it and all its dependencies by hash."""
@@ -320,19 +324,33 @@ class Installer:
         say(f"{name}: installed from its Python package in {elapsed(started)}")
         return str(program)
 
-    def packages(self, uv: str, group: str = "") -> None:
-        """Installs the Python packages of pyproject.toml into ``.venv``, with those of a group that is left out elsewhere."""
+    def packages(self, uv: str, group: str = "dev") -> None:
+        """Installs the Python packages of ``tools/requirements-<group>.txt`` into ``.venv``, and removes others.
+
+        Args:
+            group: ``app`` (of the commands alone), ``dev`` (of linters and tests too), ``page`` (of the page's tests too).
+
+        Raises:
+            Failure: a package has none of the hashes in the file, or cannot be had.
+        """
         started = time.monotonic()
-        fresh = not (self.state.root / ".venv").exists()
-        if fresh:
-            say("Python packages: installing into .venv")
+        venv, log = self.state.root / ".venv", self.state.log / "packages.log"
         env = dict(os.environ, UV_COMPILE_BYTECODE="1")
-        env.pop("UV_QUIET", None)
+        for name in ("UV_QUIET", "VIRTUAL_ENV", "UV_PYTHON"):
+            env.pop(name, None)
         env.setdefault("UV_CACHE_DIR", str(self.state.folder / "uv"))
         if self.ca_bundle:
             env["SSL_CERT_FILE"] = self.ca_bundle
-        more = ["--group", group] if group else []
-        run("Python packages", [uv, "sync", *more], self.state.log / "packages.log", env=env, cwd=self.state.root)
+        python = venv / "bin" / "python"
+        fresh = output_of([str(python), "-c", ""]) is None
+        if fresh:
+            say("Python packages: installing into .venv")
+            make = [uv, "venv", "--clear", "--no-project", "--python", f">={dotted(OLDEST_PYTHON)}", str(venv)]
+            run("Python packages", make, log, env=env, cwd=self.state.root)
+        file = self.state.root / "tools" / f"requirements-{group}.txt"
+        # A build would fetch what it needs by itself, without a hash: wheels alone.
+        sync = [uv, "pip", "sync", "--python", str(python), "--require-hashes", "--no-build", str(file)]
+        run("Python packages", sync, log, env=env, cwd=self.state.root)
         if fresh:
             say(f"Python packages: installed into .venv in {elapsed(started)}")
 

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Resolves the Python packages in pyproject.toml, and what they require, to versions and hashes: tools/requirements-*.txt."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import subprocess
+import sys
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parent.parent
+
+FILES: dict[str, tuple[str, ...]] = {"app": (), "dev": ("dev",), "page": ("dev", "page")}
+"""Groups of pyproject.toml that a file has, beside the packages of the commands."""
+
+HEADER = """\
+# {what}, by hash. Written by: uv run scripts/requirements.py
+# asked for: sha256:{digest}
+"""
+
+
+def group(project: dict[str, Any], name: str) -> Iterator[str]:
+    """The requirements of a group, with those of the groups that it includes."""
+    for item in project["dependency-groups"][name]:
+        if isinstance(item, str):
+            yield item
+        else:
+            yield from group(project, item["include-group"])
+
+
+def asked(root: Path) -> dict[str, str]:
+    """What pyproject.toml asks for, a requirement on each line, by file."""
+    project = tomllib.loads((root / "pyproject.toml").read_text())
+    commands = list(project["project"]["dependencies"])
+    return {
+        file: "\n".join(sorted({*commands, *(item for name in groups for item in group(project, name))})) + "\n"
+        for file, groups in FILES.items()
+    }
+
+
+def path(root: Path, file: str) -> Path:
+    """Where a file is."""
+    return root / "tools" / f"requirements-{file}.txt"
+
+
+def header(file: str, wanted: str) -> str:
+    """A file's first lines, which say what it was resolved from."""
+    what = " and ".join(["The commands' Python packages", *(f"the group {name}" for name in FILES[file])])
+    return HEADER.format(what=what, digest=hashlib.sha256(wanted.encode()).hexdigest())
+
+
+def stale(root: Path) -> list[str]:
+    """Files that were not resolved from what pyproject.toml asks for now."""
+    wanted = asked(root)
+    return [
+        str(path(root, file).relative_to(root))
+        for file in FILES
+        if not path(root, file).is_file() or not path(root, file).read_text().startswith(header(file, wanted[file]))
+    ]
+
+
+def resolve(root: Path, upgrade: bool) -> None:
+    """Writes all files, the largest first: the others take its versions.
+
+    Raises:
+        subprocess.CalledProcessError: uv found no versions that fit; it has said why.
+    """
+    wanted, python = asked(root), requires_python(root)
+    for file in sorted(FILES, key=lambda name: -len(wanted[name])):
+        target = path(root, file)
+        argv = ["uv", "pip", "compile", "-", "--quiet", "--universal", "--python-version", python, "--generate-hashes"]
+        argv += ["--no-annotate", "--no-header", "--output-file", str(target)]
+        if file != "page":
+            argv += ["--constraint", str(path(root, "page"))]
+        if upgrade:
+            argv += ["--upgrade"]
+        subprocess.run(argv, input=wanted[file], text=True, check=True, stdout=subprocess.DEVNULL)
+        target.write_text(header(file, wanted[file]) + target.read_text())
+
+
+def requires_python(root: Path) -> str:
+    """The oldest Python that the commands run with."""
+    text: str = tomllib.loads((root / "pyproject.toml").read_text())["project"]["requires-python"]
+    return text.removeprefix(">=")
+
+
+def main() -> int:
+    """Resolves, or with --check only compares."""
+    parser = argparse.ArgumentParser(prog="requirements.py", description=__doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 if pyproject.toml asks for others")
+    parser.add_argument("--upgrade", action="store_true", help="move what the packages require to the newest versions")
+    options = parser.parse_args()
+    if options.check:
+        if found := stale(ROOT):
+            print(f"error: not of today's pyproject.toml: {', '.join(found)}", file=sys.stderr)
+            print("remedy: uv run scripts/requirements.py", file=sys.stderr)
+        return 1 if found else 0
+    try:
+        resolve(ROOT, options.upgrade)
+    except FileNotFoundError:
+        print("error: 'uv' is not installed\nremedy: run 'make up'", file=sys.stderr)
+        return 1
+    except subprocess.CalledProcessError:
+        print("error: no versions were found that fit\nremedy: see what uv says above", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

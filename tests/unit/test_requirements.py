@@ -1,0 +1,179 @@
+"""The Python packages of the commands, of the tests and of the page's tests: each file has all of them, by hash, and nothing
+else is installed."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+from machine.console import Failure
+from machine.install import Installer
+from machine.state import State
+
+FILES = ("app", "dev", "page")
+
+
+def requirements(name: str) -> str:
+    return (ROOT / f"tools/requirements-{name}.txt").read_text()
+
+
+def check(root: Path) -> subprocess.CompletedProcess[str]:
+    """Whether the files of a checkout are those of its pyproject.toml; asks no index."""
+    argv = [sys.executable, str(root / "scripts/requirements.py"), "--check"]
+    return subprocess.run(argv, capture_output=True, text=True, check=False)
+
+
+def test_they_are_current() -> None:
+    done = check(ROOT)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "stale"),
+    [
+        ('"click==', '"clock==', {"app", "dev", "page"}),
+        ('"pytest==', '"pytest>=', {"dev", "page"}),
+        ('"zensical==', '"zensicol==', {"dev", "page"}),
+        ('"playwright==', '"playwrong==', {"page"}),
+        ("line-length = 120", "line-length = 121", set()),
+    ],
+)
+def test_a_change_of_pyproject_is_seen(tmp_path: Path, old: str, new: str, stale: set[str]) -> None:
+    for folder in ("scripts", "tools", "rosml"):
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__", "go"))
+    text = (ROOT / "pyproject.toml").read_text()
+    assert text.count(old) == 1
+    (tmp_path / "pyproject.toml").write_text(text.replace(old, new))
+    done = check(tmp_path)
+    assert set(re.findall(r"tools/requirements-(\w+)\.txt", done.stdout + done.stderr)) == stale
+    assert done.returncode == (1 if stale else 0)
+    if stale:
+        assert "remedy: uv run scripts/requirements.py" in done.stderr
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_each_package_has_one_version_and_hashes(name: str) -> None:
+    text = requirements(name)
+    assert "://" not in text, "the address of an index"
+    blocks = re.split(r"\n(?=\S)", re.sub(r"^#.*\n", "", text, flags=re.MULTILINE).strip())
+    assert len(blocks) > 10
+    for block in blocks:
+        assert re.match(r"[\w.-]+==[\w.!+]+( ; [^\\\n]+)? \\\n", block), block
+        assert re.search(r"--hash=sha256:[0-9a-f]{64}", block), block
+
+
+def test_what_is_asked_for_is_there() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    groups = project["dependency-groups"]
+    wanted = {"app": project["project"]["dependencies"]}
+    wanted["dev"] = [*wanted["app"], *groups["docs"], *(item for item in groups["dev"] if isinstance(item, str))]
+    wanted["page"] = [*wanted["dev"], *groups["page"]]
+    for name in FILES:
+        found = set(re.findall(r"^([\w.-]+==\S+)", requirements(name), re.MULTILINE))
+        assert {item.lower() for item in wanted[name]} <= found
+
+
+def test_they_agree_with_one_another() -> None:
+    """So that a machine that has one of them changes no version for the next."""
+    app, dev, page = (set(re.findall(r"^[\w.-]+==\S+", requirements(name), re.MULTILINE)) for name in FILES)
+    assert app < dev < page
+
+
+# ---- Installed --------------------------------------------------------------------------------------------------------
+
+
+def wheel(folder: Path, name: str, needs: str = "") -> str:
+    """Makes a wheel without any code; its sha256."""
+    folder.mkdir(exist_ok=True)
+    info = f"{name}-1.0.dist-info"
+    metadata = f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n" + (f"Requires-Dist: {needs}\n" if needs else "")
+    content = {
+        f"{name}.py": "",
+        f"{info}/METADATA": metadata,
+        f"{info}/WHEEL": "Wheel-Version: 1.0\nGenerator: a test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+    }
+    digest = {path: base64.urlsafe_b64encode(hashlib.sha256(text.encode()).digest()) for path, text in content.items()}
+    record = "".join(f"{path},sha256={digest[path].decode().rstrip('=')},{len(content[path])}\n" for path in content)
+    file = folder / f"{name}-1.0-py3-none-any.whl"
+    with zipfile.ZipFile(file, "w") as archive:
+        for path, text in {**content, f"{info}/RECORD": f"{record}{info}/RECORD,,\n"}.items():
+            archive.writestr(path, text)
+    return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
+@pytest.fixture
+def installer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Installer:
+    """Of an empty checkout, on a machine whose only packages are those in a folder."""
+    for name in [name for name in os.environ if name.startswith("UV_") or name == "VIRTUAL_ENV"]:
+        monkeypatch.delenv(name)
+    wanted = {"UV_NO_INDEX": "1", "UV_FIND_LINKS": str(tmp_path / "wheels"), "UV_CACHE_DIR": str(tmp_path / "cache")}
+    for name, value in wanted.items():
+        monkeypatch.setenv(name, value)
+    state = State(tmp_path / "checkout")
+    (state.root / "tools").mkdir(parents=True)
+    (state.root / "pyproject.toml").write_text((ROOT / "pyproject.toml").read_text())
+    state.prepare()
+    return Installer(state, "")
+
+
+def uv() -> str:
+    found = os.environ.get("UV") or shutil.which("uv") or str(ROOT / ".state/bin/uv")
+    assert Path(found).exists(), "make up installs uv"
+    return found
+
+
+def installed(installer: Installer) -> set[str]:
+    return {path.name for path in (installer.state.root / ".venv").rglob("*-1.0.dist-info")}
+
+
+def test_a_package_with_another_hash_is_refused(installer: Installer, tmp_path: Path) -> None:
+    digest = wheel(tmp_path / "wheels", "one")
+    file = installer.state.root / "tools/requirements-app.txt"
+    file.write_text(f"one==1.0 --hash=sha256:{'0' * 64}\n")
+    with pytest.raises(Failure, match="(?i)hash"):
+        installer.packages(uv(), "app")
+    assert not installed(installer)
+    file.write_text(f"one==1.0 --hash=sha256:{digest}\n")
+    installer.packages(uv(), "app")
+    assert installed(installer) == {"one-1.0.dist-info"}
+
+
+def test_a_package_without_a_hash_is_refused(installer: Installer, tmp_path: Path) -> None:
+    wheel(tmp_path / "wheels", "one")
+    (installer.state.root / "tools/requirements-app.txt").write_text("one==1.0\n")
+    with pytest.raises(Failure, match="(?i)hash"):
+        installer.packages(uv(), "app")
+
+
+def test_what_a_package_requires_is_not_chosen_during_installation(installer: Installer, tmp_path: Path) -> None:
+    digest = wheel(tmp_path / "wheels", "one", needs="two")
+    wheel(tmp_path / "wheels", "two")
+    (installer.state.root / "tools/requirements-app.txt").write_text(f"one==1.0 --hash=sha256:{digest}\n")
+    installer.packages(uv(), "app")
+    assert installed(installer) == {"one-1.0.dist-info"}
+
+
+def test_what_is_no_longer_asked_for_goes(installer: Installer, tmp_path: Path) -> None:
+    names = {name: wheel(tmp_path / "wheels", name) for name in ("one", "two")}
+    for group in ("dev", "app"):
+        wanted = names if group == "dev" else {"one": names["one"]}
+        text = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in wanted.items())
+        (installer.state.root / f"tools/requirements-{group}.txt").write_text(text)
+        installer.packages(uv(), group)
+        assert installed(installer) == {f"{name}-1.0.dist-info" for name in wanted}
+
+
+def test_uv_resolves_nothing_by_itself() -> None:
+    """`uv run` would otherwise install versions that nobody pinned, and write uv.lock."""
+    assert tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["uv"]["managed"] is False
