@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import subprocess
 import sys
@@ -12,7 +11,16 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+
+import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+
+# isort: split
+
+import click
+
+from rosml import ROOT, command
+from rosml.errors import RosmlError
 
 FILES: dict[str, tuple[str, ...]] = {"app": (), "dev": ("dev",), "page": ("dev", "page")}
 """Groups of pyproject.toml that a file has, beside the packages of the commands."""
@@ -67,7 +75,7 @@ def resolve(root: Path, upgrade: bool) -> None:
     """Writes all files, the largest first: the others take its versions.
 
     Raises:
-        subprocess.CalledProcessError: uv found no versions that fit; it has said why.
+        RosmlError: uv is missing, or found no versions that fit.
     """
     wanted, python = asked(root), requires_python(root)
     for file in sorted(FILES, key=lambda name: -len(wanted[name])):
@@ -78,7 +86,12 @@ def resolve(root: Path, upgrade: bool) -> None:
             argv += ["--constraint", str(path(root, "page"))]
         if upgrade:
             argv += ["--upgrade"]
-        subprocess.run(argv, input=wanted[file], text=True, check=True, stdout=subprocess.DEVNULL)
+        try:
+            subprocess.run(argv, input=wanted[file], text=True, check=True, capture_output=True)
+        except FileNotFoundError:
+            raise RosmlError("'uv' is not installed", "run 'make up'") from None
+        except subprocess.CalledProcessError as error:
+            raise RosmlError(f"uv cannot resolve {target.name}:\n{error.stderr.strip()}", "see what uv says") from None
         target.write_text(header(file, wanted[file]) + target.read_text())
 
 
@@ -88,27 +101,22 @@ def requires_python(root: Path) -> str:
     return text.removeprefix(">=")
 
 
-def main() -> int:
-    """Resolves, or with --check only compares."""
-    parser = argparse.ArgumentParser(prog="requirements.py", description=__doc__)
-    parser.add_argument("--check", action="store_true", help="write nothing; exit 1 if pyproject.toml asks for others")
-    parser.add_argument("--upgrade", action="store_true", help="move what the packages require to the newest versions")
-    options = parser.parse_args()
-    if options.check:
-        if found := stale(ROOT):
-            print(f"error: not of today's pyproject.toml: {', '.join(found)}", file=sys.stderr)
-            print("remedy: uv run scripts/requirements.py", file=sys.stderr)
-        return 1 if found else 0
-    try:
-        resolve(ROOT, options.upgrade)
-    except FileNotFoundError:
-        print("error: 'uv' is not installed\nremedy: run 'make up'", file=sys.stderr)
-        return 1
-    except subprocess.CalledProcessError:
-        print("error: no versions were found that fit\nremedy: see what uv says above", file=sys.stderr)
-        return 1
-    return 0
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 if pyproject.toml asks for other packages.")
+@click.option("--upgrade", is_flag=True, help="Move what the packages require to the newest versions.")
+def main(check: bool, upgrade: bool) -> None:
+    """Resolves the Python packages in pyproject.toml, and what they require, to versions and hashes.
+
+    \b
+    Examples:
+      uv run scripts/requirements.py
+      uv run scripts/requirements.py --check
+    """
+    if not check:
+        resolve(ROOT, upgrade)
+    elif found := stale(ROOT):
+        raise RosmlError(f"not of today's pyproject.toml: {', '.join(found)}", "uv run scripts/requirements.py")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(command.run(main))
