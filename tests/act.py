@@ -1,0 +1,195 @@
+"""Runs a workflow of .github/workflows as GitHub would: act evaluates its conditions, its matrix, needs, outputs and
+variables. Jobs run on this machine, each in an empty folder; actions and programs are replaced by what a test gives."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rosml import ROOT
+
+TOKEN = "ghs_0123456789abcdef0123456789abcdef"
+"""The job's own token; act writes *** where it is printed."""
+
+UPLOAD = 'mkdir -p "$ARTIFACTS/$NAME"; for path in $PATHS; do if [ -e "$path" ]; then cp -a --parents "$path" "$ARTIFACTS/$NAME/"; fi; done'
+DOWNLOAD = '[ -d "$ARTIFACTS/$NAME" ]; case " $LOST " in *" $NAME "*) exit 1 ;; esac; mkdir -p "${PATHS:-.}"; cp -a "$ARTIFACTS/$NAME/." "${PATHS:-.}"'
+
+ACTIONS = {
+    "actions/checkout": 'cp -a "$CHECKOUT/." .',
+    "actions/upload-artifact": UPLOAD,
+    "actions/download-artifact": DOWNLOAD,
+    "actions/cache": 'echo "$KEY $PATHS" >>"$CACHES"',
+    "docker/login-action": '[ "$PASSED" = "$GITHUB_TOKEN" ]; [ -n "$USER_NAME" ]',
+    "actions/upload-pages-artifact": '[ -d "$PATHS" ]',
+    "actions/deploy-pages": ":",
+}
+"""What takes the place of each action: commands of a shell."""
+
+INPUTS = {"NAME": "name", "PATHS": "path", "KEY": "key", "PASSED": "password", "USER_NAME": "username"}
+"""Variables of those commands, and the inputs that they are."""
+
+FATAL = '"level":"fatal"'
+"""In a line of act that gave up."""
+
+ENDS = ("success", "failure")
+"""Results of a step that ran."""
+
+
+@dataclass
+class Played:
+    """A run that ended.
+
+    Attributes:
+        results: of jobs: success, failure or skipped; failure where one of a matrix failed.
+        matrix: the members of each job's matrix that ran, in no order; one without any of a job that has none.
+        steps: results of steps by name, by job; of those that ran.
+        commands: calls of make and uv, by job, in their order; words as the program gets them.
+        artifacts: folder with a folder for each artifact. caches: keys and paths that were asked for.
+        log: all that act said.
+    """
+
+    results: dict[str, str] = field(default_factory=dict)
+    matrix: dict[str, list[Any]] = field(default_factory=dict)
+    steps: dict[str, dict[str, str]] = field(default_factory=dict)
+    commands: dict[str, list[str]] = field(default_factory=dict)
+    artifacts: Path = Path()
+    caches: tuple[str, ...] = ()
+    log: str = ""
+
+
+def program() -> str:
+    """Path of act.
+
+    Raises:
+        AssertionError: it is not installed.
+    """
+    found = Path(sys.executable).parent / "act"
+    assert found.exists(), "act is not installed: make lint installs it"
+    return str(found)
+
+
+def actions(text: str, folder: Path) -> list[str]:
+    """Writes the replacement of each action that a workflow names; gives act's options for them."""
+    found = []
+    for name, commit in sorted(set(re.findall(r"uses: ([\w./-]+)@(\w+)", text))):
+        place = folder / name.replace("/", "-")
+        place.mkdir(parents=True, exist_ok=True)
+        environment = {variable: f"${{{{ inputs.{name} }}}}" for variable, name in INPUTS.items()}
+        step = {"shell": "bash", "run": ACTIONS[name], "env": environment}
+        inputs = {name: {"default": ""} for name in (*INPUTS.values(), "registry")}
+        content = {"name": name, "inputs": inputs, "runs": {"using": "composite", "steps": [step]}}
+        (place / "action.yml").write_text(yaml.safe_dump(content))
+        found.append(f"--local-repository={name}@{commit}={place}")
+    return found
+
+
+def play(
+    text: str,
+    folder: Path,
+    programs: Mapping[str, str],
+    *,
+    event: str = "workflow_dispatch",
+    checkout: Path | None = None,
+    repository: str = "somebody/images",
+    variables: Mapping[str, str] | None = None,
+    inputs: Mapping[str, str] | None = None,
+    lost: str = "",
+) -> Played:
+    """Runs a workflow.
+
+    Args:
+        text: the workflow.
+        folder: an empty one, for all that is made.
+        programs: shell scripts that take the place of `make` and `uv`, by name; each call is recorded before it.
+        event: what starts it. checkout: what jobs check out; nothing if left out.
+        repository: owner and name. variables: of the repository. inputs: of a run by hand.
+        lost: artifacts that nobody can download.
+
+    Raises:
+        ValueError: act does not understand the workflow; with its reasons.
+    """
+    for name in ("repository/.github/workflows", "programs", "artifacts", "home", "empty"):
+        (folder / name).mkdir(parents=True)
+    (folder / "repository/.github/workflows/workflow.yml").write_text(text)
+    git = ["git", "-C", str(folder / "repository"), "-c", "user.name=a", "-c", "user.email=a@example.org"]
+    for arguments in (
+        ["init", "--quiet", "--initial-branch=main"],
+        ["remote", "add", "origin", f"https://github.com/{repository}.git"],
+        ["add", "--all"],
+        ["commit", "--quiet", "--message=A workflow"],
+    ):
+        subprocess.run([*git, *arguments], check=True, stdin=subprocess.DEVNULL)
+    calls, caches = folder / "calls", folder / "caches"
+    for name, script in programs.items():
+        file = folder / "programs" / name
+        file.write_text(f'#!/usr/bin/env bash\nset -eu\necho "$GITHUB_JOB\t{name} $*" >>"$CALLS"\n{script}\n')
+        file.chmod(0o755)
+    given = {
+        "ARTIFACTS": folder / "artifacts",
+        "CALLS": calls,
+        "CACHES": caches,
+        "CHECKOUT": checkout or folder / "empty",
+        "LOST": lost,
+        "GITHUB_TOKEN": TOKEN,
+    }
+    argv = [program(), event, "--json", "--verbose", "--no-skip-checkout", "--no-cache-server", "--pull=false"]
+    argv += ["--workflows", ".github/workflows/workflow.yml", f"--secret=GITHUB_TOKEN={TOKEN}"]
+    argv += [f"--platform={machine}=-self-hosted" for machine in ("ubuntu-24.04", "ubuntu-24.04-arm")]
+    argv += actions(text, folder / "actions")
+    argv += [f"--env={name}={value}" for name, value in given.items()]
+    argv += [f"--var={name}={value}" for name, value in (variables or {}).items()]
+    argv += [f"--input={name}={value}" for name, value in (inputs or {}).items()]
+    path = f"{folder / 'programs'}{os.pathsep}{os.environ['PATH']}"
+    environment = {**os.environ, "PATH": path, "HOME": str(folder / "home"), "XDG_CACHE_HOME": str(folder / "home")}
+    done = subprocess.run(
+        argv,
+        cwd=folder / "repository",
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    shutil.rmtree(folder / "home", ignore_errors=True)
+    log = done.stdout + done.stderr
+    wrong = [line for line in log.splitlines() if line.startswith("Error: workflow is not valid") or FATAL in line]
+    if wrong:
+        raise ValueError("\n".join(wrong))
+    return read(log, calls, caches, folder / "artifacts")
+
+
+def read(log: str, calls: Path, caches: Path, artifacts: Path) -> Played:
+    """What act and the programs said."""
+    played = Played(log=log, artifacts=artifacts)
+    for line in log.splitlines():
+        if not line.startswith("{"):
+            continue
+        said = json.loads(line)
+        job = said.get("jobID", "")
+        if result := said.get("jobResult"):
+            if played.results.get(job) != "failure":
+                played.results[job] = result
+            played.matrix.setdefault(job, []).append(said.get("matrix"))
+        if said.get("stage") == "Main" and len(said.get("stepID", ())) == 1 and said.get("stepResult") in ENDS:
+            played.steps.setdefault(job, {})[said["step"]] = said["stepResult"]
+    for line in calls.read_text().splitlines() if calls.exists() else ():
+        job, _, call = line.partition("\t")
+        played.commands.setdefault(job, []).append(call)
+    if caches.exists():
+        played.caches = tuple(caches.read_text().splitlines())
+    return played
+
+
+def workflow(name: str) -> str:
+    """The text of one of ours."""
+    return (ROOT / f".github/workflows/{name}.yml").read_text()

@@ -1,0 +1,157 @@
+"""What the nightly workflow does when something fails, when there is nothing to do and when variables are set: act evaluates
+its conditions, and programs say how it goes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.act import Played, play, workflow
+
+SHARDS = '[{"name":"amd64-1","runner":"ubuntu-24.04"},{"name":"arm64-1","runner":"ubuntu-24.04-arm"}]'
+MACHINES = ["ubuntu-24.04", "ubuntu-24.04-arm"]
+
+UV = """\
+script=$2 step=${3:-}
+if [ "$script" = scripts/catalogue.py ]; then mkdir public; echo page >public/index.html; exit; fi
+case "$step" in
+  plan) echo '{}' >plan.json ;;
+  build | compose | test | index | promote) [ -f plan.json ] ;;
+  scan) [ -f plan.json ]; echo '{}' >scan.json; mkdir reports; echo '{}' >reports/a.sarif ;;
+  record) [ -f plan.json ] && [ -f scan.json ] ;;
+esac
+case " $FAILING " in *" $step "*) exit 1 ;; esac
+if [ "$step" = plan ]; then echo "shards=$SHARDS_PLANNED" >>"$GITHUB_OUTPUT"; fi
+"""
+
+
+def night(folder: Path, failing: str = "", shards: str = SHARDS, lost: str = "", **variables: str) -> Played:
+    """A night in which some steps fail."""
+    uv = f"FAILING='{failing}' SHARDS_PLANNED='{shards}'\n{UV}"
+    return play(workflow("nightly"), folder, {"make": ":", "uv": uv}, variables=variables, lost=lost)
+
+
+def steps(played: Played, job: str) -> list[str]:
+    """What a job called: the targets of make, and the steps of the publisher."""
+    return [call.split()[{"make": 1, "uv": 3}[call.split()[0]]] for call in played.commands.get(job, [])]
+
+
+ALL = ("plan", "images", "scan", "promote", "prune", "catalogue")
+
+
+def test_a_night_in_which_nothing_fails(tmp_path: Path) -> None:
+    played = night(tmp_path)
+    assert played.results == {**dict.fromkeys(ALL, "success"), "pages": "skipped"}
+    assert sorted(member["shard"]["runner"] for member in played.matrix["images"]) == MACHINES
+    assert sorted(steps(played, "images")) == sorted(["room", "up", "build", "compose", "test"] * 2)
+    for shard in ("amd64-1", "arm64-1"):
+        assert f"uv run scripts/publish.py test --plan plan.json --shard {shard}" in played.commands["images"]
+    assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
+    assert "signer" not in steps(played, "promote")
+    place = "--registry ghcr.io/somebody/images"
+    assert place in played.commands["plan"][-1] and place in played.commands["prune"][-1]
+    assert "--serve  --only  " in played.commands["plan"][-1] and "--shards 24 " in played.commands["plan"][-1]
+
+
+@pytest.mark.parametrize("failing", ["build", "compose test"])
+def test_one_image_blocks_only_itself(tmp_path: Path, failing: str) -> None:
+    """The steps after it go on with what is there, and so do the other jobs; the run is red."""
+    played = night(tmp_path, failing)
+    assert played.results == {**dict.fromkeys(ALL, "success"), "images": "failure", "pages": "skipped"}
+    assert [steps(played, "images").count(step) for step in ("build", "compose", "test")] == [2, 2, 2]
+    assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
+
+
+def test_no_plan_no_night(tmp_path: Path) -> None:
+    played = night(tmp_path, "plan")
+    assert played.results == {"plan": "failure", **dict.fromkeys((*ALL[1:], "pages"), "skipped")}
+    assert played.commands.keys() == {"plan"}
+
+
+def test_nothing_to_build(tmp_path: Path) -> None:
+    """No machine starts for images; scans, indexes and tags are looked at all the same."""
+    played = night(tmp_path, shards="[]")
+    assert played.results == {**dict.fromkeys(ALL, "success"), "images": "skipped", "pages": "skipped"}
+
+
+def test_a_scan_that_fails_is_recorded(tmp_path: Path) -> None:
+    """It ends with a code of its own where the policy stops an image, and its results are there all the same."""
+    played = night(tmp_path, "scan")
+    assert played.results == {**dict.fromkeys(ALL, "success"), "scan": "failure", "pages": "skipped"}
+    assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
+
+
+def test_results_of_a_scan_that_never_arrive(tmp_path: Path) -> None:
+    """Images that need a scan wait, as the publisher sees to; what was scanned before can get its tags."""
+    played = night(tmp_path, lost="scan")
+    assert played.results["promote"] == "success"
+    assert steps(played, "promote")[-3:] == ["index", "promote", "status"]
+    assert "record" not in steps(played, "promote")
+
+
+@pytest.mark.parametrize("failing", ["record", "index promote"])
+def test_promotion_that_fails(tmp_path: Path, failing: str) -> None:
+    """What follows is still said: how images stand, what could go, what is published."""
+    played = night(tmp_path, failing)
+    assert played.results == {**dict.fromkeys(ALL, "success"), "promote": "failure", "pages": "skipped"}
+    assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
+
+
+@pytest.mark.parametrize(("value", "signed"), [("true", True), ("false", False)])
+def test_signing_is_a_variable_of_the_repository(tmp_path: Path, value: str, signed: bool) -> None:
+    """The signer is built and tested only where it is used; the publisher reads the same variable."""
+    uv = f"FAILING='' SHARDS_PLANNED='[]'\n[ \"${{3:-}}\" != promote ] || [ \"$ROSML_SIGN\" = '{value}' ]\n{UV}"
+    played = play(workflow("nightly"), tmp_path, {"make": ":", "uv": uv}, variables={"ROSML_SIGN": value})
+    assert ("signer" in steps(played, "promote")) is signed
+    assert ("Signer" in played.steps["promote"]) is signed
+    assert played.results["promote"] == "success"
+
+
+@pytest.mark.parametrize(
+    ("value", "failing", "result"), [("true", "", "success"), ("", "", "skipped"), ("true", "plan", "skipped")]
+)
+def test_the_site_is_a_variable_of_the_repository(tmp_path: Path, value: str, failing: str, result: str) -> None:
+    assert night(tmp_path, failing, ROSML_PAGES=value).results["pages"] == result
+
+
+def test_other_variables_of_the_repository(tmp_path: Path) -> None:
+    played = night(tmp_path, ROSML_SERVE="amd64", ROSML_SHARDS="3")
+    assert "--serve amd64 --only  " in played.commands["plan"][-1]
+    assert "--shards 3 " in played.commands["plan"][-1]
+
+
+def test_inputs_of_a_run_by_hand(tmp_path: Path) -> None:
+    uv = f"FAILING='' SHARDS_PLANNED='[]'\n[ \"${{3:-}}\" != plan ] || echo \"$ROSML_FORCE|$ONLY\" >\"$CALLS.plan\"\n{UV}"
+    inputs = {"only": "bookworm-* jazzy-core", "force": "true"}
+    played = play(workflow("nightly"), tmp_path, {"make": ":", "uv": uv}, inputs=inputs)
+    assert played.results["plan"] == "success"
+    assert (tmp_path / "calls.plan").read_text() == "true|bookworm-* jazzy-core\n"
+
+
+def test_an_expression_that_nobody_knows_is_an_error(tmp_path: Path) -> None:
+    """Which a reading of our own would have taken for true."""
+    text = workflow("nightly")
+    assert text.count("if: ${{ vars.ROSML_SIGN == 'true' }}") >= 1
+    broken = text.replace("if: ${{ vars.ROSML_SIGN == 'true' }}", "if: ${{ signed(vars.ROSML_SIGN) }}")
+    with pytest.raises(ValueError, match="Unknown Function Call signed"):
+        play(broken, tmp_path, {"make": ":", "uv": UV})
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "shards"),
+    [
+        ("needs.plan.outputs.shards != '[]'", "needs.plan.outputs.shard != '[]'", "[]"),
+        ("needs.plan.outputs.shards || '[]'", "needs.plan.outputs.shard || '[]'", SHARDS),
+        ("steps.scan.outcome == 'success'", "steps.scam.outcome == 'success'", SHARDS),
+        ("needs.plan.result == 'success'", "needs.plans.result == 'success'", SHARDS),
+    ],
+)
+def test_a_name_that_is_wrong_changes_what_happens(tmp_path: Path, old: str, new: str, shards: str) -> None:
+    """So that the tests above see it."""
+    text = workflow("nightly")
+    assert old in text
+    programs = {"make": ":", "uv": f"FAILING='' SHARDS_PLANNED='{shards}'\n{UV}"}
+    right, wrong = (play(it, tmp_path / str(it == text), programs) for it in (text, text.replace(old, new)))
+    happened = [(it.results, {job: sorted(steps(it, job)) for job in it.commands}) for it in (right, wrong)]
+    assert happened[0] != happened[1]
