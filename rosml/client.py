@@ -41,6 +41,9 @@ class Client(Protocol):
     def put_manifest(self, repository: str, reference: str, content: Mapping[str, Any], media_type: str, /) -> str:
         """Puts a manifest or index under a reference. Gives its digest."""
 
+    def tag(self, repository: str, digest: str, name: str, /) -> None:
+        """Moves a tag to a manifest or index that is in the repository; also an error where it is not."""
+
     def attach(
         self,
         repository: str,

@@ -208,9 +208,13 @@ class Catalogue:
         return next((image for image in self.images if tag in image.tags), None) if ":" in tag else None
 
 
+PAYLOADS = "payload"
+"""The repository of payloads, without the registry's prefix."""
+
+
 def repository_of(thing: Image | Payload) -> str:
     """The repository of an image or payload, without the registry's prefix."""
-    return "payload" if isinstance(thing, Payload) else thing.repository
+    return PAYLOADS if isinstance(thing, Payload) else thing.repository
 
 
 def tags_of(thing: Image | Payload) -> list[str]:

@@ -19,9 +19,10 @@ from rosml import pipeline as running
 from rosml import registry
 from rosml.agenda import INDEX
 from rosml.errors import RosmlError
-from rosml.expand import Image, Payload, tags_of
+from rosml.expand import PAYLOADS, Image, Payload, tags_of
 from rosml.labels import TITLE
 from rosml.ledger import ANNOTATION, READERS, Entry, Ledger
+from rosml.names import payload_target
 from rosml.pipeline import Outcome, Pipeline
 
 UNDO = "undo."
@@ -240,12 +241,12 @@ class Promotion:
         lost = {item.get("architecture", "") for item in platforms} - set(entry.parts) - {"unknown", ""}
         return f"it would lose {', '.join(sorted(lost))}" if lost else ""
 
-    def _record(self, moves: list[Move]) -> None:
+    def _record(self, planned: list[Move]) -> None:
         """Writes where tags were. A run that is called again keeps what it wrote first."""
         name = record_name(self.date)
-        before = {(move.repository, move.tag): move for move in read(self.pipeline, name)}
+        before = {(move.repository, move.tag): move for move in moves(self.pipeline.ledger, name)}
         merged = dict(before)
-        for move in moves:
+        for move in planned:
             first = before.get((move.repository, move.tag))
             merged[move.repository, move.tag] = Move(
                 move.repository, move.tag, first.old if first else move.old, move.new
@@ -276,17 +277,12 @@ def answers(pipeline: Pipeline) -> None:
     pipeline.registry.head(pipeline.ledger.repository, record_name(pipeline.agenda.date))
 
 
-def read(pipeline: Pipeline, name: str) -> list[Move]:
+def moves(ledger: Ledger, name: str) -> list[Move]:
     """The moves that a record tells of; none where there is no such record.
 
     Raises:
         RosmlError: it cannot be read.
     """
-    return moves(pipeline.ledger, name)
-
-
-def moves(ledger: Ledger, name: str) -> list[Move]:
-    """The same, for whoever has the ledger alone."""
     found = ledger.registry.manifest(ledger.repository, name)
     if found is None:
         return []
@@ -297,62 +293,71 @@ def moves(ledger: Ledger, name: str) -> list[Move]:
         raise RosmlError(f"the record {name} cannot be read", "move the tags by hand: regctl image copy") from None
 
 
-def undo(pipeline: Pipeline, run: str = "") -> list[Move]:
+def undo(book: Ledger, date: str, run: str = "") -> list[Outcome]:
     """Moves tags back to where they were before a run. What they pointed at is held: no later run moves them there again.
 
+    It reads the run's record and the indexes that it names, and nothing else: no matrix, and nothing of this machine.
+
     Args:
-        pipeline: the registry.
+        book: the ledger of the registry.
+        date: of now; entries say that they are held since then.
         run: the run's date; of the last one that has a record if empty.
 
+    Returns:
+        What was done about each tag that is not back yet.
+
     Raises:
-        RosmlError: there is no such record.
+        RosmlError: there is no such record; the registry does not answer.
     """
-    path = pipeline.ledger.repository
-    known = sorted(name for name in pipeline.registry.tags(path) if name.startswith(UNDO))
+    known = sorted(name for name in book.registry.tags(book.repository) if name.startswith(UNDO))
     name = record_name(run) if run else (known[-1] if known else "")
     if name not in known:
         dates = ", ".join(item.removeprefix(UNDO) for item in known[-5:])
         text = f"there is no record of {'a run of ' + run if run else 'any run'}"
         raise RosmlError(text, f"there is: {dates}" if known else "no run has moved a tag in this registry yet")
-    done = []
-    told = len(pipeline.outcomes)
-    recorded = [
-        (move, pipeline.registry.head(pipeline.repository(move.repository), move.tag))
-        for move in reversed(read(pipeline, name))
-    ]
-    # Before the first tag moves: one who is killed between them leaves nothing that the next night moves there again.
-    _hold(pipeline, {(move.repository, move.new) for move, there in recorded if there in (move.old, move.new)})
-    for move, there in recorded:
-        repository = pipeline.repository(move.repository)
-        text = f"{move.repository}:{move.tag}"
-        if there == move.old:
-            continue
-        if there != move.new:
-            pipeline.outcomes.append(Outcome("undo", text, "", "waits", "it has moved on since"))
-            continue
-        try:
-            if move.old:
-                registry.tag(pipeline.agenda.services, f"{pipeline.host}/{repository}", move.old, move.tag)
-            else:
-                pipeline.registry.delete(repository, move.tag)
-        except (
-            RosmlError
-        ) as error:  # a registry that deletes no tag, an old index that is gone: others move all the same
-            answers(pipeline)
-            pipeline.outcomes.append(Outcome("undo", text, "", "failed", error.message))
-            continue
-        done.append(move)
-        reason = f"back to {move.old}" if move.old else "removed: it was not there before"
-        pipeline.outcomes.append(Outcome("undo", text, "", "done", reason))
-    if len(pipeline.outcomes) == told:
-        pipeline.outcomes.append(Outcome("undo", name, "", "done", "nothing was left to move back"))
-    return done
+    recorded = list(reversed(moves(book, name)))
+    with ThreadPoolExecutor(READERS) as pool:
+        there = list(pool.map(lambda move: book.registry.head(book.path(move.repository), move.tag), recorded))
+        now = list(zip(recorded, there, strict=True))
+        # Before the first tag moves: one who is killed between them leaves nothing that the next night moves there again.
+        held = {(move.repository, move.new) for move, where in now if where in (move.old, move.new)}
+        list(pool.map(lambda item: _hold(book, *item, date), sorted(held)))
+        images: dict[tuple[str, str], list[tuple[Move, str]]] = {}
+        for move, where in now:
+            images.setdefault((move.repository, move.new), []).append((move, where))
+        # Tags of one image in their order, images side by side.
+        found = pool.map(lambda item: [_back(book, name, move, where) for move, where in item], images.values())
+        outcomes = [outcome for several in found for outcome in several if outcome]
+    return outcomes or [Outcome("undo", name, "", "done", "nothing was left to move back")]
 
 
-def _hold(pipeline: Pipeline, indexes: set[tuple[str, str]]) -> None:
-    """Writes down that indexes get no tags any more."""
-    for (target, architecture), entry in list(pipeline.agenda.known.items()):
-        if architecture == INDEX and not entry.held and (entry.repository, entry.digest) in indexes:
-            held = replace(entry, held=pipeline.agenda.date, changed=pipeline.agenda.date)
-            pipeline.ledger.write(held, {})
-            pipeline.agenda.known[target, architecture] = held
+def _back(book: Ledger, record: str, move: Move, there: str) -> Outcome | None:
+    """Moves one tag back from where it is; None where it is back already.
+
+    Raises:
+        RosmlError: the registry does not answer.
+    """
+    repository, text = book.path(move.repository), f"{move.repository}:{move.tag}"
+    if there == move.old:
+        return None
+    if there != move.new:
+        return Outcome("undo", text, "", "waits", "it has moved on since")
+    try:
+        if move.old:
+            book.registry.tag(repository, move.old, move.tag)
+        else:
+            book.registry.delete(repository, move.tag)
+    except RosmlError as error:  # a registry that deletes no tag, an old index that is gone: others move all the same
+        book.registry.head(book.repository, record)  # without an answer, each other tag would take its time to fail
+        reason = f"{error.message}: {error.remedy}" if error.remedy else error.message
+        return Outcome("undo", text, "", "failed", reason)
+    return Outcome("undo", text, "", "done", f"back to {move.old}" if move.old else "removed: it was not there before")
+
+
+def _hold(book: Ledger, repository: str, digest: str, date: str) -> None:
+    """Writes down that an index gets no tags any more: in the entry of the image, or payload, that its title names."""
+    index = book.registry.manifest(book.path(repository), digest)
+    title = str(running.annotations_of(index).get(TITLE, ""))
+    entry = book.read(payload_target(title) if repository == PAYLOADS else title, INDEX) if title else None
+    if entry and not entry.held and (entry.repository, entry.digest) == (repository, digest):
+        book.write(replace(entry, held=date, changed=date), {})

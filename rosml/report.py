@@ -107,23 +107,38 @@ def print_plan(pipeline: Pipeline, why: bool) -> None:
 
 
 def show(pipeline: Pipeline, as_json: bool) -> None:
-    """What was done, on standard output; and in CI's summary, where there is one."""
-    outcomes = pipeline.outcomes
+    """What a run did, on standard output; and in CI's summary, where there is one."""
+    tell_outcomes(pipeline.outcomes, pipeline.agenda.date, pipeline.uploaded, pipeline.started, as_json)
+    ci.summary(markdown(pipeline, pipeline.outcomes))
+
+
+def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
+    """Outcomes of a command on standard output.
+
+    Args:
+        date: of the run. uploaded: bytes that the registry got. started: when it began, by the monotonic clock.
+        as_json: as an object, and not as a table.
+    """
+    seconds = time.monotonic() - started
     if as_json:
-        print(json.dumps(as_data(pipeline), indent=2))
+        print(json.dumps(_data(outcomes, date, uploaded, seconds), indent=2))
     else:
-        _print_table(pipeline)
-    ci.summary(markdown(pipeline, outcomes))
+        _print_table(outcomes, f"{size(uploaded)} uploaded, {duration(seconds)}")
 
 
 def as_data(pipeline: Pipeline) -> dict[str, Any]:
-    """For `--json`."""
+    """What a run did, as plain data."""
+    seconds = time.monotonic() - pipeline.started
+    return _data(pipeline.outcomes, pipeline.agenda.date, pipeline.uploaded, seconds)
+
+
+def _data(outcomes: list[Outcome], date: str, uploaded: int, seconds: float) -> dict[str, Any]:
     return {
-        "date": pipeline.agenda.date,
-        "seconds": round(time.monotonic() - pipeline.started, 2),
-        "uploaded": pipeline.uploaded,
-        "counts": dict(Counter(f"{outcome.step} {outcome.state}" for outcome in pipeline.outcomes)),
-        "outcomes": [outcome.to_json() for outcome in pipeline.outcomes],
+        "date": date,
+        "seconds": round(seconds, 2),
+        "uploaded": uploaded,
+        "counts": dict(Counter(f"{outcome.step} {outcome.state}" for outcome in outcomes)),
+        "outcomes": [outcome.to_json() for outcome in outcomes],
     }
 
 
@@ -132,7 +147,7 @@ def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
     return [outcome for outcome in outcomes if outcome.state != "waits"]
 
 
-def _print_table(pipeline: Pipeline) -> None:
+def _print_table(outcomes: list[Outcome], effort: str) -> None:
     from rich.table import Table  # slow to import, and only needed here
 
     from rosml.listing import console
@@ -144,19 +159,19 @@ def _print_table(pipeline: Pipeline) -> None:
     table.add_column("time", no_wrap=True, justify="right")
     table.add_column("what")
     colours = {"done": "green", "failed": "red", "waits": "yellow"}
-    for outcome in _interesting(pipeline.outcomes):
+    for outcome in _interesting(outcomes):
         state = f"[{colours[outcome.state]}]{outcome.state}[/]"
         reason = outcome.reason.splitlines()[0] if outcome.reason else ""
         table.add_row(outcome.step, outcome.target, outcome.architecture, state, duration(outcome.seconds), reason)
     if table.row_count:
         shown(table)
     out = console()
-    for reason, number in _waiting(pipeline.outcomes).items():
+    for reason, number in _waiting(outcomes).items():
         out.print(f"waits: {number} times: {reason}", style="yellow", markup=False)
-    counts = Counter((outcome.step, outcome.state) for outcome in pipeline.outcomes)
+    counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
     text = ", ".join(f"{step}: {number} {state}" for (step, state), number in counts.items())
     out.print(text or "nothing to do: everything is as it should be", style="dim")
-    out.print(_effort(pipeline), style="dim")
+    out.print(effort, style="dim")
 
 
 def _effort(pipeline: Pipeline) -> str:

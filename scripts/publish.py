@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 import time
@@ -22,8 +23,10 @@ import rosml.environment  # noqa: F401 (first: says what to do where the others 
 import click
 
 from rosml import ROOT, command
+from rosml.errors import RosmlError
 
 if TYPE_CHECKING:
+    from rosml import oci
     from rosml.expand import Catalogue
     from rosml.pipeline import Pipeline
     from rosml.publish import Result
@@ -399,6 +402,24 @@ class Call:
             raise click.exceptions.Exit(0)
         return choice.built
 
+    def client(self) -> tuple[oci.Registry, str]:
+        """The registry, and the path of its repositories: what commands need that build nothing. The services of this
+        checkout are looked up only where the call names no registry.
+        """
+        from rosml import oci
+        from rosml.pipeline import destination
+        from rosml.services import Services
+
+        ca_bundle = os.environ.get("SSL_CERT_FILE", "")
+        if not self.registry:
+            try:
+                services = Services.load(ROOT)
+            except RosmlError as error:
+                raise RosmlError(error.message, f"{error.remedy}; or name a registry with --registry") from None
+            self.registry, ca_bundle = f"{services.registry}/rosml", services.ca_bundle
+        place = destination(self.registry)
+        return oci.Registry(place.host, ca_bundle=ca_bundle), place.prefix
+
     def pipeline(self) -> Pipeline:
         """The run, after the registry and the repositories of packages were asked how things are."""
         from rosml import agenda, expand, oci, policy
@@ -671,24 +692,31 @@ def status(**options: Any) -> None:
 
 
 @cli.command()
-@_options("registry", "matrix", "json")
+@_options("registry", "json")
 @click.argument("run", default="")
 def undo(run: str, **options: Any) -> None:
     """Moves the tags of RUN back to where they were; of the last run if left out.
 
-    RUN is the date of a run. A tag that has moved on since stays where it is.
+    RUN is the date of a run. A tag that has moved on since stays where it is. With --registry, it needs that registry
+    alone: no 'make up'.
 
     \b
     Examples:
       uv run scripts/publish.py undo
       uv run scripts/publish.py undo 2026-11-22T03:00:00Z --registry ghcr.io/me/rosml
     """
-    from rosml import promote
+    from rosml import promote, report
+    from rosml.ledger import Ledger
+    from rosml.pipeline import now
 
-    call = Call(only=(), **options)
-    pipeline = call.pipeline()
-    promote.undo(pipeline, run)
-    call.report(pipeline)
+    started, call = time.monotonic(), Call(**options)
+    client, prefix = call.client()
+    with client:
+        date = now()
+        outcomes = promote.undo(Ledger(client, prefix), date, run)
+        report.tell_outcomes(outcomes, date, client.uploaded, started, call.as_json)
+    if any(outcome.state == "failed" for outcome in outcomes):
+        raise SystemExit(1)
 
 
 @cli.command()

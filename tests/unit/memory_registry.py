@@ -19,7 +19,7 @@ from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload
 from rosml.ledger import Entry
 from rosml.oci import Manifest
-from rosml.pipeline import Made, Pipeline, title
+from rosml.pipeline import Made, Outcome, Pipeline, title
 from rosml.services import Services
 from rosml.signer import SignerFailed
 
@@ -49,7 +49,8 @@ class MemoryRegistry:
     """Repositories by path.
 
     Attributes:
-        writes: how many there were. uploaded: bytes of them. die_at: the write, counted from 1, at which the process ends; before it takes effect, or after.
+        writes: how many there were. reads: how many requests that change nothing; those for what is attached count twice,
+            as a registry without the API gets them. uploaded: bytes of them. die_at: the write, counted from 1, at which the process ends; before it takes effect, or after.
         refuses: methods that fail.
     """
 
@@ -57,6 +58,7 @@ class MemoryRegistry:
     blobs: dict[str, dict[str, bytes]] = field(default_factory=dict)
     names: dict[str, dict[str, str]] = field(default_factory=dict)
     writes: int = 0
+    reads: int = 0
     uploaded: int = 0
     die_at: int = 0
     die_after: bool = False
@@ -76,7 +78,12 @@ class MemoryRegistry:
             if dying:
                 raise Killed
 
+    def _read(self, requests: int = 1) -> None:
+        with self.lock:
+            self.reads += requests
+
     def manifest(self, repository: str, reference: str) -> Manifest | None:
+        self._read()
         name = self.names.get(repository, {}).get(reference, reference)
         return self.manifests.get(repository, {}).get(name)
 
@@ -95,6 +102,7 @@ class MemoryRegistry:
         return found.digest if found else ""
 
     def blob(self, repository: str, name: str) -> bytes:
+        self._read()
         return self.blobs[repository][name]
 
     def put_blob(self, repository: str, data: bytes) -> str:
@@ -105,11 +113,18 @@ class MemoryRegistry:
             self.uploaded += len(data)
             return digest(data)
 
+    def tag(self, repository: str, name: str, tag: str) -> None:
+        if name not in self.manifests.get(repository, {}):
+            raise RosmlError(f"{repository}@{name} is not there, so no tag can point at it")
+        with self._write("move a tag"):
+            self.names.setdefault(repository, {})[tag] = name
+
     def may_push(self, _repository: str) -> None:
         if "push" in self.refuses:
             raise RosmlError("the registry lets nobody push", "docker login")
 
     def tags(self, repository: str) -> list[str]:
+        self._read()
         return sorted(self.names.get(repository, {}))
 
     def delete(self, repository: str, reference: str) -> None:
@@ -132,6 +147,7 @@ class MemoryRegistry:
         return True
 
     def referrers(self, repository: str, subject: str, artifact_type: str = "") -> list[dict[str, Any]]:
+        self._read(2)
         return [
             {"digest": name, "artifactType": manifest.content["artifactType"]}
             for name, manifest in list(self.manifests.get(repository, {}).items())
@@ -183,11 +199,8 @@ class MemoryRegistry:
         data = json.dumps(content, sort_keys=True).encode()
         return self.put_manifest(repository, digest(data), data, INDEX)
 
-    def tag(self, _services: Services, reference: str, target: str, name: str) -> None:
-        repository = reference.removeprefix(f"{HOST}/")
-        with self._write("move a tag"):
-            assert target in self.manifests[repository]
-            self.names.setdefault(repository, {})[name] = target
+    def regctl_tag(self, _services: Services, reference: str, target: str, name: str) -> None:
+        self.tag(reference.removeprefix(f"{HOST}/"), target, name)
 
 
 @dataclass
@@ -306,6 +319,10 @@ class Place:
             getattr(run, step)()
         return run
 
+    def undo(self, run: str = "", date: str = LATER) -> list[Outcome]:
+        """Moves tags back to where they were before a run, the last one if empty."""
+        return promote.undo(ledger.Ledger(self.registry, PREFIX), date, run)
+
     def tagged(self, repository: str) -> dict[str, str]:
         """Tags of a repository and where they point."""
         return dict(self.registry.names.get(f"{PREFIX}/{repository}", {}))
@@ -345,8 +362,8 @@ class Place:
 def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Place:
     """A place whose regctl and repositories of packages are in memory as well."""
     found = Place(services)
-    for name in ("create_index", "tag"):
-        monkeypatch.setattr(registry, name, lambda *a, name=name: getattr(found.registry, name)(*a))
+    monkeypatch.setattr(registry, "create_index", lambda *a: found.registry.create_index(*a))
+    monkeypatch.setattr(registry, "tag", lambda *a: found.registry.regctl_tag(*a))
 
     def state(_matrix: object, distribution: str) -> str:
         answer = found.upstream[distribution]

@@ -96,7 +96,7 @@ def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Place, Cata
     where.publish(catalogue, date=NEXT, packages="2", force=True)
     newer = where.tagged("ros")["alpha-base"]
     assert newer != before
-    promote.undo(where.run(catalogue, date="2026-11-25T03:00:00Z"))
+    where.undo(date="2026-11-25T03:00:00Z")
     item = image(gather(where.registry, catalogue), "alpha-base")
     assert [build.digest for build in item.builds] == [before, newer]
     assert item.builds[0].created == DAY

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 from conftest import SMALL, parse, write_locks
-from memory_registry import DAY, HOST, LATER, NEXT, PREFIX, Killed, MemoryRegistry, Pen, Place, Run, place
+from memory_registry import DAY, LATER, NEXT, PREFIX, Killed, MemoryRegistry, Pen, Place, Run, place
 from stubs import services
 from test_inputs import copy
 
@@ -28,7 +28,6 @@ from rosml import (
     names,
     payloads,
     pipeline,
-    promote,
     report,
     standing,
     sync,
@@ -251,7 +250,7 @@ def test_tags_move_from_the_lasting_ones_to_the_floating_ones(
     def tag(services: Any, reference: str, target: str, name: str) -> None:
         if reference.endswith("/ros-torch"):
             moved.append(name)
-        registry.registry.tag(services, reference, target, name)
+        registry.registry.regctl_tag(services, reference, target, name)
 
     monkeypatch.setattr("rosml.registry.tag", tag)
     registry.publish(catalogue, only=[BASE])
@@ -290,9 +289,9 @@ def test_undo_brings_tags_back(registry: Place, catalogue: Catalogue, project: P
     before = registry.tagged("ros")
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
-    run = registry.publish(catalogue, date=NEXT, packages="2")
-    registry.registry.tag(registry.services, f"{HOST}/{PREFIX}/ros", before["alpha-core"], "omega-core")  # somebody's
-    promote.undo(run)
+    registry.publish(catalogue, date=NEXT, packages="2")
+    registry.registry.tag(f"{PREFIX}/ros", before["alpha-core"], "omega-core")  # somebody's
+    registry.undo(date=NEXT)
     after = registry.tagged("ros")
     assert after.pop("omega-core") == before["alpha-core"], "a tag that somebody else moved was moved"
     assert after == {name: target for name, target in before.items() if name != "omega-core"}
@@ -303,7 +302,7 @@ def test_undo_brings_tags_back(registry: Place, catalogue: Catalogue, project: P
     registry.publish(catalogue, date=LATER, packages="3")
     assert registry.tagged("ros")["alpha-core"] not in (before["alpha-core"], "")
     with pytest.raises(RosmlError, match="no record of a run of 2020"):
-        promote.undo(run, "2020-01-01T00:00:00Z")
+        registry.undo("2020-01-01T00:00:00Z")
 
 
 def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, catalogue: Catalogue) -> None:
@@ -311,13 +310,13 @@ def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, catal
     registry.publish(catalogue)
     before = registry.tagged("ros")
     registry.upstream["alpha"] = "tuesday"
-    run = registry.publish(catalogue, date=NEXT, packages="2")
+    registry.publish(catalogue, date=NEXT, packages="2")
     assert registry.tagged("ros")["alpha-core"] != before["alpha-core"]
     registry.registry.refuses.add("delete a tag")
-    promote.undo(run)
+    outcomes = registry.undo()
     after = registry.tagged("ros")
     assert {name: after[name] for name in before} == before
-    assert run.failed and "alpha-core-20261123" in after
+    assert "failed" in {outcome.state for outcome in outcomes} and "alpha-core-20261123" in after
 
 
 def test_a_tag_that_does_not_move_keeps_no_other_image_back(
@@ -326,7 +325,7 @@ def test_a_tag_that_does_not_move_keeps_no_other_image_back(
     def tag(services: Any, reference: str, target: str, name: str) -> None:
         if name.startswith("alpha-core"):
             raise RosmlError(f"the tag {name} is protected")
-        registry.registry.tag(services, reference, target, name)
+        registry.registry.regctl_tag(services, reference, target, name)
 
     monkeypatch.setattr("rosml.registry.tag", tag)
     run = registry.publish(catalogue)
@@ -662,11 +661,9 @@ def test_the_index_of_another_image_gets_no_tag(registry: Place, catalogue: Cata
 def test_a_second_undo_says_that_nothing_is_left(registry: Place, catalogue: Catalogue) -> None:
     registry.publish(catalogue)
     registry.upstream["alpha"] = "tuesday"
-    run = registry.publish(catalogue, date=NEXT, packages="2")
-    assert promote.undo(run)
-    again = registry.run(catalogue)
-    assert promote.undo(again, NEXT) == []
-    assert [(o.state, o.reason) for o in again.outcomes] == [("done", "nothing was left to move back")]
+    registry.publish(catalogue, date=NEXT, packages="2")
+    assert {outcome.state for outcome in registry.undo()} == {"done"}
+    assert [(o.state, o.reason) for o in registry.undo(NEXT)] == [("done", "nothing was left to move back")]
 
 
 def test_an_undo_that_was_killed_goes_on(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -682,11 +679,11 @@ def test_an_undo_that_was_killed_goes_on(project: Path, catalogue: Catalogue, mo
         here.publish(catalogue, date=NEXT, packages="2", **options)
         here.registry.die_at = here.registry.writes + number
         try:
-            promote.undo(here.run(catalogue, date=LATER, **options))
+            here.undo()
             killed = False
         except Killed:
             here.registry.die_at = 0
-            promote.undo(here.run(catalogue, date=LATER, **options))
+            here.undo()
         assert here.tagged("ros") == before
         here.publish(catalogue, date="2026-11-25T03:00:00Z", packages="2", **options)
         assert here.tagged("ros") == before, f"write {number}: undone in vain"
@@ -696,9 +693,9 @@ def test_an_undo_that_was_killed_goes_on(project: Path, catalogue: Catalogue, mo
 def test_force_releases_what_was_moved_back(registry: Place, catalogue: Catalogue) -> None:
     registry.publish(catalogue)
     registry.upstream["alpha"] = "tuesday"
-    run = registry.publish(catalogue, date=NEXT, packages="2")
+    registry.publish(catalogue, date=NEXT, packages="2")
     there = registry.tagged("ros")["alpha-core"]
-    promote.undo(run)
+    registry.undo()
     forced = registry.publish(catalogue, date=LATER, packages="2", force=True)
     assert not forced.failed and not waiting(forced, "alpha-core")
     assert registry.tagged("ros")["alpha-core"] not in ("", there)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import threading
 from collections.abc import Callable
 from datetime import date, timedelta
 from pathlib import Path
@@ -15,6 +16,7 @@ from test_pipeline import BASE, catalogue, project, sources  # noqa: F401 (fixtu
 from rosml import expand, ledger, promote, prune, standing
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
+from rosml.oci import Manifest
 from rosml.prune import Pruner
 
 FIRST = date(2026, 9, 1)
@@ -25,10 +27,15 @@ def nights(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch)
     """Six nights a week apart, each with other packages."""
     found = place(project, services(project), monkeypatch)
     for number in range(6):
-        found.upstream["alpha"] = f"week {number}"
-        day = FIRST + timedelta(days=7 * number)
-        found.publish(catalogue, only=["alpha"], date=f"{day}T03:00:00Z", packages=str(number))
+        night(found, catalogue, number)
     return found
+
+
+def night(here: Place, catalogue: Catalogue, number: int) -> None:  # noqa: F811
+    """Publishes all images of a row with the packages of a week."""
+    here.upstream["alpha"] = f"week {number}"
+    day = FIRST + timedelta(days=7 * number)
+    here.publish(catalogue, only=["alpha"], date=f"{day}T03:00:00Z", packages=str(number))
 
 
 def pruner(nights: Place, catalogue: Catalogue, days: int = 20, newest: int = 2) -> Pruner:  # noqa: F811
@@ -74,8 +81,7 @@ def test_old_nights_go_with_what_only_they_led_to(nights: Place, catalogue: Cata
 def test_what_a_kept_record_brings_back_stays(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
     here = pruner(nights, catalogue, days=10, newest=0)
     list(here.remove(here.find()))
-    run = nights.run(catalogue, only=["alpha"])
-    promote.undo(run)
+    nights.undo()
     reachable(nights, catalogue)
 
 
@@ -182,7 +188,7 @@ def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, c
     here.today = FIRST + timedelta(days=35)
     found = here.find()
     record = next(name for name in nights.registry.tags(f"{PREFIX}/ledger") if name == "undo.20261006T030000Z")
-    moves = [move for move in promote.read(nights.run(catalogue, only=["alpha"]), record) if move.old]
+    moves = [move for move in promote.moves(ledger.Ledger(nights.registry, PREFIX), record) if move.old]
     assert moves
     list(here.remove(found))
     for move in moves:
@@ -291,3 +297,45 @@ def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, c
     content = {"manifests": [], "annotations": {"io.rosml.date": "yesterday"}}
     nights.registry.put_manifest(f"{PREFIX}/ros", "mine-20200101", content, "application/json")
     assert ("ros", "mine-20200101") not in pruner(nights, catalogue, days=0, newest=0).find().tags
+
+
+@pytest.mark.parametrize(("days", "newest"), [(3650, 99), (0, 0)], ids=["all stay", "all go"])
+def test_looking_asks_at_most_twice_for_an_image_of_a_night(
+    project: Path,  # noqa: F811
+    catalogue: Catalogue,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+    days: int,
+    newest: int,
+) -> None:
+    here = place(project, services(project), monkeypatch)
+    asked, images = [], []
+    for number in range(6):
+        night(here, catalogue, number)
+        before = here.registry.reads
+        Pruner(here.registry, PREFIX, catalogue, FIRST + timedelta(days=100), days, newest).find()
+        asked.append(here.registry.reads - before)
+        dated = [tag for name in ("ros", "ros-torch") for tag in here.tagged(name) if prune.DATED.search(tag)]
+        images.append(len(dated))
+    more = images[5] - images[1]
+    assert more >= 4 * 5, "nights without new images say nothing"
+    assert (asked[5] - asked[1]) / more <= 2
+
+
+def test_images_are_asked_for_side_by_side(
+    nights: Place,
+    catalogue: Catalogue,  # noqa: F811
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The first requests for manifests are answered only when eight of them wait."""
+    manifest, together, waiting = nights.registry.manifest, threading.Event(), []
+
+    def answering(repository: str, reference: str) -> Manifest | None:
+        waiting.append(reference)
+        if len(waiting) >= 8:
+            together.set()
+        if not together.wait(5):
+            raise RosmlError("nobody else asks for anything meanwhile", "")
+        return manifest(repository, reference)
+
+    monkeypatch.setattr(nights.registry, "manifest", answering)
+    assert pruner(nights, catalogue).find().tags
