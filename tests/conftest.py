@@ -9,6 +9,7 @@ import pytest
 
 from tests import proof
 from tests.fork import skip_ours
+from tests.limits import set_limits
 from tests.skips import pytest_make_collect_report, pytest_runtest_makereport  # noqa: F401 (hooks)
 
 for name in ("MAKELEVEL", "MAKEFLAGS", "MFLAGS"):  # a make that a test calls is not a sub-make
@@ -19,6 +20,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # as nohup and some CI le
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     skip_ours(items)
+    set_limits(items)
     for item in items:
         for mark in item.iter_markers("full"):
             if mark.args or mark.kwargs.get("proof") not in proof.names():

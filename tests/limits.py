@@ -1,0 +1,17 @@
+"""A time limit for each test: one that hangs fails under its own name, and the others go on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import pytest
+
+SECONDS = {"lint": 600, "unit": 300, "page": 120, "e2e": 900}
+"""By folder: many times what a test takes on a busy machine. A test that takes longer says so: ``@pytest.mark.timeout``."""
+
+
+def set_limits(items: Sequence[pytest.Item]) -> None:
+    """Gives each test the limit of its folder, if it has none of its own."""
+    for item in items:
+        if item.get_closest_marker("timeout") is None:
+            item.add_marker(pytest.mark.timeout(SECONDS[item.path.parent.name]))
