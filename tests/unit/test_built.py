@@ -116,31 +116,35 @@ def test_what_cannot_be_recorded_is_told() -> None:
 
 
 def test_records_that_are_left_out_are_told(
-    real: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    small: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    gone = [ONE.model_copy(update={"target": name}) for name in ("gone-core", "gone-base")]
-    assert built.left_out((ONE, OTHER), real) == ""
-    one = "1 record of an image that the matrix no longer has is left out (git checkout docs/built.json brings it back)"
-    assert built.left_out((ONE, gone[0]), real) == f"docs/built.json: {one}"
-    two = (
+    one, other, *gone = (
+        ONE.model_copy(update={"target": name}) for name in ("alpha-core", "omega-core", "gone-core", "gone-base")
+    )
+    assert built.left_out((one, other), small) == ""
+    single = (
+        "1 record of an image that the matrix no longer has is left out (git checkout docs/built.json brings it back)"
+    )
+    assert built.left_out((one, gone[0]), small) == f"docs/built.json: {single}"
+    several = (
         "2 records of images that the matrix no longer has are left out (git checkout docs/built.json brings them back)"
     )
     file = tmp_path / "docs/built.json"
     file.parent.mkdir()
-    file.write_text(built.text((ONE, *gone)))
-    built.record(file, (), real)
-    assert capsys.readouterr().err == f"docs/built.json: {two}\n"
+    file.write_text(built.text((one, *gone)))
+    built.record(file, (), small)
+    assert capsys.readouterr().err == f"docs/built.json: {several}\n"
 
-    file.write_text(text := built.text((ONE, *gone)))
+    file.write_text(text := built.text((one, *gone)))
     monkeypatch.setattr(generate_bake, "ROOT", tmp_path)
-    monkeypatch.setattr(generate_bake, "generated", lambda *_: {file: built.text((ONE,))})
+    monkeypatch.setattr(generate_bake, "generated", lambda *_: {file: built.text((one,))})
     matrix = ["--matrix", str(ROOT / "matrix.yaml")]
-    monkeypatch.setattr("rosml.expand.load", lambda *_: real)
+    monkeypatch.setattr("rosml.expand.load", lambda *_: small)
     assert command.run(generate_bake.main, arguments=[*matrix, "--check"]) == 1
     assert (file.read_text(), "left out" in capsys.readouterr().err) == (text, False)
     assert command.run(generate_bake.main, arguments=matrix) == 0
     told = capsys.readouterr().err
-    assert f"built.json: written\ndocs/built.json: {two}\n" in told
+    assert f"built.json: written\ndocs/built.json: {several}\n" in told
     assert command.run(generate_bake.main, arguments=matrix) == 0
     assert "left out" not in capsys.readouterr().err
 

@@ -1,4 +1,4 @@
-"""What the design asks of the project's own matrix. A fork with another selection deletes this file."""
+"""What the design asks of the project's own matrix; skipped in a fork, which has a matrix of its own."""
 
 from __future__ import annotations
 

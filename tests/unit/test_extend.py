@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -15,12 +13,8 @@ from conftest import ROOT
 
 from rosml import expand
 from rosml.expand import Catalogue
-from tests import fork
-from tests.documented import Block, blocks, commands
-
-PAGE = ROOT / "docs/extend.md"
-NEEDS_NETWORK = ("make locks", "make image")
-"""Steps of the page that are not followed here: tests/documented.yaml says what shows that they work."""
+from tests import fork, walk
+from tests.walk import follow, insert, section
 
 
 @pytest.fixture
@@ -34,40 +28,6 @@ def project(tmp_path: Path) -> Path:
         (tmp_path / name).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     return tmp_path
-
-
-def section(name: str) -> Iterator[Block]:
-    return (block for block in blocks(PAGE) if block.section == name)
-
-
-def insert(project: Path, block: Block) -> None:
-    """Puts an entry where its title says, before the first thing that is less indented, or is there already."""
-    file, _, place = block.title.partition(", ")
-    path = [f"{'  ' * depth}{key}:" for depth, key in enumerate(place.split("."))]
-    lines = (project / file).read_text().split("\n")
-    at = 0
-    for key in path:
-        at = next(number for number in range(at, len(lines)) if lines[number].split(" #")[0] == key) + 1
-    indent = "  " * len(path)
-    while lines[at].startswith(indent) or lines[at].lstrip().startswith("#"):
-        at += 1
-    lines[at:at] = block.text.rstrip("\n").split("\n")
-    (project / file).write_text("\n".join(lines))
-
-
-def follow(project: Path, name: str) -> str:
-    """Follows a section of the page, step by step; gives what the commands printed."""
-    said = ""
-    for block in section(name):
-        if block.title:
-            insert(project, block)
-        for command in commands(block) if block.language == "sh" else ():
-            if not command.startswith(NEEDS_NETWORK):
-                argv = [*command.split(), "BOOTSTRAP=:", f"RUN={sys.executable}"]
-                done = subprocess.run(argv, cwd=project, env=os.environ, capture_output=True, text=True, check=False)
-                assert done.returncode == 0, f"{command}: {done.stderr}"
-                said += f"$ {command}\n{done.stdout}{done.stderr}"
-    return said
 
 
 def test_a_distribution(project: Path, real: Catalogue) -> None:
@@ -113,26 +73,30 @@ def test_a_step_that_is_left_out_is_told(project: Path) -> None:
 
 def test_a_set_of_ones_own(project: Path) -> None:
     """Two rows of ours, as a fork would keep them: what nothing uses any more is in nobody's way."""
-    matrix = project / "matrix.yaml"
-    before, _, rest = matrix.read_text().partition("\ndistributions:\n")
-    rows, _, after = rest.partition("\ndisk:")
-    kept = "".join(row for row in re.split(r"(?m)^(?=  \S+:$)", rows) if row.startswith(("  humble:", "  jazzy:")))
-    for ours, theirs in (("bookworm-core-torch-cu128", "jazzy-base-torch-cu128"), ("[bookworm-core]", "[jazzy-core]")):
-        assert ours in before
-        before = before.replace(ours, theirs)
-    matrix.write_text(f"{before}\ndistributions:\n{kept}\ndisk:{after}")
+    walk.keep_rows(project, ("humble", "jazzy"))
+    for block in walk.section(walk.OWN_SET):
+        if block.title:
+            insert(project, block)
     argv = ["make", "generate", "BOOTSTRAP=:", f"RUN={sys.executable}"]
     refused = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
     assert refused.returncode != 0 and "remedy: remove that section" in refused.stderr, "what we built is not theirs"
-    page = project / "docs/built.md"
-    page.write_text(page.read_text().partition("\n## On ")[0] + "\n")
-    done = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    said = follow(project, walk.OWN_SET)
+    assert "docker-bake.hcl: written" in said and "warning" not in said
     assert "noetic" not in (project / "README.md").read_text().partition("<!-- images:")[2]
-    made = expand.load(matrix, project)
+    made = expand.load(project / "matrix.yaml", project)
     assert {image.target.split("-")[0] for image in made.images} == {"humble", "jazzy"}
+    assert made.matrix.source == "https://github.com/robots/rosml"
     check = [sys.executable, "scripts/generate_bake.py", "--check"]
     assert subprocess.run(check, cwd=project, check=False).returncode == 0
+
+
+def test_a_fork_is_green(tmp_path: Path) -> None:
+    """The files of unit tests that the documented steps of a fork turned red once. tests/e2e/test_fork.py runs them all."""
+    fork = walk.clone(tmp_path)
+    walk.own_set(fork)
+    done = walk.unit_tests(fork, *(f"tests/unit/test_{name}.py" for name in ("built", "design", "workflows")))
+    assert done.returncode == 0, done.stdout
+    assert re.search(r"\b[1-9]\d+ passed", done.stdout), done.stdout
 
 
 def test_what_a_fork_skips_is_there() -> None:

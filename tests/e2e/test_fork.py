@@ -1,0 +1,26 @@
+"""A fork made as the documentation says, from an empty folder: all of its unit tests pass, and no step deletes a test or
+edits a workflow."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests import walk
+
+
+@pytest.mark.full
+def test_a_fork_by_the_documentation_passes_its_own_tests(tmp_path: Path) -> None:
+    """docs/extend.md, then docs/nightly.md: an own set, published to an own registry."""
+    fork = walk.clone(tmp_path)
+    walk.own_set(fork)
+    changed = [line.split() for line in walk.git(fork, "status", "--porcelain").splitlines()]
+    assert ["M", "matrix.yaml"] in changed
+    assert [name for state, name in changed if state != "M" or name.startswith(("tests/", ".github/"))] == []
+    walk.git(fork, "commit", "--quiet", "--all", "--message", "a set of our own")
+    done = walk.unit_tests(fork, processes=2)
+    assert done.returncode == 0, done.stdout
+    found = re.search(r"(\d+) passed", done.stdout)
+    assert found and int(found[1]) > 1000, done.stdout

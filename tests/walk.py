@@ -1,0 +1,122 @@
+"""Walks a page of the documentation as a reader does: puts its entries into files, and runs its commands."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from tests.documented import ROOT, Block, blocks, commands
+
+EXTEND = ROOT / "docs/extend.md"
+OWN_SET = "A set of your own"
+NEEDS_NETWORK = ("make locks", "make image")
+"""Steps of the page that are not walked: tests/documented.yaml says what shows that they work."""
+
+
+def clone(folder: Path) -> Path:
+    """Fills an empty folder with what a clone of this checkout has, changes of today included, as a first commit."""
+    listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    names = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\0")
+    for name in filter(None, names):
+        if (ROOT / name).exists():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(ROOT / name, folder / name, follow_symlinks=False)
+    for arguments in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "as it was cloned"]):
+        git(folder, *arguments)
+    return folder
+
+
+def git(folder: Path, *arguments: str) -> str:
+    """Calls git there, as somebody; gives what it prints."""
+    names = [f"GIT_{who}_{what}" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")]
+    environment = {**os.environ, **dict.fromkeys(names, "a")}
+    done = subprocess.run(["git", *arguments], cwd=folder, env=environment, capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+def section(name: str) -> Iterator[Block]:
+    """The fenced blocks of a section of docs/extend.md."""
+    return (block for block in blocks(EXTEND) if block.section == name)
+
+
+def insert(project: Path, block: Block) -> None:
+    """Puts an entry where its title says: before the first thing that is less indented, or is there already. A title
+    without a place names a file alone: then each of the block's keys takes the place of the file's own one."""
+    file, _, place = block.title.partition(", ")
+    lines = (project / file).read_text().split("\n")
+    if not place:
+        (project / file).write_text(replaced(lines, block.text.rstrip("\n").split("\n")))
+        return
+    at = 0
+    for key in [f"{'  ' * depth}{key}:" for depth, key in enumerate(place.split("."))]:
+        at = next(number for number in range(at, len(lines)) if lines[number].split(" #")[0] == key) + 1
+    indent = "  " * (place.count(".") + 1)
+    while lines[at].startswith(indent) or lines[at].lstrip().startswith("#"):
+        at += 1
+    lines[at:at] = block.text.rstrip("\n").split("\n")
+    (project / file).write_text("\n".join(lines))
+
+
+def replaced(lines: list[str], entries: list[str]) -> str:
+    """The text of a YAML file with top-level entries in the place of those of the same keys; new ones come first."""
+    keys = [line.partition(":")[0] for line in entries if not line.startswith(" ")]
+    first = next(number for number, line in enumerate(lines) if re.match(rf"({'|'.join(keys)}):", line))
+    kept, dropping = [], False
+    for number, line in enumerate(lines):
+        if number == first:
+            kept += entries
+        if line and not line.startswith((" ", "#")):
+            dropping = line.partition(":")[0] in keys
+        if not dropping:
+            kept.append(line)
+    return "\n".join(kept)
+
+
+def run(project: Path, command: str) -> str:
+    """Runs a command of the page as a shell reads it, with this Python and nothing set up; gives what it printed."""
+    if command.startswith("make "):
+        command = f"{command} BOOTSTRAP=: RUN={sys.executable}"
+    done = subprocess.run(["bash", "-c", command], cwd=project, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
+    return f"$ {command}\n{done.stdout}{done.stderr}"
+
+
+def follow(project: Path, name: str) -> str:
+    """Follows a section of docs/extend.md, block by block; gives what the commands printed."""
+    said = ""
+    for block in section(name):
+        if block.title:
+            insert(project, block)
+        for command in commands(block) if block.language == "sh" else ():
+            if not command.startswith(NEEDS_NETWORK):
+                said += run(project, command)
+    return said
+
+
+def keep_rows(project: Path, names: tuple[str, ...]) -> None:
+    """Deletes all rows but these from matrix.yaml, as the page tells those who want a set of their own."""
+    matrix = project / "matrix.yaml"
+    before, _, rest = matrix.read_text().partition("\ndistributions:\n")
+    rows, _, after = rest.partition("\ndisk:")
+    wanted = tuple(f"  {name}:" for name in names)
+    kept = "".join(row for row in re.split(r"(?m)^(?=  \S+:(?: #.*)?$)", rows) if row.startswith(wanted))
+    matrix.write_text(f"{before}\ndistributions:\n{kept}\ndisk:{after}")
+
+
+def own_set(project: Path) -> str:
+    """Makes a set of one's own of a clone, as docs/extend.md says: humble and jazzy; gives what the commands printed."""
+    keep_rows(project, ("humble", "jazzy"))
+    return follow(project, OWN_SET)
+
+
+def unit_tests(project: Path, *files: str, processes: int = 0) -> subprocess.CompletedProcess[str]:
+    """Runs a project's unit tests, or some files of them, in a child process."""
+    argv = [sys.executable, "-m", "pytest", "--quiet", "-o", "log_cli=false", *(files or ["tests/unit"])]
+    argv += [f"--numprocesses={processes}"] if processes else []
+    environment = {name: value for name, value in os.environ.items() if not name.startswith(("PYTEST_", "COV_"))}
+    return subprocess.run(argv, cwd=project, env=environment, capture_output=True, text=True, check=False)
