@@ -43,15 +43,22 @@ PERMISSIONS = {
 """What each job may do."""
 
 ACTIONS = {
-    "actions/checkout": "v6.0.2",
-    "actions/upload-artifact": "v6.0.0",
-    "actions/download-artifact": "v7.0.0",
-    "actions/upload-pages-artifact": "v4.0.0",
-    "actions/deploy-pages": "v4.0.5",
-    "docker/login-action": "v3.6.0",
-    "peter-evans/create-pull-request": "v8.0.0",
+    "actions/checkout",
+    "actions/upload-artifact",
+    "actions/download-artifact",
+    "actions/upload-pages-artifact",
+    "actions/deploy-pages",
+    "docker/login-action",
+    "peter-evans/create-pull-request",
 }
-"""All that is not ours, and its version; a version has one commit."""
+"""All that is not ours. The workflows say which version and commit of it, and nothing else does."""
+
+LOGIN = {
+    "registry": "${{ env.HOST }}",
+    "username": "${{ !vars.ROSML_REGISTRY && github.actor || secrets.ROSML_USER }}",
+    "password": "${{ !vars.ROSML_REGISTRY && github.token || secrets.ROSML_PASSWORD }}",
+}
+"""How every job logs in that asks a registry. Where a fork names its own registry, the job's token stays at home."""
 
 WRITERS = {"build", "compose", "test", "record", "index", "promote"}
 """Steps that write into the registry."""
@@ -190,12 +197,39 @@ def test_permissions_are_the_least() -> None:
     assert [load(name)["permissions"] for name in NAMES] == [{}, {}, {}]
 
 
-def test_no_secret_but_the_jobs_own_token() -> None:
+def test_no_secret_but_of_those_who_log_in() -> None:
+    """The job's own token, or what a fork keeps as secrets for a registry of its own."""
     for name in NAMES:
-        assert "secrets" not in re.sub(r"#.*", "", text(name))
-        uses = re.findall(r"\$\{\{[^}]*token[^}]*\}\}", text(name))
-        assert set(uses) <= {"${{ github.token }}"}
+        code = re.sub(r"#.*", "", text(name))
+        found = re.findall(r"\$\{\{[^}]*(?:token|secrets)[^}]*\}\}", code)
+        assert set(found) <= ({LOGIN["username"], LOGIN["password"]} if name == "nightly" else set())
+        assert code.count("secrets") == sum(expression.count("secrets") for expression in found)
         assert "pull_request_target" not in text(name)
+
+
+def test_the_registry_is_named_in_one_place() -> None:
+    """Repository variables and secrets say which, and who publishes: a fork edits no workflow."""
+    environment = load("nightly")["env"]
+    assert environment["HOST"] == "${{ vars.ROSML_REGISTRY || 'ghcr.io' }}"
+    assert environment["REGISTRY"] == (
+        "${{ vars.ROSML_REGISTRY || 'ghcr.io' }}/${{ vars.ROSML_NAMESPACE || github.repository }}"
+    )
+    assert text("nightly").count("ghcr.io") == 2
+    logins = [step for step in steps() if str(step.content.get("uses")).startswith("docker/login-action@")]
+    assert [step.content["with"] for step in logins] == [LOGIN] * len(logins)
+    assert {step.job for step in logins} == {job for name, job in PERMISSIONS if "packages" in PERMISSIONS[name, job]}
+
+
+def test_the_jobs_token_is_sent_to_no_other_registry() -> None:
+    """Also where somebody names a registry and forgets the password."""
+    assert LOGIN["password"].startswith("${{ !vars.ROSML_REGISTRY && github.token || ")
+
+
+def test_what_a_fork_can_set_is_what_workflows_read() -> None:
+    """The variables and secrets that docs/nightly.md names, and no others."""
+    section = (ROOT / "docs/nightly.md").read_text().partition("\n## In a fork\n")[2].partition("\n## ")[0]
+    told = set(re.findall(r"`(ROSML_[A-Z]+)`", section))
+    assert told == {name for file in NAMES for name in re.findall(r"\b(?:vars|secrets)\.(\w+)", text(file))}
 
 
 def test_a_checkout_leaves_no_credentials() -> None:
@@ -248,20 +282,19 @@ def test_what_may_publish_a_site_runs_nothing() -> None:
 def test_nobody_logs_in_for_a_pull_request() -> None:
     for step in steps():
         if str(step.content.get("uses")).startswith("docker/login-action@"):
-            assert step.workflow == "nightly"
-            assert step.content["with"]["password"] == "${{ github.token }}"
+            assert step.workflow == "nightly" and "pull_request" not in text("nightly")
 
 
 def test_actions_are_pinned() -> None:
-    pins: dict[str, set[str]] = {}
+    """By commit, beside the version; all uses of an action are of the same one."""
+    pins: dict[str, set[tuple[str, str]]] = {}
     for name in NAMES:
         for line in text(name).splitlines():
             if "uses:" in line:
                 found = re.search(r"uses: ([\w./-]+)@([0-9a-f]{40}) # (v\d+\.\d+\.\d+)( # zizmor: ignore.*)?$", line)
                 assert found, line
-                assert ACTIONS[found[1]] == found[3]
-                pins.setdefault(found[1], set()).add(found[2])
-    assert pins.keys() == ACTIONS.keys()
+                pins.setdefault(found[1], set()).add((found[2], found[3]))
+    assert pins.keys() == ACTIONS
     assert all(len(commits) == 1 for commits in pins.values())
 
 
