@@ -46,6 +46,9 @@ DIGEST = r"^sha256:[0-9a-f]{64}$"
 REFERENCE = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?(/[a-z0-9]+([._-]+[a-z0-9]+)*)*$"
 IMAGE = r"^[a-z0-9.-]+(:[0-9]+)?(/[a-z0-9._-]+)+:[A-Za-z0-9_][A-Za-z0-9._-]*$"
 URL = r"^https?://[^\s\"'$%{}\\]+$"
+HOST = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?$"
+FOLDER = r"^[a-z0-9{}][a-z0-9.{}_-]*(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
+APT = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
 PLATFORM = r"^linux/[a-z0-9]+(/v[0-9]+)?$"
 RMW = r"^rmw_[a-z0-9]+(_[a-z0-9]+)*$"
 WORD = r"^[A-Za-z0-9_][A-Za-z0-9_.+-]*$"
@@ -66,6 +69,9 @@ MEANING = {
     REFERENCE: "a registry without https://, such as ghcr.io/owner or localhost:5000",
     IMAGE: "a full image name with its registry and tag, such as docker.io/library/debian:bookworm",
     URL: "an address, such as https://example.org/images",
+    HOST: "an archive's address without a path, such as http://archive.example.org (apt compares signatures, not certificates)",
+    FOLDER: "a folder below an archive's address, such as debian/dists/{suite}",
+    APT: "the address of an apt repository, such as http://packages.example.org/{generation}/ubuntu",
     PLATFORM: "a platform, such as linux/arm64",
     RMW: "an RMW implementation, such as rmw_cyclonedds_cpp",
     WORD: "one word",
@@ -83,6 +89,9 @@ Version = Annotated[str, Field(pattern=VERSION, max_length=20)]
 Python = Annotated[str, Field(pattern=PYTHON)]
 Digest = Annotated[str, Field(pattern=DIGEST)]
 Word = Annotated[str, Field(pattern=WORD, max_length=64)]
+Host = Annotated[str, Field(pattern=HOST, max_length=100)]
+Folder = Annotated[str, Field(pattern=FOLDER, max_length=100)]
+AptAddress = Annotated[str, Field(pattern=APT, max_length=200)]
 Rmw = Annotated[str, Field(pattern=RMW, max_length=64)]
 Sentence = Annotated[str, Field(pattern=SENTENCE, max_length=200)]
 Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
@@ -155,6 +164,11 @@ class OperatingSystem(Facts):
     )
     architectures: Names = Field(description="architectures that images of it are built for")
     tools: Packages = Field(description="Debian packages of the developers' tools: colcon, rosdep, vcs")
+    archive: Name | None = Field(
+        default=None,
+        description="a name from archives: where rows whose ROS is the system's own look whether its packages moved",
+    )
+    suite: Name | None = Field(default=None, description="name of its release in that archive, such as bookworm")
     codename: Name | None = Field(
         default=None, description="name of its suite in ROS's apt repositories, such as noble"
     )
@@ -302,6 +316,15 @@ class Distribution(Facts):
         return frozenset(self.components)
 
 
+class RosArchive(Facts):
+    """ROS's apt repositories, as an image's apt source names them."""
+
+    live: AptAddress = Field(description="today's packages; {generation} is filled in: ros or ros2")
+    snapshot: AptAddress = Field(
+        description="a state of them; {ros_distro} and {day} are filled in: a date, or final after the end of life"
+    )
+
+
 class Size(Facts):
     """Sizes in MB (10^6 bytes)."""
 
@@ -354,6 +377,12 @@ class Matrix(Facts):
     default: Default
     architectures: dict[Name, Architecture] = Field(min_length=1)
     operating_systems: dict[OsName, OperatingSystem] = Field(min_length=1)
+    archives: dict[Name, dict[Host, Annotated[tuple[Folder, ...], Field(min_length=1)]]] = Field(
+        default={},
+        description="archives of operating systems -> address -> folders of the Release files that say whether packages"
+        " moved; {suite} is filled in. An image's own apt asks what its base image's sources name",
+    )
+    ros_archive: RosArchive | None = Field(default=None, description="needed by distributions with 'apt'")
     components: dict[Name, Component] = Field(min_length=1)
     frameworks: dict[Name, Framework] = Field(min_length=1)
     releases: Releases

@@ -475,8 +475,8 @@ class Pipeline:
             used = self.agenda.inputs.of(*item.key)
             yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
         if isinstance(item.thing, Image) and item.kind == "ros":
-            repository = sync.source(self.agenda.catalogue.matrix, item.thing.distribution)
-            yield from provenance.packages(repository.address if repository else upstreams.DEBIAN, made.upstream)
+            address = upstreams.repository(self.agenda.catalogue.matrix, item.thing.distribution)
+            yield from provenance.packages(address, made.upstream)
         yield from self._source
 
     def _facts(self, item: Item, digest: str, parts: Mapping[str, str]) -> dict[str, Any]:

@@ -32,6 +32,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         _axes,
         _architectures,
         _operating_systems,
+        _archives,
         _same_python,
         _components,
         _frameworks,
@@ -112,6 +113,20 @@ def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
         path: Path = ("operating_systems", name)
         yield from _each((*path, "architectures"), "architecture", os.architectures, matrix.architectures)
         yield from _placeholders((*path, "tools"), os.tools, ())
+        if os.archive and os.archive not in matrix.archives:
+            yield (*path, "archive"), unknown("archive", os.archive, matrix.archives)
+        if (os.archive is None) != (os.suite is None):
+            yield path, "'archive' and 'suite' go together; add the other one"
+
+
+def _archives(matrix: Matrix) -> Iterator[Finding]:
+    for name, hosts in matrix.archives.items():
+        for host, folders in hosts.items():
+            for index, folder in enumerate(folders):
+                yield from _placeholders(("archives", name, host, index), folder, ("suite",))
+    if ros := matrix.ros_archive:
+        yield from _placeholders(("ros_archive", "live"), ros.live, ("generation",))
+        yield from _placeholders(("ros_archive", "snapshot"), ros.snapshot, ("ros_distro", "day"))
 
 
 def _same_python(matrix: Matrix) -> Iterator[Finding]:
@@ -269,6 +284,9 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
             yield (*path, "ros_distro"), "packages have lower-case names, and {ros_distro} is part of them"
         if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
             yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
+        if distribution.apt and matrix.ros_archive is None:
+            text = "nothing says where ROS's apt repositories are; add 'ros_archive: {live: …, snapshot: …}'"
+            yield (*path, "apt"), text
         if distribution.rmw and distribution.ros == 1:
             yield (*path, "rmw"), "ROS 1 has no RMW implementations; they are ROS 2's"
         if distribution.os in matrix.operating_systems:

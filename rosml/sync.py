@@ -13,7 +13,7 @@ from pathlib import Path
 
 from rosml import files, release_file
 from rosml.errors import RosmlError
-from rosml.model import Distribution, Matrix
+from rosml.model import Matrix
 
 CHANNELS = ("live", "snapshot", "final")
 MIRROR = "ROS_APT_MIRROR"
@@ -73,7 +73,7 @@ def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -
         text = f"{name} gets updates until {distribution.eol or 'further notice'}: it has no final snapshot yet"
         raise RosmlError(text, "take CHANNEL=snapshot and a day", exit_code=2)
     codename = matrix.operating_systems[distribution.os].codename or ""
-    return Source(channel, day, _address(name, distribution, channel, day), codename)
+    return Source(channel, day, _address(matrix, name, channel, day), codename)
 
 
 def _is_day(text: str) -> bool:
@@ -83,11 +83,12 @@ def _is_day(text: str) -> bool:
         return False
 
 
-def _address(name: str, distribution: Distribution, channel: str, day: str) -> str:
-    """https://docs.ros.org/en/rolling/Installation/Testing.html names live, .../Snapshot-Repository.html the others."""
+def _address(matrix: Matrix, name: str, channel: str, day: str) -> str:
+    assert matrix.ros_archive, "references: a distribution with apt needs it"
+    distribution = matrix.distributions[name]
     if channel == "live":
-        return f"http://packages.ros.org/{distribution.generation}/ubuntu"
-    return f"http://snapshots.ros.org/{distribution.ros_distro or name}/{day or channel}/ubuntu"
+        return matrix.ros_archive.live.format(generation=distribution.generation)
+    return matrix.ros_archive.snapshot.format(ros_distro=distribution.ros_distro or name, day=day or channel)
 
 
 def published(source: Source, environ: Mapping[str, str] = os.environ) -> str:

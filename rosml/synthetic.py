@@ -55,6 +55,9 @@ def _head() -> str:
             f"python: '3.{8 + number}', numpy: <2, architectures: {architectures}, tools: colcon vcstool, "
             f"codename: os{number}, apt_sources: {{ros2: {{version: 1.2.0, digest: 'sha256:{number:064x}'}}}}}}"
         )
+    lines.append(
+        "ros_archive: {live: 'http://ros.invalid/{generation}', snapshot: 'http://ros.invalid/{ros_distro}/{day}'}"
+    )
     lines.append("components:")
     for name, below in zip(_COMPONENTS, (None, *_COMPONENTS), strict=False):
         lines.append(f"  {name}: {{{f'builds_on: {below}' if below else ''}}}")

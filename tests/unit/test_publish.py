@@ -162,7 +162,7 @@ def test_publish(stage: Stage) -> None:
     assert json.loads((stage.folder / f".state/results/rosml/{TARGET}.json").read_text()) == result.to_json()
     assert stage.said == [
         "base image",
-        f"ROS's apt repository http://packages.ros.org/ros2/ubuntu, published {SYNC}",
+        f"ROS's apt repository http://ros.test/ros2/ubuntu, published {SYNC}",
         f"build {TARGET} and push it by digest",
         "structure tests, inside the image",
         "index and tags",

@@ -12,23 +12,31 @@ import pytest
 from rosml import sync
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
+from rosml.model import Matrix, RosArchive
 
-SOURCE = sync.Source("live", "", "http://packages.ros.org/ros2/ubuntu", "noble")
+SOURCE = sync.Source("live", "", "http://live.test/ros2/ubuntu", "noble")
 
 
-def test_as_the_matrix_says(real: Catalogue) -> None:
-    found = sync.source(real.matrix, "jazzy", {})
+@pytest.fixture
+def matrix(real: Catalogue) -> Matrix:
+    """Our matrix with ROS's repositories at other addresses."""
+    archive = RosArchive(live="http://live.test/{generation}/ubuntu", snapshot="http://old.test/{ros_distro}/{day}")
+    return real.matrix.model_copy(update={"ros_archive": archive})
+
+
+def test_as_the_matrix_says(matrix: Matrix) -> None:
+    found = sync.source(matrix, "jazzy", {})
     assert found == SOURCE
-    final = sync.source(real.matrix, "noetic", {})
-    assert final == sync.Source("final", "", "http://snapshots.ros.org/noetic/final/ubuntu", "focal")
-    assert sync.source(real.matrix, "bookworm", {}) is None
+    final = sync.source(matrix, "noetic", {})
+    assert final == sync.Source("final", "", "http://old.test/noetic/final", "focal")
+    assert sync.source(matrix, "bookworm", {}) is None
 
 
-def test_otherwise_for_once(real: Catalogue) -> None:
-    found = sync.source(real.matrix, "foxy", {"ROS_CHANNEL": "live"})
-    assert found and found.address == "http://packages.ros.org/ros2/ubuntu"
-    found = sync.source(real.matrix, "jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
-    assert found and found.address == "http://snapshots.ros.org/jazzy/2026-08-07/ubuntu"
+def test_otherwise_for_once(matrix: Matrix) -> None:
+    found = sync.source(matrix, "foxy", {"ROS_CHANNEL": "live"})
+    assert found and found.address == "http://live.test/ros2/ubuntu"
+    found = sync.source(matrix, "jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
+    assert found and found.address == "http://old.test/jazzy/2026-08-07"
 
 
 @pytest.mark.parametrize(
@@ -64,7 +72,7 @@ def mirror() -> Iterator[str]:
     class Handler(http.server.BaseHTTPRequestHandler):
         def do_GET(self) -> None:
             name, _, path = self.path.lstrip("/").partition("/")
-            known = name in ANSWERS and path == "packages.ros.org/ros2/ubuntu/dists/noble/InRelease"
+            known = name in ANSWERS and path == "live.test/ros2/ubuntu/dists/noble/InRelease"
             closed = name == "protected" and self.headers["Authorization"] != "Basic dXNlcjpzZWNyZXQ="
             self.send_response(401 if closed else 200 if known else 404)
             self.end_headers()
@@ -114,7 +122,7 @@ def test_remembered(tmp_path: Path) -> None:
     assert sync.remembered(tmp_path, SOURCE) == ""
     sync.remember(tmp_path, SOURCE, "2026-11-20T21:14:09Z")
     assert sync.remembered(tmp_path, SOURCE) == "2026-11-20T21:14:09Z"
-    other = sync.Source("final", "", "http://snapshots.ros.org/noetic/final/ubuntu", "focal")
+    other = sync.Source("final", "", "http://old.test/noetic/final", "focal")
     assert sync.remembered(tmp_path, other) == ""
     (tmp_path / "ros-sync.json").write_text("[1]")
     assert sync.remembered(tmp_path, SOURCE) == ""

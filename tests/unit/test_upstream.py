@@ -11,6 +11,7 @@ import pytest
 from rosml import sync, upstream
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
+from rosml.model import Matrix
 
 RELEASE = """\
 Origin: Debian
@@ -61,31 +62,36 @@ def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
         monkeypatch.setenv(name, "127.0.0.1")
     with Mirror(("127.0.0.1", 0), Handler) as server:
         server.files, server.asked = {path: RELEASE.format(**FACTS).encode() for path in PATHS}, []
-        monkeypatch.setattr(upstream, "DEBIAN", server.address)
         threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
         yield server
         server.shutdown()
+
+
+def at(address: str, matrix: Matrix) -> Matrix:
+    """Our matrix with Debian's archive at another address."""
+    ((_, folders),) = matrix.archives["debian"].items()
+    return matrix.model_copy(update={"archives": {"debian": {address: folders}}})
 
 
 @pytest.mark.parametrize("path", PATHS)
 @pytest.mark.parametrize("what", ["amd64", "arm64"])
 def test_another_list_of_packages_is_another_state(mirror: Mirror, real: Catalogue, path: str, what: str) -> None:
     """Of the release, its updates and its security, for either architecture."""
-    before = upstream.state(real.matrix, "bookworm", {})
+    before = upstream.state(at(mirror.address, real.matrix), "bookworm", {})
     assert before.startswith("debian bookworm ") and sorted(mirror.asked) == sorted(PATHS)
-    assert upstream.state(real.matrix, "bookworm", {}) == before
+    assert upstream.state(at(mirror.address, real.matrix), "bookworm", {}) == before
     mirror.files[path] = RELEASE.format(**FACTS | {what: "d" * 64}).encode()
-    assert upstream.state(real.matrix, "bookworm", {}) != before
+    assert upstream.state(at(mirror.address, real.matrix), "bookworm", {}) != before
 
 
 def test_another_date_alone_is_none(mirror: Mirror, real: Catalogue) -> None:
     """Nor are the lists of packages that no image is installed from."""
-    before = upstream.state(real.matrix, "bookworm", {})
+    before = upstream.state(at(mirror.address, real.matrix), "bookworm", {})
     mirror.files = {
         path: RELEASE.format(**FACTS | {"date": "Sun, 22 Nov 2026 16:00:00 UTC", "other": "e" * 64}).encode()
         for path in PATHS
     }
-    assert upstream.state(real.matrix, "bookworm", {}) == before
+    assert upstream.state(at(mirror.address, real.matrix), "bookworm", {}) == before
 
 
 @pytest.mark.parametrize("path", PATHS)
@@ -105,22 +111,36 @@ def test_what_is_not_there_is_an_error(
     if body is not None:
         mirror.files[path] = body
     with pytest.raises(RosmlError, match=words) as caught:
-        upstream.state(real.matrix, "bookworm", {})
+        upstream.state(at(mirror.address, real.matrix), "bookworm", {})
     assert path in caught.value.message and caught.value.remedy
 
 
 def test_a_mirror_is_asked_in_the_place_of_the_archive(mirror: Mirror, real: Catalogue) -> None:
-    before = upstream.state(real.matrix, "bookworm", {})
-    mirror.files = {f"/deb.debian.org{path}": body for path, body in mirror.files.items()}
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(upstream, "DEBIAN", "http://deb.debian.org")
-        assert upstream.state(real.matrix, "bookworm", {"OS_APT_MIRROR": f"{mirror.address}/"}) == before
+    before = upstream.state(at(mirror.address, real.matrix), "bookworm", {})
+    (host,) = real.matrix.archives["debian"]
+    mirror.files = {f"/{host.removeprefix('http://')}{path}": body for path, body in mirror.files.items()}
+    assert upstream.state(real.matrix, "bookworm", {"OS_APT_MIRROR": f"{mirror.address}/"}) == before
 
 
-def test_nobody_who_answers(real: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(upstream, "DEBIAN", "http://127.0.0.1:1")
+def test_nobody_who_answers(real: Catalogue) -> None:
     with pytest.raises(RosmlError, match="does not answer"):
-        upstream.state(real.matrix, "trixie", {})
+        upstream.state(at("http://127.0.0.1:1", real.matrix), "trixie", {})
+
+
+def test_a_copy_of_the_base_image_is_watched_too(mirror: Mirror, real: Catalogue) -> None:
+    """The archive is the system's, wherever its base image is."""
+    matrix = at(mirror.address, real.matrix)
+    here = upstream.state(matrix, "bookworm", {})
+    copied = matrix.operating_systems["bookworm"].model_copy(update={"image": "registry.test/mirror/debian:bookworm"})
+    systems = {**matrix.operating_systems, "bookworm": copied}
+    assert upstream.state(matrix.model_copy(update={"operating_systems": systems}), "bookworm", {}) == here
+
+
+def test_what_packages_come_from(real: Catalogue) -> None:
+    """As the provenance of an image names it."""
+    assert [upstream.repository(real.matrix, "bookworm")] == list(real.matrix.archives["debian"])
+    assert real.matrix.ros_archive
+    assert upstream.repository(real.matrix, "jazzy") == real.matrix.ros_archive.live.format(generation="ros2")
 
 
 def test_where_no_repository_decides(real: Catalogue, mirror: Mirror) -> None:
@@ -131,5 +151,7 @@ def test_where_no_repository_decides(real: Catalogue, mirror: Mirror) -> None:
 
 def test_ros_repositories_say_their_date(real: Catalogue, monkeypatch: pytest.MonkeyPatch, mirror: Mirror) -> None:
     monkeypatch.setattr(sync, "published", lambda source, _: f"the date of {source.address}")
-    assert upstream.state(real.matrix, "jazzy", {}) == "the date of http://packages.ros.org/ros2/ubuntu"
+    assert real.matrix.ros_archive
+    live = real.matrix.ros_archive.live.format(generation="ros2")
+    assert upstream.state(real.matrix, "jazzy", {}) == f"the date of {live}"
     assert mirror.asked == []
