@@ -71,7 +71,7 @@ PAGE := $(RUN) pytest tests/page
 # As many tests at a time as there are processors.
 BESIDE := --numprocesses=auto
 
-.PHONY: help image test test-all lint unit page bench list explain generate plan diff locks up emulation scanner signer room publish standing catalogue down clean status docs
+.PHONY: help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner signer room publish standing catalogue down clean status docs
 
 help: ## this list
 	@python3 tools/make_help.py
@@ -129,6 +129,9 @@ scanner: ## trivy, which looks for known vulnerabilities in images; building it 
 
 signer: ## cosign, which signs images where publish.py is called with --sign; building it takes a quarter of an hour, once
 	@$(BOOTSTRAP) signer
+
+client: ## set up for commands that only read or write a registry: no builder, no local registry
+	@$(BOOTSTRAP) client
 
 room: ## in CI, before up: remove what GitHub's machines bring and nobody needs here
 	@$(BOOTSTRAP) room

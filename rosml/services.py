@@ -25,9 +25,9 @@ class Services:
 
     Attributes:
         root: the checkout.
-        registry: address of the local registry, ``127.0.0.1:PORT``; it speaks plain http.
+        registry: address of the local registry, ``127.0.0.1:PORT``; it speaks plain http. Empty on a client of another one.
         buildx: the command that calls buildx, e.g. ``("docker", "buildx")``.
-        builder: the builder's name.
+        builder: the builder's name; empty where there is none.
         builder_kind: ``buildkitd`` (our own), ``docker`` (a container of the user's Docker) or ``user`` (theirs).
         buildx_config: buildx' configuration folder; nothing where it is the user's own.
         regctl: path of regctl.
@@ -101,12 +101,25 @@ class Services:
             env[name] = ",".join([*entries, *(host for host in ("127.0.0.1", "localhost") if host not in entries)])
         return env
 
+    @property
+    def place(self) -> str:
+        """Where images go that are published nowhere else.
+
+        Raises:
+            RosmlError: there is no local registry.
+        """
+        if not self.registry:
+            raise RosmlError("no registry is named, and the local one is not up", REMEDY)
+        return f"{self.registry}/rosml"
+
     def require_registry(self) -> None:
         """Checks that the registry answers.
 
         Raises:
-            RosmlError: it does not.
+            RosmlError: there is none, or it does not.
         """
+        if not self.registry:
+            raise RosmlError("the local registry is not up", REMEDY)
         try:
             self.get("/v2/")
         except RosmlError:
@@ -137,6 +150,8 @@ class Services:
             RosmlError: it does not.
         """
         remedy = REMEDY
+        if not self.builder:
+            raise RosmlError("the builder is not up", REMEDY)
         if self.builder_kind == "user":
             remedy = f"start your builder '{self.builder}', or unset BUILDX_BUILDER and {REMEDY}"
         try:

@@ -70,7 +70,7 @@ def main(
     ca_bundle = os.environ.get("SSL_CERT_FILE", "")
     if not registry:
         services = Services.load(ROOT)
-        registry, ca_bundle = f"{services.registry}/rosml", services.ca_bundle
+        registry, ca_bundle = services.place, services.ca_bundle
     place = destination(registry.lower())
     words = tuple(word for text in only for word in text.split())  # a job in CI has one field for all of them
     with oci.Registry(place.host, ca_bundle=ca_bundle) as client:

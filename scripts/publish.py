@@ -445,7 +445,7 @@ class Call:
             if self.only:
                 raise click.UsageError("--since says which images; leave --only out")
             self.only = self.changed(catalogue)
-        place = running.destination(self.registry or f"{services.registry}/rosml")
+        place = running.destination(self.registry or services.place)
         signer = Signer.find(ROOT, services.environment()) if self.sign else None  # told before anything is built
         client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
         date = running.checked_date(self.date) if self.date else running.now()

@@ -151,6 +151,7 @@ def play(
     argv += [f"--input={name}={value}" for name, value in (inputs or {}).items()]
     path = f"{folder / 'programs'}{os.pathsep}{os.environ['PATH']}"
     environment = {**os.environ, "PATH": path, "HOME": str(folder / "home"), "XDG_CACHE_HOME": str(folder / "home")}
+    environment["ACT_DISABLE_VERSION_CHECK"] = "1"  # asks a host outside
     done = subprocess.run(
         argv,
         cwd=folder / "repository",

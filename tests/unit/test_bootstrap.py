@@ -26,6 +26,8 @@ from machine import commands, console, install, mounts, network, services
 from machine.console import Failure
 from machine.daemon import Daemon, command_line, wait_until
 from machine.state import LONGEST_SOCKET_PATH, State, read_json, write_atomically
+from rosml.errors import RosmlError
+from rosml.services import Services
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -245,6 +247,39 @@ def test_modules_are_fetched_in_the_background_and_no_longer_than_they_are_neede
         pid = int(began.read_text())
         assert command_line(pid)
     assert not command_line(pid)
+
+
+def test_a_client_of_a_registry_builds_no_program(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Jobs that only read and write a registry have no use for a local one, a builder, buildx or regctl."""
+    groups: list[str] = []
+    monkeypatch.setattr(install.Installer, "go_tool", lambda self, tool: pytest.fail(f"{tool.name} was built"))
+    monkeypatch.setattr(install.Installer, "debian_packages", lambda self, wanted: pytest.fail("packages of the system"))
+    monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "/uv")
+    monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="dev": groups.append(group))
+    monkeypatch.setenv("PATH", "/nowhere")
+    path = state.root / "path"
+    monkeypatch.setenv("GITHUB_PATH", str(path))
+    commands.client(state)
+    assert groups == ["app"], "neither linters nor tests"
+    assert path.read_text() == f"{state.bin}\n"
+    found = Services.load(state.root)
+    assert not found.mirror, "base images are the official ones, on the machines that build"
+    for ask in (found.require_registry, found.require_builder, lambda: found.place):
+        with pytest.raises(RosmlError) as caught:
+            ask()
+        assert caught.value.remedy == "run 'make up'"
+    assert commands.status(state)["up"] is False
+    assert "not up (make up)" in bootstrap(state.root, "status").stdout
+
+
+def test_a_client_leaves_services_that_are_up(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "/uv")
+    monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="dev": None)
+    facts = services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, True, "")
+    write_atomically(state.services, json.dumps(facts))
+    commands.client(state)
+    assert read_json(state.services) == facts
+    assert Services.load(state.root).place == "127.0.0.1:1/rosml"
 
 
 def test_our_own_folder_does_not_count_as_the_machines(state: State, monkeypatch: pytest.MonkeyPatch) -> None:

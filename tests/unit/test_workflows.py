@@ -188,6 +188,49 @@ def test_variables_of_make_are_known_to_it() -> None:
                 assert re.search(rf"^{name} \?=", content, re.MULTILINE) or step.workflow == "nightly", name
 
 
+BUILDERS = {("ci", "images"), ("ci", "test"), ("nightly", "images"), ("all", "all")}
+"""Jobs that build images: the others need no builder and no local registry, whose programs take minutes to build."""
+
+
+def test_a_job_installs_what_it_uses() -> None:
+    """And takes programs that are built from source from a cache, whose key changes with what pins them."""
+    for name in NAMES:
+        for job, content in load(name)["jobs"].items():
+            told = [" ".join(words(step)) for step in RUNS if (step.workflow, step.job) == (name, job)]
+            if any(line.startswith("uv run") for line in told):
+                assert [line for line in told if line in ("make up", "make client")] == [
+                    "make up" if (name, job) in BUILDERS else "make client"
+                ]
+            builds = {"make up", "make publish", "make test", "make scanner", "make signer", "make lint", "make unit"}
+            if any(line == it or line.startswith(f"{it} ") for line in told for it in (*builds, "make test-all")):
+                (cache,) = [step for step in content["steps"] if str(step.get("uses")).startswith("actions/cache@")]
+                assert cache["with"]["path"] == ".state/bin"
+                assert "hashFiles('tools/go/**')" in cache["with"]["key"]
+                assert "restore-keys" not in cache["with"], "a program that is not the pinned one is built anew anyway"
+                names = [step.get("run", step.get("uses", "")) for step in content["steps"]]
+                first = next(i for i, line in enumerate(names) if line.startswith("make ") and line != "make room")
+                assert content["steps"].index(cache) < first
+
+
+def test_caches_are_apart() -> None:
+    """Jobs with other programs, or of another architecture, do not take one another's: a cache is never written again."""
+    keys = [str(step.content["with"]["key"]) for step in steps() if "actions/cache@" in str(step.content.get("uses"))]
+    assert all("${{ runner.os }}-${{ runner.arch }}-" in key for key in keys)
+    programs: dict[str, set[str]] = {}
+    for step in steps():
+        if "actions/cache@" in str(step.content.get("uses")):
+            programs.setdefault(step.content["with"]["key"].split("-")[0], set()).add(installs(step))
+    assert all(len(sets) == 1 for sets in programs.values()), programs
+
+
+def installs(step: Step) -> str:
+    """What the job of a step sets up, in words that make is given."""
+    told = {" ".join(words(it)) for it in RUNS if (it.workflow, it.job) == (step.workflow, step.job)}
+    if "make client" in told:
+        return " ".join(sorted(told & {"make client", "make scanner", "make signer"}))
+    return "up" if told & {"make up", "make publish"} else " ".join(sorted(word.split()[1] for word in told))
+
+
 # ---- Rights ----------------------------------------------------------------------------------------------------------
 
 

@@ -1,5 +1,5 @@
-"""The commands of scripts/bootstrap.py: tools, linters, browser, up, suite, emulate, engine, scanner, signer, room, down, clean,
-status."""
+"""The commands of scripts/bootstrap.py: tools, client, linters, browser, up, suite, emulate, engine, scanner, signer, room, down,
+clean, status."""
 
 from __future__ import annotations
 
@@ -211,6 +211,20 @@ def offer_path(state: State) -> None:
             stream.write(f"{state.bin}\n")
 
 
+def client(state: State) -> None:
+    """Command ``client``."""
+    bundle = network.ca_bundle(os.environ)
+    installer = Installer(state, bundle)
+    uv = installer.uv(OLDEST_UV)
+    installer.packages(uv, "app")
+    installer.report()
+    offer_path(state)
+    if not state.services.exists():
+        nothing = Tools(kind="", builder="", buildx=(), regctl="", registry="", uv=uv)
+        facts = services.describe(state, nothing, registry="", hub=True, mirror=False, bundle=bundle)
+        write_atomically(state.services, json.dumps(facts, indent=2) + "\n")
+
+
 def linters(state: State) -> None:
     """Command ``linters``."""
     installer = Installer(state, network.ca_bundle(os.environ))
@@ -355,7 +369,7 @@ def status(state: State) -> dict[str, Any]:
     )
     return {
         "state": str(state.folder),
-        "up": bool(facts),
+        "up": bool(registry),
         "registry": {"address": registry, "answers": bool(registry) and network.registry_answers(registry)},
         "builder": {
             "name": tools_found.builder,
@@ -400,6 +414,7 @@ def print_status(state: State, as_json: bool) -> None:
 
 COMMANDS = {
     "tools": "find the tools that builds need, install those that are missing",
+    "client": "find or install uv and the commands' Python packages: enough to read and write a registry",
     "linters": "the Python packages, and actionlint, which is built in some seconds",
     "up": "the same, then start the local registry and the builder",
     "suite": "the same for `make test`: with Docker, Chromium and actionlint where there are none",
@@ -478,6 +493,7 @@ def main(root: Path, argv: Sequence[str]) -> int:
             raise Failure("this set-up needs Linux", "use a Linux machine, a virtual one, or WSL")
         table: dict[str, Callable[[State], Any]] = {
             "tools": tools,
+            "client": client,
             "linters": linters,
             "browser": browser,
             "up": up,
