@@ -66,7 +66,7 @@ endif
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 # Sets up all that tests need, then runs them; the set-up's time counts.
-SUITE := started=$$(date +%s); $(BOOTSTRAP) up; $(BOOTSTRAP) engine; $(BOOTSTRAP) linters; $(BOOTSTRAP) browser; $(RUN) python -m tests.suite --started "$$started"
+SUITE := started=$$(date +%s); $(BOOTSTRAP) suite; $(RUN) python -m tests.suite --started "$$started"
 PAGE := $(RUN) pytest tests/page
 # As many tests at a time as there are processors.
 BESIDE := --numprocesses=auto
