@@ -143,7 +143,7 @@ def install_tools(state: State, hub: bool, bundle: str, tests: bool = False) -> 
     def beside() -> str:
         installer.debian_packages(packages)
         uv = installer.uv(OLDEST_UV)
-        installer.packages(uv, "page" if tests else "")
+        installer.packages(uv, "page" if tests else "dev")
         return uv
 
     with ThreadPoolExecutor(1) as pool, installer.fetching(wanted):
