@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
 from itertools import combinations
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rosml import oci
 from rosml.errors import RosmlError
@@ -21,10 +21,6 @@ from rosml.filelist import Files, Lists
 from rosml.join import Joined, Source, join, platform
 from rosml.oci import Reference, Registry
 from rosml.problems import listed, unknown
-
-if TYPE_CHECKING:
-    from rosml.expand import Image
-    from rosml.pipeline import Pipeline
 
 THREADS = 8
 """How many requests are under way at a time: registries far away take a tenth of a second for each."""
@@ -250,22 +246,6 @@ class Composer:
             return "present"
         registry.copy_blob(repository, digest, layer["size"], self._registries(source.host), source.repository)
         return "copied"
-
-
-def image(run: Pipeline, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
-    """Composes an image of a publishing run, for one architecture; gives the digest of its manifest.
-
-    Args:
-        parts: digests of the ROS image, which is the first, and of the payloads, by bake target.
-
-    Raises:
-        RosmlError: they do not go together, or the registry does not answer or refuses.
-    """
-    ros, *payloads = (
-        Reference(run.host, run.repository(run.agenda.by_key[target, architecture].repository), digest)
-        for target, digest in parts.items()
-    )
-    return run.composer.manifest(ros, payloads, run.host, run.repository(image.repository)).digest
 
 
 def _common(found: Sequence[tuple[str, Mapping[str, Source]]], asked: Sequence[str]) -> list[str]:

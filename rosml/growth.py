@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import secrets
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +17,7 @@ from rosml import agenda, filelist, oci, second_run
 from rosml.comparison import NAMESPACE, Comparison
 from rosml.compose import Composer
 from rosml.errors import RosmlError
+from rosml.maker import Maker
 from rosml.pipeline import Pipeline, now
 from rosml.publish import Publisher
 from rosml.second_run import SecondRun
@@ -55,11 +57,18 @@ class Grown:
         return {"rows": [row.to_json() for row in self.rows], "again": self.again.to_json()}
 
 
-def measure(publisher: Publisher, target: str, usual: Comparison) -> Grown:
+def measure(
+    publisher: Publisher,
+    target: str,
+    usual: Comparison,
+    sizes: Sequence[int] = TAGS,
+    maker: Maker | None = None,
+) -> Grown:
     """Composes images of a target's parts and removes them again.
 
     Args:
         publisher: with the bench's own namespace. target: an image with a framework. usual: what one build of it took.
+        sizes: numbers of tags. maker: builds the parts; with this checkout's builder if None.
 
     Raises:
         RosmlError: a build failed, or the registry does not answer.
@@ -71,7 +80,7 @@ def measure(publisher: Publisher, target: str, usual: Comparison) -> Grown:
     again = second_run.measure(services, catalogue, place, date, publisher.say)
 
     found = agenda.survey(services, catalogue, client, NAMESPACE, [target], date=date)
-    run = Pipeline(found, client, services.registry, NAMESPACE, publisher.say)
+    run = Pipeline(found, client, services.registry, NAMESPACE, publisher.say, maker=maker)
     publisher.say(f"the parts of {target}, by digest")
     run.build()
     if run.failed:
@@ -82,7 +91,7 @@ def measure(publisher: Publisher, target: str, usual: Comparison) -> Grown:
         for item in (found.by_key[need, architecture] for need in found.by_key[image.target, architecture].needs)
     )
     rows = []
-    for number in TAGS:
+    for number in sizes:
         publisher.say(f"{number} tags, composed in the registry")
         with Temporary(services.registry, ca_bundle=services.ca_bundle) as temporary:
             made = _Made(temporary, secrets.token_hex(4))

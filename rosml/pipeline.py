@@ -16,9 +16,9 @@ from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime, timedelta
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
-from rosml import bars, builder, filelist, files, names, oci, parity, payloads, provenance, registry, scan_report, sync
+from rosml import bars, names, oci, parity, provenance, registry, scan_report, sync
 from rosml import scan as scanning
 from rosml import upstream as upstreams
 from rosml.agenda import ELSEWHERE, INDEX, Agenda, Item
@@ -26,16 +26,14 @@ from rosml.errors import RosmlError
 from rosml.expand import Image, Payload, repository_of
 from rosml.labels import OCI, REVISION, SOURCE, TITLE
 from rosml.ledger import Entry, Ledger
+from rosml.maker import BuildKitMaker, Made, Maker
 from rosml.policy import Rules
 from rosml.problems import some, unknown
-from rosml.publish import Publisher, Result, TestsFailed, push_by_digest, turn_file, write_excerpt
+from rosml.publish import turn_file
 from rosml.sbom import Shelf
 from rosml.signer import PATIENCE, Signer, SignerFailed
 from rosml.trivy import ScannerFailed, Trivy
 from rosml.turn import turn
-
-if TYPE_CHECKING:
-    from rosml.compose import Composer
 
 State = Literal["done", "failed", "waits"]
 
@@ -75,22 +73,6 @@ class Outcome:
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
         return {name: value for name, value in vars(self).items() if value != ""}
-
-
-@dataclass(frozen=True)
-class Made:
-    """What building an item came to.
-
-    Attributes:
-        digest: of its manifest. parts: digests of what it stands on, by target.
-        upstream: of when its packages are; empty where no repository decides.
-        base: reference of the operating system's image that it starts from; empty where that is one of its parts.
-    """
-
-    digest: str
-    parts: Mapping[str, str] = field(default_factory=dict)
-    upstream: str = ""
-    base: str = ""
 
 
 @dataclass(frozen=True)
@@ -244,6 +226,7 @@ class Pipeline:
         signer: signs indexes, without which they get no tags; None where nothing is signed.
         started: when it began, by the monotonic clock.
         pushed: bytes of layers that the builder added to the registry.
+        maker: builds, joins and tests; with this checkout's builder if None.
     """
 
     agenda: Agenda
@@ -258,7 +241,16 @@ class Pipeline:
     pushed: int = 0
     refused: int = 0
     """How often the signer failed, one time after the other."""
+    maker: Maker | None = None
     _may_push: bool = False
+
+    @cached_property
+    def _maker(self) -> Maker:
+        agenda = self.agenda
+        services, catalogue = agenda.services, agenda.catalogue
+        return self.maker or BuildKitMaker(
+            services, catalogue, self.registry, self.host, self.prefix, self.say, agenda.force
+        )
 
     @property
     def ledger(self) -> Ledger:
@@ -272,14 +264,6 @@ class Pipeline:
     def reference(self, name: str) -> str:
         """A repository with the registry before it."""
         return f"{self.host}/{self.repository(name)}"
-
-    @cached_property
-    def composer(self) -> Composer:
-        """What puts images together; it reads each part once."""
-        from rosml.compose import Composer
-
-        cache = self.agenda.services.state / "cache" / "files"
-        return Composer(lambda _: self.registry, cache, say=self.say)
 
     @property
     def failed(self) -> bool:
@@ -412,9 +396,10 @@ class Pipeline:
     def _build(self, item: Item, entry: Entry) -> Entry:
         started = now()
         if isinstance(item.thing, Payload):
-            made = self._assemble(item.thing, item.architecture)
-        else:
-            made = self._ros(item, item.thing, entry)
+            made = self._maker.build_part(item.thing, item.architecture)
+        else:  # packages whose repository did not answer are taken for those of the last build
+            moment = self.agenda.upstream.get(item.thing.distribution, entry.upstream)
+            made = self._maker.build_image(item.thing, item.architecture, self._parts(item), moment)
         self.pushed += self._new_bytes(item, entry, made)
         self._attest(item, made, started)
         self.agenda.forced.add(item.key)
@@ -491,132 +476,35 @@ class Pipeline:
             "date": self.agenda.date,
         }
 
-    def _assemble(self, payload: Payload, architecture: str) -> Made:
-        """Assembles a payload."""
-        platform = self.agenda.catalogue.matrix.architectures[architecture].platform
-        services, catalogue = self.agenda.services, self.agenda.catalogue
-        prefix, again = self.reference("").rstrip("/"), self.agenda.force
-        base, digest = payloads.push(services, catalogue, payload, self.say, prefix, [platform], again)
-        self._list_files(payload, digest)
-        return Made(digest, base=base.reference)
-
-    def _list_files(self, thing: Image | Payload, digest: str) -> None:
-        """Attaches the list of its files to what was pushed, for whoever joins it to others."""
-        where = self.repository(repository_of(thing))
-        filelist.attach_files(self.agenda.services, self.agenda.catalogue, self.registry, where, digest, self.say)
-
-    def _ros(self, item: Item, image: Image, entry: Entry) -> Made:
-        """Builds a ROS image on the one below it, as it is in the registry."""
-        publisher = self._publisher(item.architecture)
-        publisher.services.require_builder("" if publisher.native else self._platform(item.architecture))
-        moment = self.agenda.upstream.get(image.distribution, entry.upstream)
-        variables = publisher.variables(image, Result(image.target), moment)
-        parts = self._parts(item)
-        variables["DIGESTS"] = json.dumps(parts)
-        sets = [f"{image.target}.tags="]
-        # The first component brings the essentials, which are the operating system's own packages.
-        installing = [image.target] if parts else [names.os_target(image.os), image.target]
-        if self.agenda.force:
-            sets += [f"{target}.no-cache=true" for target in installing]
-        elif moment:  # packages that moved are installed anew: the builder cannot know that they did
-            folder = self._moment(image, moment)
-            sets += [f"{target}.contexts.upstream={folder}" for target in installing]
-        bake_file = write_excerpt(self.agenda.services, self.agenda.catalogue, image.target)
-        call = builder.Bake(
-            image.target, f"build-{image.target}-{item.architecture}", bake_file, tuple(sets), variables
-        )
-        _, digest = push_by_digest(self.agenda.services, call, self.reference(image.repository))
-        self._list_files(image, digest)
-        base = "" if parts else variables[names.os_variable(image.os)].removeprefix("docker-image://")
-        return Made(digest, parts, moment, base)
-
-    def _moment(self, image: Image, moment: str) -> Path:
-        """A folder that says of when a distribution's packages are, for the builder's cache to know."""
-        folder = self.agenda.services.state / "upstream" / image.distribution
-        folder.mkdir(parents=True, exist_ok=True)
-        files.write(folder / "moment", moment + "\n")
-        return folder
-
     def _parts(self, item: Item) -> dict[str, str]:
         """Digests of what an item is put together from."""
         return {target: self.agenda.known[target, item.architecture].digest for target in item.needs}
 
-    def _digests(self, item: Item) -> dict[str, str]:
-        """The same by the names that the bake file's DIGESTS has for them."""
-        known = {payload.target: payload.name for payload in self.agenda.catalogue.payloads}
-        return {known.get(target, target): digest for target, digest in self._parts(item).items()}
-
     def _platform(self, architecture: str) -> str:
         return self.agenda.catalogue.matrix.architectures[architecture].platform
 
-    def _publisher(self, architecture: str) -> Publisher:
-        services, catalogue = self.agenda.services, self.agenda.catalogue
-        return Publisher(services, catalogue, self.say, self.prefix, architecture, self.host)
-
     def _compose(self, item: Item, entry: Entry) -> Entry:
         started, parts = now(), self._parts(item)
-        digest = self._join(item, parts)
+        assert isinstance(item.thing, Image)
+        digest = self._maker.join(item.thing, item.architecture, parts)
         self._attest(item, Made(digest, parts), started)
         self.agenda.forced.add(item.key)
         return entry.made(digest, **self._facts(item, digest, parts))
 
-    def _join(self, item: Item, parts: Mapping[str, str]) -> str:
-        """Puts an image together of its parts; gives the digest of its manifest."""
-        from rosml import compose  # asks for more than the other steps
-
-        assert isinstance(item.thing, Image)
-        return compose.image(self, item.thing, item.architecture, parts)
-
     def _test(self, item: Item, entry: Entry) -> Entry:
-        """Tests an image in a root file system of the layers that its manifest names.
-
-        A ROS image is taken by its digest. A composed one is joined in the builder from the same parts by their digests:
-        its layers are theirs, and payloads that were unpacked once need not be unpacked for each image.
-        """
-        image = item.thing
-        assert isinstance(image, Image)
-        publisher = self._publisher(item.architecture)
-        publisher.services.require_builder("" if publisher.native else self._platform(item.architecture))
-        result = Result(image.target, manifest=entry.digest)
-        variables = publisher.variables(image, result)
-        digests = {image.target: entry.digest} if item.kind == "ros" else self._digests(item)
-        manifest = self.registry.manifest(self.repository(item.repository), entry.digest)
-        sizes = [int(layer["size"]) for layer in manifest.content["layers"]]
-        result.payloads = sum(sizes[-len(image.parts) :]) if image.parts else 0
-        if item.kind == "joined":
-            self._same_layers(item, manifest.content)
-        variables["DIGESTS"] = json.dumps(digests)
-        file = write_excerpt(self.agenda.services, self.agenda.catalogue, image.target, image.test_target)
-        failures: tuple[str, ...] = ()
-        reason = ""
-        try:
-            publisher.test(image, file, variables, result)
-        except TestsFailed as error:
-            failures, reason = error.names, error.message
-            self.say(reason)
+        """Runs an image's structure tests."""
+        assert isinstance(item.thing, Image)
+        found = self._maker.test(item.thing, item.architecture, entry.digest, self._parts(item))
+        reason = f"tests failed: {some(list(found.failures))}"
         return replace(
             entry,
             tested=self.agenda.tests(item),
-            passed=result.passed,
-            failures=failures,
-            unpacked=result.unpacked,
-            versions=result.versions,
-            failed={"step": "test", "reason": f"tests failed: {some(list(failures))}"} if failures else {},
+            passed=found.passed,
+            failures=found.failures,
+            unpacked=found.unpacked,
+            versions=found.versions,
+            failed={"step": "test", "reason": reason} if found.failures else {},
         )
-
-    def _same_layers(self, item: Item, manifest: Mapping[str, Any]) -> None:
-        """Checks that a composed image is the sum of its parts, which is what the tests see.
-
-        Raises:
-            RosmlError: it is not.
-        """
-        layers: list[str] = []
-        for target, digest in self._parts(item).items():
-            part = self.agenda.by_key[target, item.architecture]
-            found = self.registry.manifest(self.repository(part.repository), digest)
-            layers += [layer["digest"] for layer in found.content["layers"]] if found else []
-        if layers != [layer["digest"] for layer in manifest["layers"]]:
-            raise RosmlError(f"{item.target} does not consist of its parts' layers", "compose it again: --force")
 
     # ---- Scans -------------------------------------------------------------------------------------------------------
 

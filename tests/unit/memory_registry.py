@@ -1,4 +1,4 @@
-"""A registry in memory with the interface of `oci.Registry`, and a publishing run whose images are a few bytes each."""
+"""A registry in memory with the interface of `oci.Registry`, and a publishing run whose maker makes images of a few bytes each."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ import json
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from rosml import agenda, ledger, promote, provenance, registry, upstream
-from rosml.agenda import Agenda, Item
+from rosml.agenda import Agenda
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image, Payload
-from rosml.ledger import Entry
+from rosml.expand import Catalogue, Image, Payload, repository_of
+from rosml.maker import Checked, Made, Maker
 from rosml.oci import Manifest
-from rosml.pipeline import Made, Outcome, Pipeline, title
+from rosml.pipeline import Outcome, Pipeline, title
 from rosml.services import Services
 from rosml.signer import SignerFailed
 
@@ -66,7 +66,7 @@ class MemoryRegistry:
     lock: Any = field(default_factory=threading.RLock)
 
     @contextmanager
-    def _write(self, what: str) -> Iterator[None]:
+    def writing(self, what: str) -> Iterator[None]:
         with self.lock:
             if what in self.refuses:
                 raise RosmlError(f"the registry refuses to {what}", "ask who runs it")
@@ -89,7 +89,7 @@ class MemoryRegistry:
 
     def put_manifest(self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str) -> str:
         data = content if isinstance(content, bytes) else json.dumps(content, sort_keys=True).encode()
-        with self._write("put a manifest"):
+        with self.writing("put a manifest"):
             name = digest(data)
             self.uploaded += len(data)
             self.manifests.setdefault(repository, {})[name] = Manifest(json.loads(data), name, media_type, len(data))
@@ -108,7 +108,7 @@ class MemoryRegistry:
     def put_blob(self, repository: str, data: bytes) -> str:
         if digest(data) in self.blobs.get(repository, {}):
             return digest(data)
-        with self._write("put a blob"):
+        with self.writing("put a blob"):
             self.blobs.setdefault(repository, {})[digest(data)] = data
             self.uploaded += len(data)
             return digest(data)
@@ -116,7 +116,7 @@ class MemoryRegistry:
     def tag(self, repository: str, name: str, tag: str) -> None:
         if name not in self.manifests.get(repository, {}):
             raise RosmlError(f"{repository}@{name} is not there, so no tag can point at it")
-        with self._write("move a tag"):
+        with self.writing("move a tag"):
             self.names.setdefault(repository, {})[tag] = name
 
     def may_push(self, _repository: str) -> None:
@@ -129,7 +129,7 @@ class MemoryRegistry:
 
     def delete(self, repository: str, reference: str) -> None:
         what = "delete a manifest" if reference.startswith("sha256:") else "delete a tag"
-        with self._write(what):
+        with self.writing(what):
             if reference.startswith("sha256:"):
                 del self.manifests[repository][reference]
                 names = self.names.get(repository, {})
@@ -204,65 +204,84 @@ class MemoryRegistry:
 
 
 @dataclass
-class Run(Pipeline):
-    """A run that makes images of a few bytes.
+class Bytes(Maker):
+    """Makes images and parts of a few bytes each.
 
     Attributes:
+        agenda: of the run that it works for. registry: where they go.
         made: what was built, composed and tested, in order: (step, target, architecture).
         poisoned: targets whose tests fail. broken: targets whose build fails. packages: what is in the ROS images.
         odd: labels that an image has on an architecture.
     """
 
+    agenda: Agenda
+    registry: Any
     made: list[tuple[str, str, str]] = field(default_factory=list)
     poisoned: set[str] = field(default_factory=set)
     broken: set[str] = field(default_factory=set)
     packages: str = "1"
     odd: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
 
-    def _put(self, item: Item, layers: list[bytes]) -> str:
-        self.made.append((item.making, *item.key))
-        repository, sent = self.repository(item.repository), self.registry.uploaded
-        entries = [{"digest": self.registry.put_blob(repository, data), "size": len(data)} for data in layers]
-        labels = {"org.opencontainers.image.title": title(item.thing), **self.odd.get(item.key, {})}
-        config = json.dumps({"architecture": item.architecture, "config": {"Labels": labels}}).encode()
-        content = {"layers": entries, "config": {"digest": self.registry.put_blob(repository, config)}}
-        data = json.dumps(content).encode()
-        name = str(self.registry.put_manifest(repository, digest(data), data, IMAGE))
-        if item.making == "build":  # buildx sends it, and not the run's client
+    def build_part(self, part: Payload, architecture: str) -> Made:
+        self._require_whole(part.target)
+        inputs = self.agenda.inputs.digest(part.target, architecture)
+        return Made(self._put("build", part, architecture, [f"{part.target} {inputs}".encode()]), base=BASE)
+
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
+        self._require_whole(image.target)
+        own = f"{image.target} {self.packages} {architecture}".encode()
+        digest = self._put("build", image, architecture, [*self._layers(parts, architecture), own])
+        return Made(digest, parts, moment, "" if parts else BASE)
+
+    def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
+        return self._put("compose", image, architecture, self._layers(parts, architecture))
+
+    def test(self, image: Image, architecture: str, digest: str, parts: Mapping[str, str]) -> Checked:
+        self.made.append(("test", image.target, architecture))
+        failures = ("contract: it is poisoned",) if image.target in self.poisoned else ()
+        return Checked(5, failures, versions={"torch": "2.10.0"})
+
+    def _require_whole(self, target: str) -> None:
+        if target in self.broken:
+            raise RosmlError(f"building {target} failed", "mend it")
+
+    def _put(self, step: str, thing: Image | Payload, architecture: str, layers: Sequence[bytes]) -> str:
+        self.made.append((step, thing.target, architecture))
+        sent = self.registry.uploaded
+        labels = {"org.opencontainers.image.title": title(thing), **self.odd.get((thing.target, architecture), {})}
+        name = put_image(self.registry, f"{PREFIX}/{repository_of(thing)}", architecture, labels, layers)
+        if step == "build":  # buildx sends it, and not the run's client
             self.registry.uploaded = sent
         return name
 
-    def _assemble(self, payload: Payload, architecture: str) -> Made:
-        item = self.agenda.by_key[payload.target, architecture]
-        if payload.target in self.broken:
-            raise RosmlError(f"building {payload.target} failed", "mend it")
-        return Made(self._put(item, [f"{payload.target} {self.agenda.inputs.digest(*item.key)}".encode()]), base=BASE)
+    def _layers(self, parts: Mapping[str, str], architecture: str) -> list[bytes]:
+        found = []
+        for target, name in parts.items():
+            repository = f"{PREFIX}/{self.agenda.by_key[target, architecture].repository}"
+            content = self.registry.manifest(repository, name).content
+            found += [self.registry.blob(repository, layer["digest"]) for layer in content["layers"]]
+        return found
 
-    def _ros(self, item: Item, image: Image, entry: Entry) -> Made:
-        if image.target in self.broken:
-            raise RosmlError(f"building {image.target} failed", "mend it")
-        parts = self._parts(item)
-        below = [self._layers(target, item.architecture) for target in parts]
-        own = f"{image.target} {self.packages} {item.architecture}".encode()
-        moment = self.agenda.upstream.get(image.distribution, entry.upstream)
-        digest = self._put(item, [*(data for found in below for data in found), own])
-        return Made(digest, parts, moment, "" if parts else BASE)
 
-    def _layers(self, target: str, architecture: str) -> list[bytes]:
-        part = self.agenda.by_key[target, architecture]
-        repository = self.repository(part.repository)
-        found = self.registry.manifest(repository, self.agenda.known[part.key].digest)
-        return [self.registry.blob(repository, layer["digest"]) for layer in found.content["layers"]]
+def put_image(
+    registry: Any, repository: str, architecture: str, labels: Mapping[str, str], layers: Sequence[bytes]
+) -> str:
+    """Puts an image of some layers into a registry; gives the digest of its manifest."""
+    entries = [{"digest": registry.put_blob(repository, data), "size": len(data)} for data in layers]
+    config = json.dumps({"architecture": architecture, "config": {"Labels": labels}}).encode()
+    content = {"layers": entries, "config": {"digest": registry.put_blob(repository, config)}}
+    data = json.dumps(content).encode()
+    return str(registry.put_manifest(repository, digest(data), data, IMAGE))
 
-    def _join(self, item: Item, parts: Mapping[str, str]) -> str:
-        return self._put(item, [data for target in parts for data in self._layers(target, item.architecture)])
 
-    def _test(self, item: Item, entry: Entry) -> Entry:
-        self.made.append(("test", *item.key))
-        failures = ("contract: it is poisoned",) if item.target in self.poisoned else ()
-        failed = {"step": "test", "reason": "tests failed"} if failures else {}
-        tested = self.agenda.tests(item)
-        return replace(entry, tested=tested, passed=5, failures=failures, failed=failed, versions={"torch": "2.10.0"})
+class Run(Pipeline):
+    """A run whose images are a few bytes each."""
+
+    @property
+    def made(self) -> list[tuple[str, str, str]]:
+        """What was built, composed and tested, in order: (step, target, architecture)."""
+        assert isinstance(self.maker, Bytes)
+        return self.maker.made
 
 
 @dataclass
@@ -286,7 +305,7 @@ class Pen:
             raise SignerFailed(self.broken, "mend it")
         if reference in self.signed:
             return False
-        with self.registry._write("sign"):
+        with self.registry.writing("sign"):
             self.signed.add(reference)
         return True
 
@@ -310,7 +329,8 @@ class Place:
         found = agenda.survey(
             self.services, catalogue, self.registry, PREFIX, architectures=architectures, date=date, **options
         )
-        return Run(found, self.registry, HOST, PREFIX, lambda line: None, serving, signer=self.pen, **own)
+        maker = Bytes(found, self.registry, **own)
+        return Run(found, self.registry, HOST, PREFIX, lambda line: None, serving, signer=self.pen, maker=maker)
 
     def publish(self, catalogue: Catalogue, **options: Any) -> Run:
         """A run with all its steps."""

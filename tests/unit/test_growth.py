@@ -4,6 +4,7 @@ leaves nothing behind. On a registry in this process, with images of some bytes.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -13,13 +14,12 @@ from stubs import services
 from test_inputs import copy
 from test_pipeline import TEXT
 
-from rosml import base_images, expand, growth, second_run, upstream
-from rosml.agenda import Item
+from rosml import base_images, expand, growth, oci, second_run, upstream
 from rosml.comparison import NAMESPACE, Comparison, Side
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image, Payload
-from rosml.ledger import Entry
-from rosml.pipeline import Made, Pipeline
+from rosml.expand import Catalogue, Image, Payload, repository_of
+from rosml.maker import Checked, Made, Maker
+from rosml.names import repository_path
 from rosml.publish import Publisher
 from tests.e2e import parts
 
@@ -35,16 +35,31 @@ USUAL = Comparison(
 )
 
 
-class Builder(Pipeline):
+@dataclass
+class Builder(Maker):
     """Puts images of some bytes where a builder would push real ones."""
 
-    def _ros(self, item: Item, image: Image, _entry: Entry) -> Made:
-        tiny = parts.ros(image.distribution, image.component, "3.12")
-        return Made(tiny.put_manifest(self.registry, self.repository(item.repository))[0], self._parts(item))
+    registry: oci.Registry
 
-    def _assemble(self, payload: Payload, _architecture: str) -> Made:
-        tiny = parts.payload(payload.part, payload.stack, "3.12", {"cuda": "12.8.90", "torch": "2.10.0"})
-        return Made(tiny.put_manifest(self.registry, self.repository("payload"))[0])
+    def build_part(self, part: Payload, architecture: str) -> Made:
+        tiny = parts.payload(part.part, part.stack, "3.12", {"cuda": "12.8.90", "torch": "2.10.0"})
+        return Made(tiny.put_manifest(self.registry, repository_path(NAMESPACE, repository_of(part)))[0])
+
+    def build_image(self, image: Image, architecture: str, below: Mapping[str, str], moment: str) -> Made:
+        tiny = parts.ros(image.distribution, image.component, "3.12")
+        return Made(tiny.put_manifest(self.registry, repository_path(NAMESPACE, repository_of(image)))[0], below)
+
+    def join(self, image: Image, architecture: str, below: Mapping[str, str]) -> str:
+        raise AssertionError("the bench joins images by itself")
+
+    def test(self, image: Image, architecture: str, digest: str, below: Mapping[str, str]) -> Checked:
+        raise AssertionError("the bench tests no image")
+
+
+def measured(publisher: Publisher) -> growth.Grown:
+    """What `make bench` measures, with few tags."""
+    maker = Builder(oci.Registry(publisher.services.registry))
+    return growth.measure(publisher, TARGET, USUAL, (2, 3), maker)
 
 
 @pytest.fixture
@@ -64,8 +79,6 @@ def catalogue(tmp_path: Path) -> Catalogue:
 def publisher(registry: StandIn, catalogue: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
     monkeypatch.setattr(upstream, "state", lambda *_: "monday")
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
-    monkeypatch.setattr(growth, "Pipeline", Builder)
-    monkeypatch.setattr(growth, "TAGS", (2, 3))
     found = services(tmp_path / "project", registry.address)
     return Publisher(found, catalogue, lambda _: None, NAMESPACE, "amd64")
 
@@ -78,7 +91,7 @@ def left(registry: StandIn, *words: str) -> Mapping[str, object]:
 
 
 def test_tags_are_composed_counted_and_removed(publisher: Publisher, registry: StandIn) -> None:
-    found = growth.measure(publisher, TARGET, USUAL)
+    found = measured(publisher)
     assert [row.tags for row in found.rows] == [2, 3]
     for row in found.rows:
         assert row.seconds > 0 and 500 < row.uploaded / row.tags < 10_000
@@ -91,13 +104,13 @@ def test_tags_are_composed_counted_and_removed(publisher: Publisher, registry: S
 def test_what_fails_leaves_nothing_behind_either(publisher: Publisher, registry: StandIn) -> None:
     registry.fault("PUT", r"/v2/bench/growth-\w+/manifests/1$", 403)
     with pytest.raises(RosmlError, match="403"):
-        growth.measure(publisher, TARGET, USUAL)
+        measured(publisher)
     assert registry.count(r"^PUT /v2/bench/growth-\w+/manifests/0$") == 1
     assert left(registry, "growth-", "night-") == {}
     before = {key for key in registry.manifests if key[0] == "bench/ros"}
     registry.fault("PUT", r"/v2/bench/growth-\w+/manifests/0$", 403)
     with pytest.raises(RosmlError, match="403"):
-        growth.measure(publisher, TARGET, USUAL)
+        measured(publisher)
     assert {key for key in registry.manifests if key[0] == "bench/ros"} == before
 
 

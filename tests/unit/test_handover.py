@@ -75,7 +75,7 @@ def scan(found: Run, file: Path, outcome: str = "clean") -> str:
     Shelf(reader, "trivy 1").store(f"{PREFIX}/ros", entry.digest, sbom(entry.digest))
     changed = ledger.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
     assert changed
-    found._write(found.agenda.by_key[CORE], changed)
+    found.ledger.write(changed, found.agenda.inputs.of(*CORE))
     reader.write(file, found.agenda.date)
     return entry.digest
 

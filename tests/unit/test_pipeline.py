@@ -14,7 +14,8 @@ from typing import Any
 
 import pytest
 from conftest import SMALL, parse, write_locks
-from memory_registry import DAY, LATER, NEXT, PREFIX, Killed, MemoryRegistry, Pen, Place, Run, place
+from memory_registry import BASE as PINNED
+from memory_registry import DAY, HOST, LATER, NEXT, PREFIX, Killed, MemoryRegistry, Pen, Place, Run, place, put_image
 from stubs import services
 from test_inputs import copy
 
@@ -25,6 +26,7 @@ from rosml import (
     expand,
     filelist,
     ledger,
+    maker,
     names,
     payloads,
     pipeline,
@@ -368,7 +370,7 @@ def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Place
     for key, item in run.agenda.by_key.items():
         if item.kind != "payload" and item.target != "omega-core":
             entry = replace(run.agenda.known[key], scanned="clean", scan={"policy": policy})
-            run._write(item, entry)
+            run.ledger.write(entry, run.agenda.inputs.of(*key))
     registry.publish(catalogue, date=NEXT, scanning=policy)
     assert "alpha-core" in registry.tagged("ros") and "omega-core" not in registry.tagged("ros")
     assert "torch-cu1-py312" in registry.tagged("payload")
@@ -837,9 +839,9 @@ def told(
 
     def push(_services: Services, call: builder.Bake, _where: str) -> tuple[dict[str, str], str]:
         calls.append(call)
-        return {}, "sha256:1"
+        return {}, put_image(run.registry, f"{PREFIX}/ros", architecture, {}, [])
 
-    monkeypatch.setattr(pipeline, "push_by_digest", push)
+    monkeypatch.setattr(maker, "push_by_digest", push)
     monkeypatch.setattr(filelist, "attach_files", lambda *_: None)
     monkeypatch.setattr(base_images, "ensure", lambda _services, system, *_: f"base-of-{system.python}")
     monkeypatch.setattr(Services, "require_builder", lambda *_: None)
@@ -847,10 +849,11 @@ def told(
     architecture = base_images.native_architecture()
     item = run.agenda.by_key[target, architecture]
     assert isinstance(item.thing, expand.Image)
-    for needed in item.needs:
-        run.agenda.known[needed, architecture] = ledger.Entry(needed, architecture, digest="sha256:2")
-    Pipeline._ros(run, item, item.thing, ledger.Entry(*item.key, upstream="sunday"))
-    return list(calls[0].sets), dict(calls[0].variables)
+    for name in item.thing.architectures:
+        run.agenda.known[target, name] = ledger.Entry(target, name, upstream="sunday")
+    Pipeline(run.agenda, run.registry, HOST, PREFIX, lambda line: None).build([target])
+    (call,) = [call for call in calls if call.target == target and call.name == f"build-{target}-{architecture}"]
+    return list(call.sets), dict(call.variables)
 
 
 def never() -> str:
@@ -868,7 +871,7 @@ def test_packages_are_of_the_plans_moment(
         assert set(sets) == {f"{target}.tags=", *(f"{name}.contexts.upstream={folder}" for name in targets)}
         assert (folder / "moment").read_text() == "monday\n"
         assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "monday"}
-        sets, _ = told(registry.run(catalogue, force=True), target, monkeypatch, never)
+        sets, _ = told(registry.run(catalogue, date=NEXT, force=True), target, monkeypatch, never)
         assert set(sets) == {f"{target}.tags=", *(f"{name}.no-cache=true" for name in targets)}
 
 
@@ -889,10 +892,11 @@ def test_a_payload_is_assembled_anew_when_that_is_asked_for(
 
     def push(*arguments: Any) -> tuple[Any, str]:
         seen.append(arguments[-1])
-        return SimpleNamespace(reference="base"), "sha256:1"
+        return SimpleNamespace(reference=PINNED), put_image(registry.registry, f"{PREFIX}/payload", "amd64", {}, [])
 
     monkeypatch.setattr(payloads, "push", push)
     monkeypatch.setattr(filelist, "attach_files", lambda *_: None)
-    for force in (False, True):
-        Pipeline._assemble(registry.run(catalogue, force=force), catalogue.payloads[0], "amd64")
+    for force, date in ((False, DAY), (True, NEXT)):
+        run = registry.run(catalogue, date=date, force=force, architectures=("amd64",))
+        Pipeline(run.agenda, run.registry, HOST, PREFIX, lambda line: None).build([catalogue.payloads[0].target])
     assert seen == [False, True]

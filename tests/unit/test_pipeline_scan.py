@@ -12,6 +12,7 @@ from scanning import World, advisory, rules
 from stubs import services
 from test_pipeline import BASE, catalogue, project, sources, waiting  # noqa: F401 (fixtures)
 
+from rosml import scan
 from rosml.expand import Catalogue
 from rosml.pipeline import policy_digest
 from rosml.scan import Outcome, summarise
@@ -112,19 +113,19 @@ def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
     count: they never are there."""
     found: list[bool] = []
 
-    def scan(self: Run, *arguments: Any) -> Any:
-        found.append(arguments[-1])
+    def judge(_images: object, _rules: object, _today: object, whole: bool, *_targets: object) -> Any:
+        found.append(whole)
         return summarise([], rules(), date(2026, 11, 22), whole=False)
 
     registry.publish(catalogue)
     for only in (["alpha-*"], []):
         run = registry.run(catalogue, date=NEXT, only=only)
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(Run, "_scan", scan)
+            patch.setattr(scan, "summarise", judge)
             run.scan(rules(), ScannerFailed("none", "make scanner"))
     for key in [key for key in run.agenda.present if key[0] == "omega-base"]:
         run.agenda.present.discard(key)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Run, "_scan", scan)
+        patch.setattr(scan, "summarise", judge)
         run.scan(rules(), ScannerFailed("none", "make scanner"))
     assert found == [False, True, True]
