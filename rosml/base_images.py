@@ -106,13 +106,13 @@ def ensure(services: Services, os: OperatingSystem, architecture: str = "", say:
         )
     native = native_architecture()
     if architecture in ("", native):
-        return f"{os.image}@{_debian(services, suite, native, say)}"
+        return f"{os.image}@{debian(services, suite, native, say)}"
     if not emulated(architecture):
         raise RosmlError(
             f"a Debian base image for {architecture} cannot be made on {native}: its programs do not run here",
             f"run 'make emulation', or use an {architecture} machine, or one that reaches Docker Hub",
         )
-    digests = [_debian(services, suite, name, say) for name in (native, architecture)]
+    digests = [debian(services, suite, name, say) for name in (native, architecture)]
     return f"{os.image}@{registry.create_index(services, f'{services.registry}/library/debian', digests, {})}"
 
 
@@ -126,7 +126,7 @@ BINFMT = Path("/proc/sys/fs/binfmt_misc")
 """The kernel's table of interpreters."""
 
 
-def _debian(services: Services, suite: str, architecture: str, say: Callable[[str], None]) -> str:
+def debian(services: Services, suite: str, architecture: str, say: Callable[[str], None]) -> str:
     """Digest of a Debian image for one architecture; made if it is not there."""
     tag = suite if architecture == native_architecture() else f"{suite}-{architecture}"
     folder = services.state / "base"

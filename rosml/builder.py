@@ -60,7 +60,8 @@ _REMEDIES = (
 registry refuses in BuildKit's words ("unexpected status from POST request to …: 403 Forbidden"), a package index in those of
 uv, curl or apt."""
 
-_CANCEL_SECONDS = 15.0
+CANCEL_SECONDS = 15.0
+"""How long a builder that was told to stop may take before it is ended."""
 
 _OURS = re.compile(r"PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
 """Variables of the bake file that a shell may have for other reasons, and that would change what is built."""
@@ -216,7 +217,7 @@ def _stop(process: subprocess.Popen[str]) -> None:
     if process.poll() is None:
         process.send_signal(signal.SIGINT)
         try:
-            process.communicate(timeout=_CANCEL_SECONDS)  # reads on: buildx must not wait for a full pipe
+            process.communicate(timeout=CANCEL_SECONDS)  # reads on: buildx must not wait for a full pipe
         except (subprocess.TimeoutExpired, KeyboardInterrupt):
             process.kill()
             process.wait()

@@ -499,7 +499,7 @@ def _outcome(request: Request, root: Path, uv: Uv, upgrade: bool) -> _Outcome:
         asked, request = request, replace(request, roots=here, elsewhere={})
         left_out = {str(asked): error.message}
         pins = resolve(request, uv, upgrade, previous) if here else []
-    _one_cuda(request, pins)
+    require_one_cuda(request, pins)
     return _Outcome(request, pins, left_out=left_out)
 
 
@@ -534,7 +534,7 @@ def _merge(path: str, known: dict[str, Pin], found: list[Pin]) -> None:
             )
 
 
-def _one_cuda(request: Request, pins: list[Pin]) -> None:
+def require_one_cuda(request: Request, pins: list[Pin]) -> None:
     """Checks that NVIDIA's packages are those of the stack: one CUDA, the promised one.
 
     Raises:

@@ -226,6 +226,7 @@ class Registry:
 
     Attributes:
         host: as references have it, e.g. `ghcr.io` or `127.0.0.1:5000`.
+        base: the address of its root.
     """
 
     def __init__(
@@ -246,7 +247,7 @@ class Registry:
         local = _is_local(host)
         trusted = certificates.of(host)
         scheme = "http" if (local and not trusted if plain is None else plain) else "https"
-        self._base = httpx.URL(f"{scheme}://{'registry-1.docker.io' if host == DOCKER_HUB else host}")
+        self.base = httpx.URL(f"{scheme}://{'registry-1.docker.io' if host == DOCKER_HUB else host}")
         self._client = httpx.Client(
             headers={"User-Agent": "rosml", "Accept-Encoding": "identity"},  # bytes as they are stored
             timeout=httpx.Timeout(ANSWER_SECONDS, connect=10.0, pool=None),
@@ -625,7 +626,7 @@ class Registry:
 
     def _address(self, path: str) -> httpx.URL:
         try:
-            return self._base.join(f"/v2/{path}")
+            return self.base.join(f"/v2/{path}")
         except httpx.InvalidURL:
             raise RosmlError(f"{self.host}: {path!r} is no address", "check the reference that leads there") from None
 
@@ -761,7 +762,7 @@ class Registry:
     ) -> tuple[httpx.Response, str]:
         """Sends a request with who asks. Gives the answer, and what it was sent with."""
         header = ""
-        if _origin(request.url) == _origin(self._base):  # nobody else is told who asks
+        if _origin(request.url) == _origin(self.base):  # nobody else is told who asks
             header = self._authorization(scopes, refused)
         request.headers.pop("authorization", None)
         if header:
@@ -788,7 +789,7 @@ class Registry:
             raise _Transient(said, _after(answer))
         if code in (401, 403):
             raise self._denied(f"{'push to' if push else 'pull from'} {repository}", said)
-        if self._base.scheme == "http" and code == 400 and "https" in answer.text.lower():
+        if self.base.scheme == "http" and code == 400 and "https" in answer.text.lower():
             raise RosmlError(f"{self.host} does not speak plain http", certificates.remedy(self.host, ""))
         raise RosmlError(f"{self.host}: {said}", "check that this is there: see the reference" if code == 404 else "")
 
@@ -854,12 +855,12 @@ class Registry:
     def _token(self, challenge: _Challenge, scopes: frozenset[str], known: Credentials | None) -> tuple[str, float]:
         """A Bearer token for some scopes, and for how many seconds it holds."""
         try:
-            realm = self._base.join(challenge.realm)
+            realm = self.base.join(challenge.realm)
         except httpx.InvalidURL:
             raise RosmlError(
                 f"{self.host} does not say where to ask for a token", "check the registry's set-up"
             ) from None
-        if realm.scheme != "https" and self._base.scheme == "https":
+        if realm.scheme != "https" and self.base.scheme == "https":
             raise RosmlError(f"{self.host} wants passwords sent in the clear, to {realm.host}", "take another registry")
         fields = {"service": challenge.service} if challenge.service else {}
         with _transport("asking for a token at", realm):

@@ -294,7 +294,7 @@ class Publisher:
     def _build(self, image: Image, bake_file: Path, variables: dict[str, str], result: Result) -> None:
         repository = f"{self.prefix}/{image.repository}"
         sets = (f"{image.target}.tags=",)
-        before = _blobs(self.services.state / "registry")
+        before = stored_blobs(self.services.state / "registry")
         progress, result.manifest = push_by_digest(
             self.services, builder.Bake(image.target, f"build-{image.target}", bake_file, sets, variables), repository
         )
@@ -398,7 +398,7 @@ def _reused(steps: list[Step]) -> list[str]:
     return list(dict.fromkeys(kinds[step.phase] for step in steps if step.phase in kinds))
 
 
-def _blobs(storage: Path) -> frozenset[str]:
+def stored_blobs(storage: Path) -> frozenset[str]:
     """Digests, without their algorithm, of all that the local registry has in its folder."""
     return frozenset(file.name for file in storage.glob("docker/registry/v2/blobs/sha256/*/*"))
 

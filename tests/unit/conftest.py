@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -14,6 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
 
+import projects  # noqa: E402
 from stubs import answering_registry  # noqa: E402
 
 from rosml import expand, names, source  # noqa: E402
@@ -110,6 +112,9 @@ ros_archive:
   snapshot: http://snapshots.ros.test/{{ros_distro}}/{{day}}/ubuntu
 """
 
+SMALLER = SMALL.replace("components: [core, base, desktop]", "components: [core, base]")
+"""The small matrix with fewer images, for tests that publish all of them."""
+
 PINS = "".join(
     f"{package} \\\n    --hash=sha256:{'0' * 64}\n"
     for package in ("torch==2.10.0", "tensorflow==2.20.0", "tensorflow-cpu==2.20.0")
@@ -181,3 +186,30 @@ def registry() -> Iterator[str]:
     """The address of something that answers as a registry does."""
     with answering_registry() as address:
         yield address
+
+
+@pytest.fixture(scope="session")
+def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """All that images are built from, copied once; nobody writes into it."""
+    return projects.copy(tmp_path_factory.mktemp("sources") / "project")
+
+
+@pytest.fixture
+def project(tmp_path: Path, sources: Path) -> Path:
+    """A test's own copy of all that images are built from."""
+    shutil.copytree(sources, tmp_path / "project")
+    return tmp_path / "project"
+
+
+@pytest.fixture
+def catalogue(project: Path) -> expand.Catalogue:
+    """The catalogue of the smaller matrix, with all locks in the project."""
+    found = parse(SMALLER)
+    write_locks(project, found)
+    return expand.with_locks(found, expand.current_locks(found, project))
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Path:
+    """The project with the small matrix and the commands that compare, in a git repository."""
+    return projects.copy_with_commands(tmp_path / "project", SMALL)

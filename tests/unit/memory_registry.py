@@ -379,6 +379,16 @@ class Place:
                         assert layer["digest"] in self.registry.blobs[path]
 
 
+def steps(run: Run, step: str) -> set[tuple[str, str]]:
+    """Targets and architectures with which a run did a step."""
+    return {(target, architecture) for name, target, architecture in run.made if name == step}
+
+
+def waiting(run: Run, target: str) -> list[str]:
+    """What keeps a target waiting."""
+    return [outcome.reason for outcome in run.outcomes if outcome.target == target and outcome.state == "waits"]
+
+
 def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Place:
     """A place whose regctl and repositories of packages are in memory as well."""
     found = Place(services)

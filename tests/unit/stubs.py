@@ -100,3 +100,24 @@ def services(root: Path, registry: str = "127.0.0.1:1", **changes: Any) -> Servi
     (root / ".state").mkdir(exist_ok=True)
     (root / ".state" / "services.json").write_text(json.dumps(facts))
     return Services.load(root)
+
+
+FACTS: dict[str, Any] = {
+    "registry": "127.0.0.1:1",
+    "buildx": ["docker", "buildx"],
+    "builder": "rosml",
+    "builder_kind": "buildkitd",
+    "buildx_config": "/x/.state/buildx",
+    "regctl": "/x/regctl",
+    "uv": "/x/uv",
+    "ca_bundle": "/ca.pem",
+    "docker_hub": False,
+    "mirror": True,
+}
+
+
+def load(root: Path, **changes: Any) -> Services:
+    """Services of a checkout with these facts."""
+    (root / ".state").mkdir(exist_ok=True)
+    (root / ".state" / "services.json").write_text(json.dumps({**FACTS, **changes}))
+    return Services.load(root)

@@ -9,9 +9,8 @@ from typing import Any
 
 import pytest
 from memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Place, Run, place
+from projects import git
 from stubs import services
-from test_pipeline import catalogue, project, sources, waiting  # noqa: F401 (fixtures)
-from test_provenance import git
 
 from rosml import ledger, provenance
 from rosml.agenda import INDEX
@@ -27,7 +26,7 @@ TARGET = "alpha-core-torch-cu1"
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:  # noqa: F811
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     return place(project, services(project), monkeypatch)
 
 
@@ -50,7 +49,7 @@ def pruner(here: Place, found: Catalogue) -> Pruner:
 # ---- Entries ---------------------------------------------------------------------------------------------------------
 
 
-def test_a_promoted_image_carries_its_entry(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_promoted_image_carries_its_entry(registry: Place, catalogue: Catalogue) -> None:
     run = registry.publish(catalogue, only=ONLY)
     book = Ledger(registry.registry, PREFIX)
     for item in run.agenda.items:
@@ -64,7 +63,7 @@ def test_a_promoted_image_carries_its_entry(registry: Place, catalogue: Catalogu
         assert index and index[0].parts[item.architecture] == entry.digest
 
 
-def test_what_has_not_passed_carries_none(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_what_has_not_passed_carries_none(registry: Place, catalogue: Catalogue) -> None:
     run = registry.publish(catalogue, only=ONLY, poisoned={TARGET})
     assert attached(registry, run, (TARGET, "amd64"), ARTIFACT) == []
     assert attached(registry, run, ("alpha-core", "amd64"), ARTIFACT) != []
@@ -72,8 +71,8 @@ def test_what_has_not_passed_carries_none(registry: Place, catalogue: Catalogue)
 
 def test_an_entry_is_attached_anew_when_what_it_says_lasts(
     registry: Place,
-    catalogue: Catalogue,  # noqa: F811
-    project: Path,  # noqa: F811
+    catalogue: Catalogue,
+    project: Path,
 ) -> None:
     registry.publish(catalogue, only=ONLY)
     tags = registry.tagged("ros-torch")
@@ -104,7 +103,7 @@ def test_an_entry_is_attached_anew_when_what_it_says_lasts(
     assert registry.publish(catalogue, only=ONLY, date=LATER).outcomes == []
 
 
-def test_a_scan_with_another_database_is_no_reason(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_scan_with_another_database_is_no_reason(registry: Place, catalogue: Catalogue) -> None:
     """Every night has one."""
     run = registry.publish(catalogue, only=ONLY)
     entry = run.agenda.known[TARGET, "amd64"]
@@ -117,7 +116,7 @@ def test_a_scan_with_another_database_is_no_reason(registry: Place, catalogue: C
     assert len(facts) == 2 and entry.facts not in facts
 
 
-def test_what_others_attach_stays(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_what_others_attach_stays(registry: Place, catalogue: Catalogue) -> None:
     run = registry.publish(catalogue, only=ONLY)
     entry = run.agenda.known["alpha-core", "amd64"]
     path = f"{PREFIX}/ros"
@@ -130,7 +129,7 @@ def test_what_others_attach_stays(registry: Place, catalogue: Catalogue) -> None
     assert (found.superseded, found.manifests) == ([], [])
 
 
-def test_what_is_attached_goes_with_its_image(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_what_is_attached_goes_with_its_image(registry: Place, catalogue: Catalogue) -> None:
     first = registry.publish(catalogue, only=ONLY, date="2026-01-01T03:00:00Z")
     registry.upstream["alpha"] = "tuesday"
     registry.publish(catalogue, only=ONLY, date=DAY, packages="2")
@@ -143,7 +142,7 @@ def test_what_is_attached_goes_with_its_image(registry: Place, catalogue: Catalo
     assert not there & registry.registry.manifests[path].keys() and old not in registry.registry.manifests[path]
 
 
-def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, catalogue: Catalogue) -> None:
     run = registry.run(catalogue, only=ONLY)
     for step in ("build", "compose", "test", "index"):
         getattr(run, step)()
@@ -163,7 +162,7 @@ def wipe(here: Place) -> None:
         holder.pop(f"{PREFIX}/ledger")
 
 
-def test_a_run_carries_on_from_what_is_attached(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_run_carries_on_from_what_is_attached(registry: Place, catalogue: Catalogue) -> None:
     first = registry.publish(catalogue)
     tags = {name: registry.tagged(name) for name in ("ros", "ros-torch", "payload")}
     wipe(registry)
@@ -181,7 +180,7 @@ def test_a_run_carries_on_from_what_is_attached(registry: Place, catalogue: Cata
     registry.check(catalogue)
 
 
-def test_what_cannot_be_read_is_made_anew(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_what_cannot_be_read_is_made_anew(registry: Place, catalogue: Catalogue) -> None:
     """Also an entry of another image: anybody who may push can attach one."""
     run = registry.publish(catalogue, only=ONLY)
     path = f"{PREFIX}/ros"
@@ -204,14 +203,14 @@ def test_what_cannot_be_read_is_made_anew(registry: Place, catalogue: Catalogue)
 
 
 @pytest.mark.parametrize("members", [None, [], [{}], [{"digest": "sha256:1"}]])
-def test_a_tag_of_somebody_else_is_no_trouble(registry: Place, catalogue: Catalogue, members: object) -> None:  # noqa: F811
+def test_a_tag_of_somebody_else_is_no_trouble(registry: Place, catalogue: Catalogue, members: object) -> None:
     content = {"manifests": members}
     registry.registry.put_manifest(f"{PREFIX}/ros", "alpha-core", content, "application/json")
     run = registry.run(catalogue, only=ONLY)
     assert run.agenda.known == {}
 
 
-def test_an_entry_of_another_image_is_not_believed(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_an_entry_of_another_image_is_not_believed(registry: Place, catalogue: Catalogue) -> None:
     run = registry.publish(catalogue, only=ONLY)
     book = Ledger(registry.registry, PREFIX)
     entry = run.agenda.known["alpha-core", "amd64"]
@@ -228,7 +227,7 @@ def test_an_entry_of_another_image_is_not_believed(registry: Place, catalogue: C
 # ---- Where images came from ------------------------------------------------------------------------------------------
 
 
-def test_every_image_says_what_it_was_made_from(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_every_image_says_what_it_was_made_from(registry: Place, catalogue: Catalogue) -> None:
     run = registry.publish(catalogue, only=ONLY)
     known = run.agenda.known
     (core,) = attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)
@@ -264,8 +263,8 @@ def test_every_image_says_what_it_was_made_from(registry: Place, catalogue: Cata
 
 
 def test_an_index_says_of_which_revision_it_is_and_images_do_not(
-    project: Path,  # noqa: F811
-    catalogue: Catalogue,  # noqa: F811
+    project: Path,
+    catalogue: Catalogue,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Of a checkout as it was committed; in any other, the digest of the inputs tells what it was made from."""
@@ -292,8 +291,8 @@ def test_an_index_says_of_which_revision_it_is_and_images_do_not(
 
 
 def test_manifests_do_not_know_of_it(
-    project: Path,  # noqa: F811
-    catalogue: Catalogue,  # noqa: F811
+    project: Path,
+    catalogue: Catalogue,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Another day, another machine: other statements, the same bytes of images."""
@@ -321,7 +320,7 @@ def test_nothing_is_said_of_a_manifest_that_is_gone(registry: Place) -> None:
         provenance.attach(registry.registry, "ros", "sha256:2", made, provenance.Machine("me", "1"), DAY, NEXT)
 
 
-def test_the_same_way_is_said_once(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_the_same_way_is_said_once(registry: Place, catalogue: Catalogue) -> None:
     run = registry.publish(catalogue, only=ONLY)
     registry.publish(catalogue, only=ONLY, date=NEXT, force=True)
     assert len(attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)) == 1

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from test_services import load
+from stubs import load
 
 from rosml import base_images, registry
 from rosml.errors import RosmlError
@@ -60,7 +60,7 @@ def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pyt
         assert digests == ["sha256:amd64", "sha256:arm64"]
         return f"sha256:of-{repository.rpartition('/')[2]}"
 
-    monkeypatch.setattr(base_images, "_debian", debian)
+    monkeypatch.setattr(base_images, "debian", debian)
     monkeypatch.setattr(registry, "create_index", index)
     assert base_images.ensure(load(tmp_path), System(), "arm64") == "docker.io/library/debian:bookworm@sha256:of-debian"
     assert made == [("bookworm", "amd64"), ("bookworm", "arm64")]

@@ -333,7 +333,7 @@ def test_buildx_can_say_its_last_words(
     tmp_path: Path, registry: str, bake: Bake, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It reports every cancelled step before it ends: more than a pipe holds, and nobody may let it wait."""
-    monkeypatch.setattr(builder, "_CANCEL_SECONDS", 60)
+    monkeypatch.setattr(builder, "CANCEL_SECONDS", 60)
     last = f"head -c 300000 /dev/zero >&2; echo told >>{tmp_path}/calls; exit 1"
     text = f"trap '{last}' INT; {WAITS.format(tmp_path)}"
     thread = interrupt_when(tmp_path / "ready")
@@ -347,7 +347,7 @@ def test_buildx_can_say_its_last_words(
 def test_buildx_that_does_not_listen_is_ended(
     tmp_path: Path, registry: str, bake: Bake, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(builder, "_CANCEL_SECONDS", 0.1)
+    monkeypatch.setattr(builder, "CANCEL_SECONDS", 0.1)
     text = f"trap '' INT; echo $$ >{tmp_path}/pid; {WAITS.format(tmp_path)}"
     thread = interrupt_when(tmp_path / "ready")
     with pytest.raises(KeyboardInterrupt):

@@ -14,9 +14,9 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL, parse, write_locks
 from memory_registry import DAY, NEXT, PREFIX, MemoryRegistry, Place, place
+from projects import copy
 from shelf import FIRST, SECOND, THIRD, Shelf, shown
 from stubs import services
-from test_inputs import copy
 
 from rosml import built, expand, ledger, oci, promote, schema, site, stand_in
 from rosml.catalogue import Image, Published, status

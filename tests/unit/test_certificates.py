@@ -169,5 +169,5 @@ def test_regctl_speaks_tls_to_this_machine_where_there_are_certificates(docker: 
     assert "tls=disabled" in registry.regctl(here, "127.0.0.1:5001/a:b")
     put(docker, "127.0.0.1:5001", trustme.CA())
     assert "tls=disabled" not in registry.regctl(here, "127.0.0.1:5001/a:b")
-    assert Registry("127.0.0.1:5001")._base.scheme == "https"
-    assert Registry("127.0.0.1:5002")._base.scheme == "http"
+    assert Registry("127.0.0.1:5001").base.scheme == "https"
+    assert Registry("127.0.0.1:5002").base.scheme == "http"

@@ -9,11 +9,9 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL, parse
-from memory_registry import DAY, HOST, NEXT, PREFIX, Place, place
+from memory_registry import DAY, HOST, NEXT, PREFIX, Place, place, steps
+from projects import copy, diff
 from stubs import services
-from test_difference import diff, repository  # noqa: F401 (a fixture)
-from test_inputs import copy
-from test_pipeline import TEXT, steps
 
 from rosml import changed, ci, difference, expand, pipeline, report, summary
 from rosml.errors import RosmlError
@@ -29,20 +27,6 @@ def told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     for name in (ci.SUMMARY, ci.OUTPUT):
         monkeypatch.setenv(name, str(tmp_path / name))
     return tmp_path
-
-
-@pytest.fixture
-def project(tmp_path: Path) -> Path:
-    return copy(tmp_path / "project")
-
-
-@pytest.fixture
-def catalogue(project: Path) -> Catalogue:
-    from conftest import write_locks
-
-    found = parse(TEXT)
-    write_locks(project, found)
-    return expand.with_locks(found, expand.current_locks(found, project))
 
 
 @pytest.fixture
@@ -283,7 +267,7 @@ def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     assert "leave --only out" in both.output
 
 
-def test_the_difference_is_in_the_summary(repository: Path, told: Path) -> None:  # noqa: F811
+def test_the_difference_is_in_the_summary(repository: Path, told: Path) -> None:
     path = repository / "components/torch/files.sh"
     path.write_text(path.read_text() + "# a change\n")
     assert diff(repository, "HEAD").returncode == 0

@@ -18,7 +18,7 @@ import click
 import pytest
 from conftest import ROOT
 from stubs import on_a_terminal
-from test_workflows import accepted
+from workflows import accepted
 
 from rosml import command, environment
 from rosml.errors import RosmlError

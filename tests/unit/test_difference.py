@@ -3,51 +3,18 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
 from conftest import ROOT, SMALL, changed, parse
-from test_inputs import copy
+from projects import INSTALL, commit, diff
 
 from rosml import difference, problems
 from rosml.errors import RosmlError
 from rosml.expand import with_locks
 from rosml.inputs import Inputs
-
-INSTALL = "components/ros/install.sh"
-
-
-def git(folder: Path, *arguments: str) -> None:
-    names = {f"GIT_{who}_{what}": "a@example.org" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
-    subprocess.run(["git", "-C", folder, *arguments], check=True, capture_output=True, env={**os.environ, **names})
-
-
-def commit(folder: Path) -> None:
-    git(folder, "add", "--all")
-    git(folder, "commit", "--quiet", "--message", "A version")
-
-
-@pytest.fixture
-def repository(tmp_path: Path) -> Path:
-    """The project with the small matrix, committed."""
-    folder = copy(tmp_path / "project")
-    for name in ("rosml", "scripts"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
-    (folder / ".gitignore").write_text("__pycache__\n")
-    (folder / "matrix.yaml").write_text(SMALL)
-    git(folder, "init", "--quiet")
-    commit(folder)
-    return folder
-
-
-def diff(folder: Path, version: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "scripts/generate_bake.py", f"--diff={version}", *arguments]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=60)
 
 
 def found(folder: Path, *arguments: str) -> dict[str, Any]:

@@ -15,7 +15,7 @@ import click
 import pytest
 import yaml
 from conftest import ROOT
-from test_workflows import COMMANDS, accepted
+from workflows import COMMANDS, accepted
 
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue

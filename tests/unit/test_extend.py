@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from conftest import ROOT
+from projects import copy_for_generator
 
 from rosml import expand
 from rosml.expand import Catalogue
@@ -19,15 +19,7 @@ from tests.walk import follow, insert, section
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    """A copy of all that the generator reads and writes."""
-    for name in ("components", "locks", "rosml", "scripts", "tests/structure", "tools"):
-        shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("matrix.yaml", "matrix.schema.json", "docker-bake.hcl", "Dockerfile", "Makefile", "README.md"):
-        shutil.copy(ROOT / name, tmp_path)
-    for name in ("catalogue.schema.json", "docs/built.json", "docs/built.md"):
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        shutil.copy(ROOT / name, tmp_path / name)
-    return tmp_path
+    return copy_for_generator(tmp_path)
 
 
 def test_a_distribution(project: Path, real: Catalogue) -> None:

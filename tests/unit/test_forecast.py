@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
 
@@ -53,10 +52,8 @@ def test_what_lies_below_is_not_the_image(small: Catalogue, target: str, built: 
 def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
     """Makes every file system have this much room."""
 
-    def usage(path: Any) -> Any:
-        return shutil._ntuple_diskusage(10**12, 0, megabytes * 1_000_000)
-
-    monkeypatch.setattr(shutil, "disk_usage", usage)
+    usage = shutil.disk_usage("/")._replace(free=megabytes * 1_000_000)
+    monkeypatch.setattr(shutil, "disk_usage", lambda path: usage)
 
 
 def test_enough(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

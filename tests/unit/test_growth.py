@@ -8,13 +8,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-from conftest import parse, write_locks
 from registry_stand_in import StandIn, standing_in
 from stubs import services
-from test_inputs import copy
-from test_pipeline import TEXT
 
-from rosml import base_images, expand, growth, oci, second_run, upstream
+from rosml import base_images, growth, oci, second_run, upstream
 from rosml.comparison import NAMESPACE, Comparison, Side
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload, repository_of
@@ -66,13 +63,6 @@ def measured(publisher: Publisher) -> growth.Grown:
 def registry() -> Iterator[StandIn]:
     with standing_in() as found:
         yield found
-
-
-@pytest.fixture
-def catalogue(tmp_path: Path) -> Catalogue:
-    found = parse(TEXT)
-    write_locks(copy(tmp_path / "project"), found)
-    return expand.with_locks(found, expand.current_locks(found, tmp_path / "project"))
 
 
 @pytest.fixture

@@ -8,12 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import parse, write_locks
+from conftest import SMALLER, parse, write_locks
 from memory_registry import NEXT, PREFIX, Place, Run, place
+from projects import copy
 from scanning import Memory
 from stubs import services
-from test_inputs import copy
-from test_pipeline import TEXT
 
 from rosml import expand, handover, ledger
 from rosml.errors import RosmlError
@@ -44,7 +43,7 @@ class Shelved(Memory):
 @pytest.fixture
 def catalogue(tmp_path: Path) -> Catalogue:
     project = copy(tmp_path / "project")
-    found = parse(TEXT.replace("components: [core, base]", "components: [core]"))
+    found = parse(SMALLER.replace("components: [core, base]", "components: [core]"))
     write_locks(project, found)
     return expand.with_locks(found, expand.current_locks(found, project))
 

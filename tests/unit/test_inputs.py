@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,6 +11,7 @@ from typing import Any
 import pytest
 import yaml
 from conftest import ROOT, SMALL, changed, parse
+from projects import LOCK, copy
 
 from rosml import bake, dockerfile, expand, hcl, model, source
 from rosml.errors import RosmlError
@@ -19,20 +19,6 @@ from rosml.expand import Catalogue, Image, Payload
 from rosml.inputs import MISSING, TARGET, Inputs
 
 PARTS = {"cuda", "common", "torch", "tensorflow-cc", "tensorflow"}
-LOCK = "locks/cu1/amd64/3.12/torch.txt"
-
-
-def copy(folder: Path) -> Path:
-    """All that images are built from, without the matrix; files have the time of the copy."""
-    for name in ("components", "locks", "tests/structure"):
-        shutil.copytree(ROOT / name, folder / name, copy_function=shutil.copy)
-    (folder / "tools").mkdir()
-    for name in ("Dockerfile", "README.md", "tools/requirements.txt", "tools/structure-test.txt"):
-        shutil.copy(ROOT / name, folder / name)
-    lock = folder / LOCK
-    lock.parent.mkdir(parents=True)
-    lock.write_text("torch==2.10.0\n")
-    return folder
 
 
 @pytest.fixture

@@ -13,7 +13,6 @@ import pytest
 from memory_registry import DAY, LATER, NEXT, PREFIX, MemoryRegistry, Place, place
 from registry_stand_in import StandIn, standing_in
 from stubs import services
-from test_pipeline import catalogue, project, sources  # noqa: F401 (fixtures)
 
 from rosml import oci
 from rosml.expand import Catalogue
@@ -101,12 +100,12 @@ def test_a_registry_that_fails_once_the_entry_is_written(server: StandIn, book: 
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:  # noqa: F811
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     return place(project, services(project), monkeypatch)
 
 
 @pytest.mark.parametrize("refuses", [False, True], ids=["deletes", "refuses"])
-def test_nights_of_a_publisher(registry: Place, catalogue: Catalogue, refuses: bool) -> None:  # noqa: F811
+def test_nights_of_a_publisher(registry: Place, catalogue: Catalogue, refuses: bool) -> None:
     if refuses:
         registry.registry.refuses.add("delete a manifest")
     for number, date in enumerate((DAY, NEXT, LATER)):

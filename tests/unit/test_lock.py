@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 from conftest import ROOT, SMALL, changed, parse
 from stubs import calls, executable
+from uv_stand_in import FILTER, RESOLVED, RESOLVES, UV, fake_uv
 
 from rosml import command, lock, lockfile
 from rosml.errors import RosmlError
@@ -47,28 +48,6 @@ def parts(pins: list[Pin], roots: Mapping[str, str] = ROOTS) -> dict[str, list[s
 
 
 # ---- Reading ---------------------------------------------------------------------------------------------------------
-
-RESOLVED = """\
-numpy==1.26.4 \\
-    --hash=sha256:bb \\
-    --hash=sha256:aa
-    # via
-    #   -r in.txt
-    #   tensorflow
-    #   torch
-nvidia-cublas-cu12==12.8.4.1 \\
-    --hash=sha256:cc
-    # via torch
-tensorflow==2.20.0 ; python_version >= '3.12' \\
-    --hash=sha256:dd
-    # via -r in.txt
-torch==2.10.0+cu128 \\
-    --hash=sha256:ee
-    # via -r in.txt
-
-# The following packages were excluded from the output:
-# setuptools
-"""
 
 
 def test_parse() -> None:
@@ -237,25 +216,8 @@ def test_committed_locks_are_what_the_matrix_asks_for(real: Catalogue) -> None:
 
 # ---- uv --------------------------------------------------------------------------------------------------------------
 
-UV = """\
-here='{folder}'
-echo "uv $*" >>"$here/calls"
-for file in in constraints out; do [ ! -e $file.txt ] || cp $file.txt "$here/seen-$file.txt" 2>/dev/null; done
-while [ $# -gt 0 ]; do case $1 in --python-version) python=$2 ;; --python-platform) platform=$2 ;; esac; shift; done
-"""
-# NVIDIA's packages are for amd64 only, as in the matrix of these tests.
-FILTER = 'case $platform in aarch64*) sed "/^nvidia/,/# via/d" ;; *) cat ;; esac'
-RESOLVES = UV + FILTER + ' <"$here/resolved.txt" >out.txt'
-
-
 # A package, and what is asked for by version, each with a hash.
 PINNED = "(echo {}; grep == in.txt) | sed 's/$/ --hash=sha256:aa/; s/ /\\n    /' >out.txt"
-
-
-def fake_uv(folder: Path, text: str = RESOLVES, resolved: str = RESOLVED) -> str:
-    """A uv that records what it is told and resolves everything to the same."""
-    (folder / "resolved.txt").write_text(resolved)
-    return executable(folder / "uv", text.format(folder=folder))
 
 
 def test_resolve(tmp_path: Path) -> None:
@@ -366,10 +328,10 @@ def test_one_cuda_for_all_pythons(tmp_path: Path, small: Catalogue) -> None:
 def test_another_cuda_than_promised(cuda: dict[str, str], package: str, version: str, complaint: str) -> None:
     pins = [pin("torch"), pin(package, "torch", version=version)]
     if not complaint:
-        lock._one_cuda(request(cuda=cuda), pins)
+        lock.require_one_cuda(request(cuda=cuda), pins)
         return
     with pytest.raises(RosmlError, match=complaint) as caught:
-        lock._one_cuda(request(cuda=cuda), pins)
+        lock.require_one_cuda(request(cuda=cuda), pins)
     assert "stack of its own" in caught.value.remedy
 
 
@@ -377,7 +339,7 @@ def test_another_cuda_leads_with_who_wants_it() -> None:
     pins = [pin("torch", version="2.11.0"), pin("jinja2", "torch")]
     pins += [pin("nvidia-cuda-runtime", "torch", version="13.0.96"), pin("nvidia-cublas", "torch", version="13.1")]
     with pytest.raises(RosmlError) as caught:
-        lock._one_cuda(request(roots={"torch": "torch==2.11.0"}, cuda={"cuda": "12.8.90"}), pins)
+        lock.require_one_cuda(request(roots={"torch": "torch==2.11.0"}, cuda={"cuda": "12.8.90"}), pins)
     assert caught.value.message.splitlines() == [
         "torch 2.11.0 wants CUDA 13.0.96, the stack says 12.8.90",
         f"{request(roots={'torch': 'torch==2.11.0'})} would carry:",

@@ -12,9 +12,9 @@ from typing import Any
 
 import pytest
 from conftest import ROOT, SMALL, parse, write_locks
-from test_extend import project  # noqa: F401 (fixture)
-from test_lock import fake_uv
-from test_workflows import load
+from projects import copy_for_generator
+from uv_stand_in import fake_uv
+from workflows import load
 
 UPGRADE, PROPOSE = (load("locks")["jobs"][name] for name in ("upgrade", "propose"))
 GIT = {f"GIT_{who}_{what}": "a" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
@@ -39,8 +39,9 @@ def git(folder: Path, *arguments: str) -> str:
 
 
 @pytest.fixture
-def checkout(project: Path) -> Path:  # noqa: F811
+def checkout(tmp_path: Path) -> Path:
     """The copy with the small matrix and its locks, everything generated and committed."""
+    project = copy_for_generator(tmp_path)
     shutil.rmtree(project / "locks")
     (project / "matrix.yaml").write_text(SMALL)
     write_locks(project, parse(SMALL))

@@ -6,6 +6,7 @@ from __future__ import annotations
 import base64
 import json
 import logging
+import ssl
 import threading
 import time
 from collections.abc import Iterator
@@ -14,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import trustme
 from registry_stand_in import DROP, StandIn, standing_in
 from stubs import executable
 
@@ -89,8 +91,8 @@ def test_what_is_no_reference(text: str) -> None:
 @pytest.mark.parametrize(("host", "scheme"), [("127.0.0.1:1", "http"), ("localhost", "http"), ("[::1]:1", "http"),
                                               ("ghcr.io", "https"), ("127.example.org:5000", "https")])  # fmt: skip
 def test_plain_http_is_for_this_machine(host: str, scheme: str) -> None:
-    assert Registry(host)._base.scheme == scheme
-    assert Registry(host, plain=scheme == "https")._base.scheme != scheme
+    assert Registry(host).base.scheme == scheme
+    assert Registry(host, plain=scheme == "https").base.scheme != scheme
 
 
 # ---- What it does ----------------------------------------------------------------------------------------------------
@@ -558,11 +560,22 @@ def test_no_password_goes_elsewhere(server: StandIn, registry: Registry, tmp_pat
         assert not any("authorization" in headers for headers in storage.headers)
 
 
-def test_no_password_in_the_clear(server: StandIn) -> None:
-    found = Registry("registry.example.org", credentials=lambda _: Credentials(NAME, SECRET))
-    found._challenge = oci._Challenge(True, "http://registry.example.org/token", "", frozenset())
-    with pytest.raises(RosmlError, match="in the clear"):
-        found._authorization(frozenset(), "")
+def test_no_password_in_the_clear(tmp_path: Path) -> None:
+    authority = trustme.CA()
+    authority.cert_pem.write_to_path(str(tmp_path / "ca.pem"))
+    context = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
+    authority.issue_cert("127.0.0.1").configure_cert(context)
+    with standing_in(context) as server:
+        server.users, server.bearer, server.realm = {NAME: SECRET}, True, "http://registry.example.org/token"
+        found = Registry(
+            server.address,
+            plain=False,
+            ca_bundle=str(tmp_path / "ca.pem"),
+            credentials=lambda _: Credentials(NAME, SECRET),
+        )
+        with found, pytest.raises(RosmlError, match="in the clear"):
+            found.head("a", "x")
+    assert server.requests == ["HEAD /v2/a/manifests/x"]
 
 
 @pytest.mark.parametrize("bearer", [True, False])
@@ -574,7 +587,8 @@ def test_nothing_secret_is_said(
     server.users, server.bearer = {NAME: SECRET}, bearer
     docker_config(tmp_path, auths={server.address: auth()})
     registry.put_blob("a", b"hello")
-    texts = [repr(registry), repr(registry._credentials), repr(vars(registry._credentials)), caplog.text]
+    known = from_docker(server.address)
+    texts = [repr(registry), repr(known), repr(vars(known)), caplog.text]
     for fault in (DROP, 500, 403, 404):
         server.fault("PUT", "/uploads/", fault, 1000)
         with pytest.raises(RosmlError) as caught:

@@ -142,7 +142,7 @@ def debian(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Stage:
     matrix = stage.catalogue.matrix.model_copy(update={"operating_systems": systems})
     stage.catalogue = expand.Catalogue(matrix, stage.catalogue.images, stage.catalogue.payloads)
     stage.facts |= {"mirror": True, "docker_hub": False}
-    monkeypatch.setattr(base_images, "_debian", lambda *_: "sha256:made")
+    monkeypatch.setattr(base_images, "debian", lambda *_: "sha256:made")
     return stage
 
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 from conftest import SMALL, parse
+from projects import copy
 from registry_stand_in import StandIn, standing_in
-from test_inputs import copy
 
 from rosml import command, expand, names, oci, pins, source
 from rosml.inputs import Inputs

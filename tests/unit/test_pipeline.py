@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import threading
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,11 +12,26 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from conftest import SMALL, parse, write_locks
+from conftest import SMALLER, parse
 from memory_registry import BASE as PINNED
-from memory_registry import DAY, HOST, LATER, NEXT, PREFIX, Killed, MemoryRegistry, Pen, Place, Run, place, put_image
+from memory_registry import (
+    DAY,
+    HOST,
+    LATER,
+    NEXT,
+    PREFIX,
+    Killed,
+    MemoryRegistry,
+    Pen,
+    Place,
+    Run,
+    place,
+    put_image,
+    steps,
+    waiting,
+)
+from projects import BASE
 from stubs import services
-from test_inputs import copy
 
 from rosml import (
     agenda,
@@ -40,39 +54,10 @@ from rosml.inputs import Inputs
 from rosml.pipeline import Pipeline
 from rosml.services import Services
 
-TEXT = SMALL.replace("components: [core, base, desktop]", "components: [core, base]")
-BASE = "alpha-base-torch-cu1"
-
-
-@pytest.fixture(scope="module")
-def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return copy(tmp_path_factory.mktemp("sources") / "project")
-
-
-@pytest.fixture
-def project(tmp_path: Path, sources: Path) -> Path:
-    shutil.copytree(sources, tmp_path / "project")
-    return tmp_path / "project"
-
-
-@pytest.fixture
-def catalogue(project: Path) -> Catalogue:
-    found = parse(TEXT)
-    write_locks(project, found)
-    return expand.with_locks(found, expand.current_locks(found, project))
-
 
 @pytest.fixture
 def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     return place(project, services(project), monkeypatch)
-
-
-def steps(run: Run, step: str) -> set[tuple[str, str]]:
-    return {(target, architecture) for name, target, architecture in run.made if name == step}
-
-
-def waiting(run: Run, target: str) -> list[str]:
-    return [outcome.reason for outcome in run.outcomes if outcome.target == target and outcome.state == "waits"]
 
 
 def test_everything_is_published_once(registry: Place, catalogue: Catalogue) -> None:
@@ -400,7 +385,7 @@ def test_force_makes_everything_anew_once(registry: Place, catalogue: Catalogue)
 @pytest.mark.parametrize("after", [False, True], ids=["before", "after"])
 def test_killed_at_any_write(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch, after: bool) -> None:
     """Every write of a run is the last one once. Nothing partial has a tag, and the next run finishes the work."""
-    small = parse(TEXT.replace("components: [core, base]", "components: [core]"))
+    small = parse(SMALLER.replace("components: [core, base]", "components: [core]"))
     small = expand.with_locks(small, expand.current_locks(small, project))
     inputs = Inputs(project, small)
     options: dict[str, Any] = {"only": ["alpha-core", "alpha-core-torch-cu1"], "inputs": inputs}

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from memory_registry import NEXT, Place, Run, place
+from memory_registry import NEXT, Place, Run, place, waiting
+from projects import BASE
 from scanning import World, advisory, rules
 from stubs import services
-from test_pipeline import BASE, catalogue, project, sources, waiting  # noqa: F401 (fixtures)
 
 from rosml import scan
 from rosml.expand import Catalogue
@@ -20,7 +20,7 @@ from rosml.trivy import ScannerFailed
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:  # noqa: F811
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     return place(project, services(project), monkeypatch)
 
 
@@ -29,7 +29,7 @@ def world(tmp_path: Path) -> World:
     return World(tmp_path, advisories={"torch": [advisory("CVE-2026-2", "CRITICAL", "3.0")]})
 
 
-def scanned(registry: Place, catalogue: Catalogue, world: World, **options: object) -> Run:  # noqa: F811
+def scanned(registry: Place, catalogue: Catalogue, world: World, **options: object) -> Run:
     """A run of which a clean scan is asked before tags."""
     run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
     for step in ("build", "compose", "test"):
@@ -49,7 +49,7 @@ def scanned(registry: Place, catalogue: Catalogue, world: World, **options: obje
 
 def test_what_the_policy_stops_gets_no_tag(
     registry: Place,
-    catalogue: Catalogue,  # noqa: F811
+    catalogue: Catalogue,
     world: World,
 ) -> None:
     run = scanned(registry, catalogue, world)
@@ -75,7 +75,7 @@ def test_what_the_policy_stops_gets_no_tag(
     registry.check(catalogue)
 
 
-def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, catalogue: Catalogue) -> None:
     run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-core"])
     for step in ("build", "test"):
         getattr(run, step)()
@@ -89,7 +89,7 @@ def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, catalogue: Catal
 
 def test_what_another_run_made_anew_keeps_its_entry(
     registry: Place,
-    catalogue: Catalogue,  # noqa: F811
+    catalogue: Catalogue,
     world: World,
 ) -> None:
     """A scan takes its time, in which another publisher may replace the image: its entry is not written over."""
@@ -107,7 +107,7 @@ def test_what_another_run_made_anew_keeps_its_entry(
 
 def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
     registry: Place,
-    catalogue: Catalogue,  # noqa: F811
+    catalogue: Catalogue,
 ) -> None:
     """Only where all images that are there were scanned is an entry known to be in none. Those that cannot be built do not
     count: they never are there."""

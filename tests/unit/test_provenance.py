@@ -7,6 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from projects import git
 
 from rosml import provenance
 from rosml.provenance import Definition, Machine
@@ -21,12 +22,6 @@ GITHUB = {
     "GITHUB_RUN_ID": "7",
     "GITHUB_RUN_ATTEMPT": "2",
 }
-
-
-def git(folder: Path, *arguments: str) -> str:
-    identity = ("-c", "user.name=N", "-c", "user.email=n@example.org")
-    done = subprocess.run(["git", "-C", str(folder), *identity, *arguments], capture_output=True, text=True, check=True)
-    return done.stdout.strip()
 
 
 @pytest.fixture

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 from memory_registry import DAY, PREFIX, Place, place
+from projects import BASE
 from stubs import services
-from test_pipeline import BASE, catalogue, project, sources  # noqa: F401 (fixtures)
 
 from rosml import expand, ledger, promote, prune, standing
 from rosml.errors import RosmlError
@@ -23,7 +23,7 @@ FIRST = date(2026, 9, 1)
 
 
 @pytest.fixture
-def nights(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch) -> Place:  # noqa: F811
+def nights(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch) -> Place:
     """Six nights a week apart, each with other packages."""
     found = place(project, services(project), monkeypatch)
     for number in range(6):
@@ -31,18 +31,18 @@ def nights(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch)
     return found
 
 
-def night(here: Place, catalogue: Catalogue, number: int) -> None:  # noqa: F811
+def night(here: Place, catalogue: Catalogue, number: int) -> None:
     """Publishes all images of a row with the packages of a week."""
     here.upstream["alpha"] = f"week {number}"
     day = FIRST + timedelta(days=7 * number)
     here.publish(catalogue, only=["alpha"], date=f"{day}T03:00:00Z", packages=str(number))
 
 
-def pruner(nights: Place, catalogue: Catalogue, days: int = 20, newest: int = 2) -> Pruner:  # noqa: F811
+def pruner(nights: Place, catalogue: Catalogue, days: int = 20, newest: int = 2) -> Pruner:
     return Pruner(nights.registry, PREFIX, catalogue, FIRST + timedelta(days=36), days, newest)
 
 
-def reachable(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def reachable(nights: Place, catalogue: Catalogue) -> None:
     """Everything that a tag leads to is there."""
     for repository in {image.repository for image in catalogue.images} | {"payload"}:
         path = f"{PREFIX}/{repository}"
@@ -53,14 +53,14 @@ def reachable(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
                 assert nights.registry.manifest(path, member["digest"]), f"{repository}:{tag}"
 
 
-def test_a_dry_run_removes_nothing(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_dry_run_removes_nothing(nights: Place, catalogue: Catalogue) -> None:
     before = nights.registry.writes
     found = pruner(nights, catalogue).find()
     assert found.tags and found.manifests and found.records
     assert nights.registry.writes == before
 
 
-def test_old_nights_go_with_what_only_they_led_to(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_old_nights_go_with_what_only_they_led_to(nights: Place, catalogue: Catalogue) -> None:
     tags, count = nights.tagged("ros"), len(nights.registry.manifests[f"{PREFIX}/ros"])
     here = pruner(nights, catalogue)
     found = here.find()
@@ -78,14 +78,14 @@ def test_old_nights_go_with_what_only_they_led_to(nights: Place, catalogue: Cata
     assert run.made == [], "pruning took what the next run needs"
 
 
-def test_what_a_kept_record_brings_back_stays(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_what_a_kept_record_brings_back_stays(nights: Place, catalogue: Catalogue) -> None:
     here = pruner(nights, catalogue, days=10, newest=0)
     list(here.remove(here.find()))
     nights.undo()
     reachable(nights, catalogue)
 
 
-def test_a_registry_that_deletes_no_tags(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_registry_that_deletes_no_tags(nights: Place, catalogue: Catalogue) -> None:
     nights.registry.refuses.add("delete a tag")
     here = pruner(nights, catalogue)
     found = here.find()
@@ -96,26 +96,26 @@ def test_a_registry_that_deletes_no_tags(nights: Place, catalogue: Catalogue) ->
     reachable(nights, catalogue)
 
 
-def test_payloads_that_did_not_change_stay(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_payloads_that_did_not_change_stay(nights: Place, catalogue: Catalogue) -> None:
     found = pruner(nights, catalogue, days=0, newest=0).find()
     assert not [item for item in found.manifests if item[0] == "payload"]
 
 
-def test_an_entry_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_an_entry_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalogue) -> None:
     ledger.Ledger(nights.registry, PREFIX).artifact("alpha-core.amd64", b"{}", {ledger.ANNOTATION: "?"})
     with pytest.raises(RosmlError, match=r"alpha-core.amd64 cannot be read"):
         pruner(nights, catalogue).find()
 
 
 @pytest.mark.parametrize("moves", [5, [5], ["x"], [{"repository": "ros"}], [{"old": ""}]])
-def test_a_record_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalogue, moves: object) -> None:  # noqa: F811
+def test_a_record_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalogue, moves: object) -> None:
     data = json.dumps({"moves": moves}).encode()
     ledger.Ledger(nights.registry, PREFIX).artifact("undo.20261001T030000Z", data, {})
     with pytest.raises(RosmlError, match=r"undo.20261001T030000Z cannot be read"):
         pruner(nights, catalogue).find()
 
 
-def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
     now = "2026-10-08T03:00:00Z"
 
     def states(**options: object) -> dict[str, standing.Standing]:
@@ -147,8 +147,8 @@ def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:  # noqa:
 
 
 def test_what_cannot_be_had_is_told_apart(
-    project: Path,  # noqa: F811
-    catalogue: Catalogue,  # noqa: F811
+    project: Path,
+    catalogue: Catalogue,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
@@ -181,7 +181,7 @@ def test_what_cannot_be_had_is_told_apart(
     assert total.startswith("images: 1 published") and total.endswith("2 unlocked, 1 unbuildable")
 
 
-def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, catalogue: Catalogue) -> None:
     """A dated tag goes, and its index is what a kept record brings back: the digest must not go with the tag."""
     nights.registry.refuses.add("delete a tag")
     here = pruner(nights, catalogue, days=0, newest=0)
@@ -196,7 +196,7 @@ def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, c
     assert not [name for name in nights.registry.tags(f"{PREFIX}/ledger") if name in found.records]
 
 
-def test_a_tag_of_somebody_else_stays(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_tag_of_somebody_else_stays(nights: Place, catalogue: Catalogue) -> None:
     path = f"{PREFIX}/ros"
     for day in ("20200101", "20200102"):
         nights.registry.put_manifest(path, f"backup-{day}", {"layers": [], "day": day}, "application/json")
@@ -205,7 +205,7 @@ def test_a_tag_of_somebody_else_stays(nights: Place, catalogue: Catalogue) -> No
     assert found.tags and not [tag for _, tag in found.tags if "backup" in tag]
 
 
-def test_how_images_stand_after_a_failure_is_over(nights: Place, catalogue: Catalogue, project: Path) -> None:  # noqa: F811
+def test_how_images_stand_after_a_failure_is_over(nights: Place, catalogue: Catalogue, project: Path) -> None:
     def state(target: str) -> tuple[str, str]:
         run = nights.run(catalogue, only=["alpha"])
         found = standing.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
@@ -220,7 +220,7 @@ def test_how_images_stand_after_a_failure_is_over(nights: Place, catalogue: Cata
     assert state("alpha-core") == ("published", "")
 
 
-def test_an_index_that_cannot_be_made_has_failed(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_an_index_that_cannot_be_made_has_failed(nights: Place, catalogue: Catalogue) -> None:
     nights.upstream["alpha"] = "week 7"
     odd = {("alpha-core", "arm64"): {"org.opencontainers.image.version": "another"}}
     nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", odd=odd)
@@ -230,7 +230,7 @@ def test_an_index_that_cannot_be_made_has_failed(nights: Place, catalogue: Catal
 
 
 @pytest.mark.parametrize("date", ["yesterday", "2026-11-22", "9999-99-99T99:99:99Z"])
-def test_a_date_that_is_none_has_no_age(nights: Place, catalogue: Catalogue, date: str) -> None:  # noqa: F811
+def test_a_date_that_is_none_has_no_age(nights: Place, catalogue: Catalogue, date: str) -> None:
     path = f"{PREFIX}/ros"
     content = {"manifests": None, "annotations": {"io.rosml.date": date}}
     nights.registry.put_manifest(path, "alpha-core", content, "application/json")
@@ -255,7 +255,7 @@ def between(nights: Place, work: Callable[[], object], monkeypatch: pytest.Monke
 @pytest.mark.parametrize("when", ["tags go", "manifests go"])
 def test_what_a_run_comes_to_need_while_others_go_stays(
     nights: Place,
-    catalogue: Catalogue,  # noqa: F811
+    catalogue: Catalogue,
     monkeypatch: pytest.MonkeyPatch,
     when: str,
 ) -> None:
@@ -280,7 +280,7 @@ def test_what_a_run_comes_to_need_while_others_go_stays(
     assert nights.publish(catalogue, only=["alpha"], date="2026-10-08T03:00:00Z", packages="1").made == []
 
 
-def test_a_dated_tag_that_moved_stays(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_dated_tag_that_moved_stays(nights: Place, catalogue: Catalogue) -> None:
     here = pruner(nights, catalogue, days=0, newest=0)
     found = here.find()
     repository, tag = next(item for item in found.tags if item[0] == "ros")
@@ -293,7 +293,7 @@ def test_a_dated_tag_that_moved_stays(nights: Place, catalogue: Catalogue) -> No
     assert nights.registry.head(path, tag) == other
 
 
-def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, catalogue: Catalogue) -> None:
     content = {"manifests": [], "annotations": {"io.rosml.date": "yesterday"}}
     nights.registry.put_manifest(f"{PREFIX}/ros", "mine-20200101", content, "application/json")
     assert ("ros", "mine-20200101") not in pruner(nights, catalogue, days=0, newest=0).find().tags
@@ -301,8 +301,8 @@ def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, c
 
 @pytest.mark.parametrize(("days", "newest"), [(3650, 99), (0, 0)], ids=["all stay", "all go"])
 def test_looking_asks_at_most_twice_for_an_image_of_a_night(
-    project: Path,  # noqa: F811
-    catalogue: Catalogue,  # noqa: F811
+    project: Path,
+    catalogue: Catalogue,
     monkeypatch: pytest.MonkeyPatch,
     days: int,
     newest: int,
@@ -323,7 +323,7 @@ def test_looking_asks_at_most_twice_for_an_image_of_a_night(
 
 def test_images_are_asked_for_side_by_side(
     nights: Place,
-    catalogue: Catalogue,  # noqa: F811
+    catalogue: Catalogue,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The first requests for manifests are answered only when eight of them wait."""

@@ -139,7 +139,7 @@ def stage(tmp_path: Path, registry: str, small: expand.Catalogue, monkeypatch: p
 
 def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
     """Makes every file system have this much room."""
-    usage = shutil._ntuple_diskusage(10**12, 0, megabytes * 1_000_000)
+    usage = shutil.disk_usage("/")._replace(free=megabytes * 1_000_000)
     monkeypatch.setattr(shutil, "disk_usage", lambda path: usage)
 
 

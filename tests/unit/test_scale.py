@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 from memory_registry import NEXT, place
+from projects import copy
 from stubs import services
-from test_inputs import copy
 
 from rosml import expand, report, source
 from rosml.expand import Catalogue, Image, Payload

@@ -2,37 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
 
 import pytest
+from stubs import load
 
 from rosml.errors import RosmlError
 from rosml.services import Services
-
-FACTS: dict[str, Any] = {
-    "registry": "127.0.0.1:1",
-    "buildx": ["docker", "buildx"],
-    "builder": "rosml",
-    "builder_kind": "buildkitd",
-    "buildx_config": "/x/.state/buildx",
-    "regctl": "/x/regctl",
-    "uv": "/x/uv",
-    "ca_bundle": "/ca.pem",
-    "docker_hub": False,
-    "mirror": True,
-}
-
-
-def load(root: Path, **changes: Any) -> Services:
-    """Services of a checkout with these facts."""
-    (root / ".state").mkdir(exist_ok=True)
-    (root / ".state" / "services.json").write_text(json.dumps({**FACTS, **changes}))
-    return Services.load(root)
 
 
 def test_load(tmp_path: Path) -> None:

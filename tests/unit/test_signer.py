@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 from memory_registry import HOST, LATER, NEXT, PREFIX, Pen, Place, Run, place
 from stubs import calls, executable, services
-from test_pipeline import catalogue, project, sources  # noqa: F401 (fixtures)
 
 from rosml import signer
 from rosml.agenda import INDEX
@@ -137,7 +136,7 @@ def test_a_note_that_is_damaged(root: Path) -> None:
 
 
 @pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:  # noqa: F811
+def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     found = place(project, services(project), monkeypatch)
     found.pen = Pen(found.registry)
     return found
@@ -147,7 +146,7 @@ def signing(run: Run) -> list[Outcome]:
     return [outcome for outcome in run.outcomes if outcome.step == "sign"]
 
 
-def test_every_index_is_signed_once(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_every_index_is_signed_once(registry: Place, catalogue: Catalogue) -> None:
     run = registry.publish(catalogue, only=ONLY)
     registry.check(catalogue)
     indexes = {entry.digest for key, entry in run.agenda.known.items() if key[1] == INDEX}
@@ -165,7 +164,7 @@ def test_every_index_is_signed_once(registry: Place, catalogue: Catalogue) -> No
     assert entry.signed.keys() == {"sha256:pen", "sha256:another"}
 
 
-def test_without_a_signature_no_tag(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_without_a_signature_no_tag(registry: Place, catalogue: Catalogue) -> None:
     registry.pen.broken = "the key is gone"
     run = registry.publish(catalogue, only=ONLY)
     assert run.failed and registry.tagged("ros") == {}
@@ -177,7 +176,7 @@ def test_without_a_signature_no_tag(registry: Place, catalogue: Catalogue) -> No
     registry.check(catalogue)
 
 
-def test_a_tag_that_moves_wants_more_than_the_ledgers_word(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_a_tag_that_moves_wants_more_than_the_ledgers_word(registry: Place, catalogue: Catalogue) -> None:
     """Somebody may have deleted the signature since."""
     run = registry.publish(catalogue, only=ONLY)
     name = f"{HOST}/{PREFIX}/ros@{run.agenda.known['alpha-core', INDEX].digest}"
@@ -188,7 +187,7 @@ def test_a_tag_that_moves_wants_more_than_the_ledgers_word(registry: Place, cata
     registry.check(catalogue)
 
 
-def test_who_does_not_sign_needs_no_signature(registry: Place, catalogue: Catalogue) -> None:  # noqa: F811
+def test_who_does_not_sign_needs_no_signature(registry: Place, catalogue: Catalogue) -> None:
     registry.pen = None
     run = registry.publish(catalogue, only=ONLY)
     assert not run.failed and signing(run) == [] and "alpha-core" in registry.tagged("ros")

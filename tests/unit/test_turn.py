@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rosml.publish import _blobs
+from rosml.publish import stored_blobs
 from rosml.turn import turn
 
 
@@ -47,6 +47,6 @@ def test_nobody_to_wait_for(tmp_path: Path) -> None:
 
 
 def test_what_the_registry_has(tmp_path: Path) -> None:
-    assert _blobs(tmp_path) == set()
+    assert stored_blobs(tmp_path) == set()
     (tmp_path / "docker/registry/v2/blobs/sha256/ab/abcd").mkdir(parents=True)
-    assert _blobs(tmp_path) == {"abcd"}
+    assert stored_blobs(tmp_path) == {"abcd"}

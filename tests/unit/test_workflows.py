@@ -14,12 +14,11 @@ from typing import Any
 
 import click
 import pytest
-import yaml
 from conftest import ROOT
+from workflows import COMMANDS, FOLDER, accepted, load, text
 
-from scripts import catalogue, generate_bake, lock, publish
+from scripts import publish
 
-FOLDER = ROOT / ".github/workflows"
 NAMES = ("ci", "locks", "nightly")
 
 READ = {"contents": "read"}
@@ -63,13 +62,6 @@ LOGIN = {
 WRITERS = {"build", "compose", "test", "record", "index", "promote"}
 """Steps that write into the registry."""
 
-COMMANDS: dict[str, click.Command] = {
-    "scripts/publish.py": publish.cli,
-    "scripts/lock.py": lock.main,
-    "scripts/generate_bake.py": generate_bake.main,
-    "scripts/catalogue.py": catalogue.main,
-}
-
 
 @dataclass(frozen=True)
 class Step:
@@ -89,15 +81,6 @@ class Step:
 
     def __str__(self) -> str:
         return f"{self.workflow}-{self.job}-{self.number}"
-
-
-def text(name: str) -> str:
-    return (FOLDER / f"{name}.yml").read_text()
-
-
-def load(name: str) -> dict[str, Any]:
-    content: dict[str, Any] = yaml.safe_load(text(name))
-    return content
 
 
 def steps() -> Iterator[Step]:
@@ -151,17 +134,6 @@ def test_every_command_is_one_that_there_is(step: Step) -> None:
     assert argv[:2] == ["uv", "run"], "make, or uv run with a script"
     assert Path(argv[2]).suffix == ".py" and (ROOT / argv[2]).is_file()
     accepted(COMMANDS[argv[2]], argv[3:])
-
-
-def accepted(command: click.Command, arguments: list[str]) -> None:
-    """Has click's own parser read a command line; nothing is checked for being there, and nothing runs."""
-    if isinstance(command, click.Group):
-        assert arguments[0] in command.commands, f"no command {arguments[0]}"
-        return accepted(command.commands[arguments[0]], arguments[1:])
-    context = click.Context(command)
-    _, rest, _ = command.make_parser(context).parse_args(list(arguments))
-    assert not rest
-    return None
 
 
 @pytest.mark.parametrize(

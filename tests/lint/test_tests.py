@@ -1,0 +1,159 @@
+"""Tests hold what the project does, and not how: no test imports from another one, and none reaches for private names or
+overrides private methods. So code can move without any change of what is asserted."""
+
+from __future__ import annotations
+
+import ast
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PRODUCT = ("rosml", "scripts", "tools", "components/payload")
+TESTS = sorted(file.relative_to(ROOT).as_posix() for file in (ROOT / "tests").rglob("*.py"))
+
+PUBLIC = {"_replace", "_asdict", "_fields", "_make"}
+"""What Python's named tuples have under such names for everybody."""
+
+IMAGES = "what builds and pushes its images has to be a helper"
+ALLOWED = {
+    "tests/e2e/test_compose.py: imports from tests.e2e.test_images": IMAGES,
+    "tests/e2e/test_documentation.py: imports from tests.e2e.test_images": IMAGES,
+    "tests/e2e/test_ros.py: imports from tests.e2e.test_images": IMAGES,
+    "tests/e2e/test_tensorflow.py: imports from tests.e2e.test_images": IMAGES,
+    "tests/e2e/test_secure_registry.py: imports from tests.e2e.test_fleet": "a fixture that has to be a plugin's",
+}
+"""What may stay until it is mended, as `violations` says it, each with its reason."""
+
+
+def private(name: str) -> bool:
+    """Whether a name is its owner's alone."""
+    return name.startswith("_") and not name.endswith("__") and name != "_" and name not in PUBLIC
+
+
+def last(node: ast.expr) -> str:
+    """`Base` of `Base`, `module.Base` and `Base[int]`; empty for anything else."""
+    if isinstance(node, ast.Subscript):
+        return last(node.value)
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
+def classes(trees: Iterable[ast.AST]) -> dict[str, list[ast.ClassDef]]:
+    """Classes by their names, which more than one may have."""
+    found: dict[str, list[ast.ClassDef]] = defaultdict(list)
+    for tree in trees:
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ClassDef):
+                found[node.name].append(node)
+    return found
+
+
+def own(node: ast.ClassDef) -> set[str]:
+    """Private names that a class gives to itself or to its objects."""
+    names = {item.name for item in ast.walk(node) if isinstance(item, ast.FunctionDef | ast.AsyncFunctionDef)}
+    names |= {
+        item.target.id for item in node.body if isinstance(item, ast.AnnAssign) and isinstance(item.target, ast.Name)
+    }
+    for item in ast.walk(node):
+        if isinstance(item, ast.Attribute) and isinstance(item.ctx, ast.Store) and last(item.value) == "self":
+            names.add(item.attr)
+    return {name for name in names if private(name)}
+
+
+def inherited(
+    node: ast.ClassDef,
+    product: Mapping[str, list[ast.ClassDef]],
+    helpers: Mapping[str, list[ast.ClassDef]],
+    seen: frozenset[str] = frozenset(),
+) -> set[str]:
+    """Private names that a class has from classes of the product, be it through those of helpers."""
+    names: set[str] = set()
+    for base in {last(base) for base in node.bases} - seen:
+        for found in product.get(base, []):
+            names |= own(found)
+        for found in [*product.get(base, []), *helpers.get(base, [])]:
+            names |= inherited(found, product, helpers, seen | {base})
+    return names
+
+
+def violations(
+    file: str, tree: ast.AST, product: Mapping[str, list[ast.ClassDef]], helpers: Mapping[str, list[ast.ClassDef]]
+) -> Iterator[str]:
+    """What a test or helper does that it should not do, a line each: `file: what`."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            module = getattr(node, "module", None) or ""
+            names = [module, *(f"{module}.{alias.name}".lstrip(".") for alias in node.names)]
+            yield from (f"{file}: imports from {name}" for name in names if is_test(name))
+            yield from (f"{file}: imports {module}.{alias.name}" for alias in node.names if private(alias.name))
+        elif isinstance(node, ast.Attribute) and private(node.attr) and last(node.value) not in ("self", "cls"):
+            yield f"{file}: uses {ast.unparse(node)}"
+        elif isinstance(node, ast.Call) and last(node.func) in ("getattr", "setattr", "delattr"):
+            names = [
+                word.value for word in node.args[:2] if isinstance(word, ast.Constant) and isinstance(word.value, str)
+            ]
+            yield from (f"{file}: replaces {name}" for name in names if private(name.rpartition(".")[2]))
+        elif isinstance(node, ast.ClassDef):
+            theirs = inherited(node, product, helpers)
+            touched = own(node) | {
+                item.attr for item in ast.walk(node) if isinstance(item, ast.Attribute) and last(item.value) == "self"
+            }
+            yield from (f"{file}: class {node.name} takes {name} from its base" for name in sorted(touched & theirs))
+
+
+def is_test(module: str) -> bool:
+    """Whether a module is a file of tests."""
+    path = Path(*module.split("."))
+    there = any((ROOT / folder / path).with_suffix(".py").is_file() for folder in (".", "tests/unit"))
+    return path.name.startswith("test_") and there
+
+
+@pytest.fixture(scope="module")
+def product() -> dict[str, list[ast.ClassDef]]:
+    """The product's classes."""
+    files = (file for folder in PRODUCT for file in (ROOT / folder).rglob("*.py"))
+    return classes(ast.parse(file.read_text(encoding="utf-8")) for file in files)
+
+
+def test_tests_stand_on_public_names_and_on_no_other_test(product: dict[str, list[ast.ClassDef]]) -> None:
+    trees = {file: ast.parse((ROOT / file).read_text(encoding="utf-8")) for file in TESTS}
+    helpers = classes(trees.values())
+    found = [line for file, tree in trees.items() for line in violations(file, tree, product, helpers)]
+    assert sorted(set(found)) == sorted(ALLOWED), "mend what is new here; take what is mended off the list"
+
+
+@pytest.mark.parametrize(
+    ("code", "what"),
+    [
+        ("from test_services import load", "imports from test_services"),
+        ("from tests.lint.test_lint import check", "imports from tests.lint.test_lint"),
+        ("import test_services", "imports from test_services"),
+        ("from rosml.publish import _blobs", "imports rosml.publish._blobs"),
+        ("lock._one_cuda(request)", "uses lock._one_cuda"),
+        ("monkeypatch.setattr(builder, '_SECONDS', 1)", "replaces _SECONDS"),
+        ("monkeypatch.setattr('rosml.builder._SECONDS', 1)", "replaces rosml.builder._SECONDS"),
+        ("class Mine(Run):\n def _build(self): pass", "class Mine takes _build from its base"),
+        ("class Mine(Run):\n def go(self): self._build()", "class Mine takes _build from its base"),
+        ("class Mine(pipeline.Run):\n def go(self): return self._pushed", "class Mine takes _pushed from its base"),
+    ],
+)
+def test_what_a_test_should_not_do_is_found(code: str, what: str) -> None:
+    product = classes([ast.parse("class Base:\n def _build(self): self._pushed = 1\nclass Run(Base): pass")])
+    assert f"x.py: {what}" in list(violations("x.py", ast.parse(code), product, {}))
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "from stubs import load",
+        "from tests import map as test_map",
+        "usage._replace(free=1)",
+        "class Mine(Run):\n def _own(self): return self._own",
+        "class Mine(Maker):\n def build_part(self): self._own = 1",
+    ],
+)
+def test_what_a_test_may_do(code: str) -> None:
+    product = classes([ast.parse("class Run:\n def _build(self): pass\nclass Maker: pass")])
+    assert list(violations("x.py", ast.parse(code), product, {})) == []

@@ -1,0 +1,72 @@
+"""Copies of the project: to publish from, to generate in, and to compare in a git repository. `conftest` has fixtures of them."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LOCK = "locks/cu1/amd64/3.12/torch.txt"
+INSTALL = "components/ros/install.sh"
+BASE = "alpha-base-torch-cu1"
+"""An image of the small matrix that has parts and stands on another one."""
+
+
+def copy(folder: Path) -> Path:
+    """All that images are built from, without the matrix; files have the time of the copy."""
+    for name in ("components", "locks", "tests/structure"):
+        shutil.copytree(ROOT / name, folder / name, copy_function=shutil.copy)
+    (folder / "tools").mkdir()
+    for name in ("Dockerfile", "README.md", "tools/requirements.txt", "tools/structure-test.txt"):
+        shutil.copy(ROOT / name, folder / name)
+    lock = folder / LOCK
+    lock.parent.mkdir(parents=True)
+    lock.write_text("torch==2.10.0\n")
+    return folder
+
+
+def copy_for_generator(folder: Path) -> Path:
+    """A copy of all that the generator reads and writes."""
+    for name in ("components", "locks", "rosml", "scripts", "tests/structure", "tools"):
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("matrix.yaml", "matrix.schema.json", "docker-bake.hcl", "Dockerfile", "Makefile", "README.md"):
+        shutil.copy(ROOT / name, folder)
+    for name in ("catalogue.schema.json", "docs/built.json", "docs/built.md"):
+        (folder / name).parent.mkdir(exist_ok=True)
+        shutil.copy(ROOT / name, folder / name)
+    return folder
+
+
+def copy_with_commands(folder: Path, matrix: str) -> Path:
+    """The project with another matrix and the commands that compare, committed."""
+    copy(folder)
+    for name in ("rosml", "scripts"):
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+    (folder / ".gitignore").write_text("__pycache__\n")
+    (folder / "matrix.yaml").write_text(matrix)
+    git(folder, "init", "--quiet")
+    commit(folder)
+    return folder
+
+
+def git(folder: Path, *arguments: str) -> str:
+    """Runs git as somebody; gives what it prints."""
+    names = {f"GIT_{who}_{what}": "a@example.org" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+    command = ["git", "-C", str(folder), *arguments]
+    done = subprocess.run(command, check=True, capture_output=True, text=True, env={**os.environ, **names})
+    return done.stdout.strip()
+
+
+def commit(folder: Path) -> None:
+    """Commits all files."""
+    git(folder, "add", "--all")
+    git(folder, "commit", "--quiet", "--message", "A version")
+
+
+def diff(folder: Path, version: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """What a project's own command says of how it differs from a version."""
+    command = [sys.executable, "scripts/generate_bake.py", f"--diff={version}", *arguments]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=60)

@@ -1,0 +1,43 @@
+"""The workflows as they are written, and whether a script takes the options that it is called with."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+import yaml
+from conftest import ROOT
+
+from scripts import catalogue, generate_bake, lock, publish
+
+FOLDER = ROOT / ".github/workflows"
+
+COMMANDS: dict[str, click.Command] = {
+    "scripts/publish.py": publish.cli,
+    "scripts/lock.py": lock.main,
+    "scripts/generate_bake.py": generate_bake.main,
+    "scripts/catalogue.py": catalogue.main,
+}
+"""The scripts that workflows run, by the file that they name."""
+
+
+def text(name: str) -> str:
+    """A workflow as it is written."""
+    return (FOLDER / f"{name}.yml").read_text()
+
+
+def load(name: str) -> dict[str, Any]:
+    """A workflow as data."""
+    content: dict[str, Any] = yaml.safe_load(text(name))
+    return content
+
+
+def accepted(command: click.Command, arguments: list[str]) -> None:
+    """Has click's own parser read a command line; nothing is checked for being there, and nothing runs."""
+    if isinstance(command, click.Group):
+        assert arguments[0] in command.commands, f"no command {arguments[0]}"
+        return accepted(command.commands[arguments[0]], arguments[1:])
+    context = click.Context(command)
+    _, rest, _ = command.make_parser(context).parse_args(list(arguments))
+    assert not rest
+    return None
