@@ -26,6 +26,10 @@ import yaml
 from rosml import ROOT
 from tests.e2e.conftest import Run
 
+ADDRESSES = yaml.safe_load((ROOT / "matrix.yaml").read_text())["ros_archive"]
+LIVE, SNAPSHOT = ADDRESSES["live"], ADDRESSES["snapshot"]
+"""Where ROS's repositories are; components/ros/source.sh has to ask there."""
+
 GITHUB = "github.com/ros-infrastructure/ros-apt-source/releases/download"
 SYNC = "Fri, 20 Nov 2026 21:14:09 UTC"
 PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
@@ -125,7 +129,7 @@ def apt_source(folder: Path, generation: str, codename: str, key: str) -> Path:
     embedded = "\n".join(f" {line or '.'}" for line in key.strip().splitlines())
     keyring = f"usr/share/keyrings/{generation}-archive-keyring.gpg"
     source = (
-        f"Types: deb deb-src\nURIs: http://packages.ros.org/{generation}/ubuntu\nSuites: {codename}\nComponents: main\n"
+        f"Types: deb deb-src\nURIs: {LIVE.format(generation=generation)}\nSuites: {codename}\nComponents: main\n"
         f"Signed-By:{f' /{keyring}' if codename == 'focal' else embedded}\n"
     )
     files = {

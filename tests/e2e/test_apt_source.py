@@ -1,6 +1,6 @@
 """ROS's apt source, verified by a stand-in: components/ros/install.sh runs as in a build, against signed repositories.
 
-Where packages.ros.org, snapshots.ros.org and GitHub can be reached, the same scripts ask them.
+Where ROS's repositories and GitHub can be reached, the same scripts ask them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,18 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT, bake, expand, sync
-from tests.e2e.apt_stand_in import GITHUB, Image, Keys, Repository, Server, apt_source, package, ros_packages
+from tests.e2e.apt_stand_in import (
+    GITHUB,
+    LIVE,
+    SNAPSHOT,
+    Image,
+    Keys,
+    Repository,
+    Server,
+    apt_source,
+    package,
+    ros_packages,
+)
 from tests.e2e.conftest import Run
 
 TOOLS = ("apt-get", "chroot", "curl", "dpkg-deb", "gpg", "unshare")
@@ -131,8 +142,8 @@ def row(tmp_path: Path, keys: Keys, debs: Callable[[str], list[Path]]) -> Iterat
         servers.append(server)
         generation = "ros" if arguments["ROS_VERSION"] == "1" else "ros2"
         live = arguments["ROS_CHANNEL"] == "live"
-        where = f"packages.ros.org/{generation}/ubuntu" if live else f"snapshots.ros.org/{distro}/final/ubuntu"
-        repository = Repository(server.folder / where, codename, keys, debs(distro))
+        where = LIVE.format(generation=generation) if live else SNAPSHOT.format(ros_distro=distro, day="final")
+        repository = Repository(server.folder / where.removeprefix("http://"), codename, keys, debs(distro))
         made = Row(distro, keys, server, Image(tmp_path / "image", codename), repository, arguments)
         made.repository.publish(made.own_key)
         made.pin_keys(live="live", snapshots="snapshots")
@@ -214,7 +225,7 @@ def test_all_components_of_a_row(distro: str, row: Callable[[str], Row]) -> None
             assert made.image.failures(file, env, OF_A_WHOLE_IMAGE.get(file, ())) == []
     if made.arguments["ROS_VERSION"] == "2":
         assert made.image.failures("ros2", env) == []
-        source = f"deb http://snapshots.ros.org/{distro}/final/ubuntu {made.repository.codename} main"
+        source = f"deb {SNAPSHOT.format(ros_distro=distro, day='final')} {made.repository.codename} main"
         made.image.write("etc/apt/sources.list.d/ros2-mine.list", source)
         assert "ros2-mine.list" in made.image.run("bash", "-c", STRUCTURE_TEST.read_text()).err
 
@@ -245,7 +256,8 @@ def test_a_snapshot_of_a_day(row: Callable[[str], Row]) -> None:
     done = made.build(ROS_CHANNEL="snapshot", ROS_SNAPSHOT="2026-08-07")
     assert done.code == 0, done.out + done.err
     said = made.image.read("usr/local/share/rosml/versions.d/ros")
-    assert said.endswith("ros-channel snapshot\nros-source http://snapshots.ros.org/iron/2026-08-07/ubuntu\n")
+    address = SNAPSHOT.format(ros_distro="iron", day="2026-08-07")
+    assert said.endswith(f"ros-channel snapshot\nros-source {address}\n")
 
 
 def test_the_state_of_the_repository_is_the_one_that_labels_name(row: Callable[[str], Row]) -> None:
@@ -292,7 +304,8 @@ def test_official_addresses_through_a_proxy(row: Callable[[str], Row]) -> None:
     made = row("iron")
     done = made.build(mirror="", http_proxy=made.server.url)
     assert done.code == 0, done.out + done.err
-    assert "Get:1 http://snapshots.ros.org/iron/final/ubuntu jammy InRelease" in done.out
+    address = SNAPSHOT.format(ros_distro="iron", day="final")
+    assert f"Get:1 {address} jammy InRelease" in done.out
     assert [path for path in files(made.image.upper) if made.server.url.encode() in path.read_bytes()] == []
 
 
@@ -314,7 +327,8 @@ def test_a_mirror_of_the_operating_system(distro: str, both: bool, row: Callable
     done = made.build(mirror=made.server.url if both else "", os_mirror=made.server.url, **proxy)
     assert done.code == 0, done.out + done.err
     assert f"{made.server.url}/archive.ubuntu.com/ubuntu" in done.out
-    assert (f"{made.server.url}/" + ("packages" if both else "snapshots") + ".ros.org" in done.out) == both
+    ros = (LIVE if both else SNAPSHOT).removeprefix("http://").partition("/")[0]
+    assert (f"{made.server.url}/{ros}" in done.out) == both
     assert "Package: python3-of-ubuntu\n" in made.image.read("var/lib/dpkg/status")
     assert made.image.read("etc/apt/sources.list") == sources
     assert [path for path in files(made.image.upper) if made.server.url.encode() in path.read_bytes()] == []
@@ -403,7 +417,7 @@ def changed_index(made: Row) -> None:
 
 
 def second_source(made: Row) -> None:
-    made.image.write("etc/apt/sources.list.d/mine.list", "deb http://packages.ros.org/ros2/ubuntu noble main\n")
+    made.image.write("etc/apt/sources.list.d/mine.list", f"deb {LIVE.format(generation='ros2')} noble main\n")
 
 
 def always_failing(made: Row) -> None:

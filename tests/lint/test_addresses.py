@@ -30,8 +30,15 @@ ONE_PLACE = "matrix.yaml"
 IN_THE_MATRIX = tuple(HOSTS)[:3]
 """What the product has to ask by an address of its own. uv knows the Python package index without one."""
 
-INPUTS = ("components/build/network.sh", "components/ros/apt.sh", "components/ros/source.sh")
-"""Steps of builds that still name hosts themselves. They are inputs of every image, which a change of them builds anew."""
+INPUTS = (
+    "components/build/network.sh",
+    "components/ros/apt.sh",
+    "components/ros/source.sh",
+    "tests/structure/checks/apt_source.sh",
+    "tests/e2e/test_apt_source.py",
+)
+"""Steps of builds that still name hosts themselves, and tests of them. The steps are inputs of every image: a change of them
+builds all images again."""
 
 
 def pattern(domain: str, hosts: str) -> str:

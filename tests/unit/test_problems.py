@@ -351,6 +351,30 @@ WRONG = {
         "",
         "63:5: distributions.omega.apt: ROS's apt repositories need the suite of ubuntu-26.04; add 'codename: …' to it",
     ),
+    "no such archive": (
+        "    codename: resolute\n",
+        "    codename: resolute\n    archive: debain\n    suite: resolute\n",
+        "26:5: operating_systems.ubuntu-26.04.archive: no archive named 'debain'; did you mean 'debian'?",
+    ),
+    "an archive without a suite": (
+        "    codename: resolute\n",
+        "    codename: resolute\n    archive: debian\n",
+        "18:3: operating_systems.ubuntu-26.04: 'archive' and 'suite' go together; add the other one",
+    ),
+    "nothing says where ROS's repositories are": (
+        "ros_archive:\n  live: http://ros.test/{generation}/ubuntu\n"
+        "  snapshot: http://snapshots.ros.test/{ros_distro}/{day}/ubuntu\n",
+        "",
+        "57:5: distributions.alpha.apt: nothing says where ROS's apt repositories are; "
+        "add 'ros_archive: {live: …, snapshot: …}'\n"
+        "64:5: distributions.omega.apt: nothing says where ROS's apt repositories are; "
+        "add 'ros_archive: {live: …, snapshot: …}'",
+    ),
+    "a placeholder that is not filled in": (
+        "{ros_distro}/{day}/ubuntu",
+        "{ros_distro}/{date}/ubuntu",
+        "89:3: ros_archive.snapshot: no placeholder {date}; known: ros_distro, day",
+    ),
     "packages from nowhere": (
         "    apt: {channel: snapshot, date: 2026-11-01}\n",
         "",
