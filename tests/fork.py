@@ -58,11 +58,6 @@ OURS = frozenset(
         "unit/test_sync.py::test_as_the_matrix_says",
         "unit/test_sync.py::test_otherwise_for_once",
         "unit/test_sync.py::test_what_there_is_not",
-        "unit/test_upstream.py::test_another_date_alone_is_none",
-        "unit/test_upstream.py::test_another_list_of_packages_is_another_state",
-        "unit/test_upstream.py::test_nobody_who_answers",
-        "unit/test_upstream.py::test_what_is_not_there_is_an_error",
-        "unit/test_upstream.py::test_where_no_repository_decides",
         "unit/test_wheels.py::test_inputs",
         "unit/test_wheels.py::test_the_committed_lock_has_nothing_that_the_system_has",
     }

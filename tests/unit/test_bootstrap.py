@@ -253,7 +253,9 @@ def test_a_client_of_a_registry_builds_no_program(state: State, monkeypatch: pyt
     """Jobs that only read and write a registry have no use for a local one, a builder, buildx or regctl."""
     groups: list[str] = []
     monkeypatch.setattr(install.Installer, "go_tool", lambda self, tool: pytest.fail(f"{tool.name} was built"))
-    monkeypatch.setattr(install.Installer, "debian_packages", lambda self, wanted: pytest.fail("packages of the system"))
+    monkeypatch.setattr(
+        install.Installer, "debian_packages", lambda self, wanted: pytest.fail("packages of the system")
+    )
     monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "/uv")
     monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="dev": groups.append(group))
     monkeypatch.setenv("PATH", "/nowhere")

@@ -122,7 +122,7 @@ def test_other_variables_of_the_repository(tmp_path: Path) -> None:
 
 
 def test_inputs_of_a_run_by_hand(tmp_path: Path) -> None:
-    uv = f"FAILING='' SHARDS_PLANNED='[]'\n[ \"${{3:-}}\" != plan ] || echo \"$ROSML_FORCE|$ONLY\" >\"$CALLS.plan\"\n{UV}"
+    uv = f'FAILING=\'\' SHARDS_PLANNED=\'[]\'\n[ "${{3:-}}" != plan ] || echo "$ROSML_FORCE|$ONLY" >"$CALLS.plan"\n{UV}'
     inputs = {"only": "bookworm-* jazzy-core", "force": "true"}
     played = play(workflow("nightly"), tmp_path, {"make": ":", "uv": uv}, inputs=inputs)
     assert played.results["plan"] == "success"

@@ -373,7 +373,7 @@ WRONG = {
     "a placeholder that is not filled in": (
         "{ros_distro}/{day}/ubuntu",
         "{ros_distro}/{date}/ubuntu",
-        "89:3: ros_archive.snapshot: no placeholder {date}; known: ros_distro, day",
+        "90:3: ros_archive.snapshot: no placeholder {date}; known: ros_distro, day",
     ),
     "packages from nowhere": (
         "    apt: {channel: snapshot, date: 2026-11-01}\n",

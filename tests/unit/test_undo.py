@@ -63,7 +63,9 @@ def published(client: oci.Registry) -> dict[str, tuple[str, str]]:
         book.write(Entry(target, INDEX, repository=repository, digest=new, date=RUN), {})
     for number in range(40):  # entries that nobody has to read
         book.write(Entry(f"image-{number}", INDEX, repository="ros", digest=oci.digest_of(b"%d" % number)), {})
-    book.artifact("undo.20261122T030000Z", json.dumps({"date": RUN, "moves": moves}).encode(), {ledger.ANNOTATION: "{}"})
+    book.artifact(
+        "undo.20261122T030000Z", json.dumps({"date": RUN, "moves": moves}).encode(), {ledger.ANNOTATION: "{}"}
+    )
     return found
 
 

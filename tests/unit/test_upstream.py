@@ -7,10 +7,10 @@ import threading
 from collections.abc import Iterator
 
 import pytest
+from conftest import WHEELS, changed, parse
 
 from rosml import sync, upstream
 from rosml.errors import RosmlError
-from rosml.expand import Catalogue
 from rosml.model import Matrix
 
 RELEASE = """\
@@ -67,31 +67,32 @@ def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
         server.shutdown()
 
 
-def at(address: str, matrix: Matrix) -> Matrix:
-    """Our matrix with Debian's archive at another address."""
-    ((_, folders),) = matrix.archives["debian"].items()
-    return matrix.model_copy(update={"archives": {"debian": {address: folders}}})
+def at(address: str, image: str = "docker.io/library/ubuntu:26.04") -> Matrix:
+    """A matrix with a live row, one from wheels, and omega, whose ROS is the system's own: of an archive at that address."""
+    text = WHEELS.replace("http://debian.test", address).replace("docker.io/library/ubuntu:26.04", image)
+    text = changed("    codename: resolute\n", "    archive: debian\n    suite: bookworm\n", text)
+    return parse(changed("    apt: {channel: snapshot, date: 2026-11-01}\n", "", text)).matrix
 
 
 @pytest.mark.parametrize("path", PATHS)
 @pytest.mark.parametrize("what", ["amd64", "arm64"])
-def test_another_list_of_packages_is_another_state(mirror: Mirror, real: Catalogue, path: str, what: str) -> None:
+def test_another_list_of_packages_is_another_state(mirror: Mirror, path: str, what: str) -> None:
     """Of the release, its updates and its security, for either architecture."""
-    before = upstream.state(at(mirror.address, real.matrix), "bookworm", {})
+    before = upstream.state(at(mirror.address), "omega", {})
     assert before.startswith("debian bookworm ") and sorted(mirror.asked) == sorted(PATHS)
-    assert upstream.state(at(mirror.address, real.matrix), "bookworm", {}) == before
+    assert upstream.state(at(mirror.address), "omega", {}) == before
     mirror.files[path] = RELEASE.format(**FACTS | {what: "d" * 64}).encode()
-    assert upstream.state(at(mirror.address, real.matrix), "bookworm", {}) != before
+    assert upstream.state(at(mirror.address), "omega", {}) != before
 
 
-def test_another_date_alone_is_none(mirror: Mirror, real: Catalogue) -> None:
+def test_another_date_alone_is_none(mirror: Mirror) -> None:
     """Nor are the lists of packages that no image is installed from."""
-    before = upstream.state(at(mirror.address, real.matrix), "bookworm", {})
+    before = upstream.state(at(mirror.address), "omega", {})
     mirror.files = {
         path: RELEASE.format(**FACTS | {"date": "Sun, 22 Nov 2026 16:00:00 UTC", "other": "e" * 64}).encode()
         for path in PATHS
     }
-    assert upstream.state(at(mirror.address, real.matrix), "bookworm", {}) == before
+    assert upstream.state(at(mirror.address), "omega", {}) == before
 
 
 @pytest.mark.parametrize("path", PATHS)
@@ -103,55 +104,46 @@ def test_another_date_alone_is_none(mirror: Mirror, real: Catalogue) -> None:
         (b"\xff", "names"),
     ],
 )
-def test_what_is_not_there_is_an_error(
-    mirror: Mirror, real: Catalogue, path: str, body: bytes | None, words: str
-) -> None:
+def test_what_is_not_there_is_an_error(mirror: Mirror, path: str, body: bytes | None, words: str) -> None:
     """And no state, as which it would have everything built anew."""
     mirror.files.pop(path)
     if body is not None:
         mirror.files[path] = body
     with pytest.raises(RosmlError, match=words) as caught:
-        upstream.state(at(mirror.address, real.matrix), "bookworm", {})
+        upstream.state(at(mirror.address), "omega", {})
     assert path in caught.value.message and caught.value.remedy
 
 
-def test_a_mirror_is_asked_in_the_place_of_the_archive(mirror: Mirror, real: Catalogue) -> None:
-    before = upstream.state(at(mirror.address, real.matrix), "bookworm", {})
-    (host,) = real.matrix.archives["debian"]
-    mirror.files = {f"/{host.removeprefix('http://')}{path}": body for path, body in mirror.files.items()}
-    assert upstream.state(real.matrix, "bookworm", {"OS_APT_MIRROR": f"{mirror.address}/"}) == before
+def test_a_mirror_is_asked_in_the_place_of_the_archive(mirror: Mirror) -> None:
+    before = upstream.state(at(mirror.address), "omega", {})
+    mirror.files = {f"/debian.test{path}": body for path, body in mirror.files.items()}
+    assert upstream.state(at("http://debian.test"), "omega", {"OS_APT_MIRROR": f"{mirror.address}/"}) == before
 
 
-def test_nobody_who_answers(real: Catalogue) -> None:
+def test_nobody_who_answers() -> None:
     with pytest.raises(RosmlError, match="does not answer"):
-        upstream.state(at("http://127.0.0.1:1", real.matrix), "trixie", {})
+        upstream.state(at("http://127.0.0.1:1"), "omega", {})
 
 
-def test_a_copy_of_the_base_image_is_watched_too(mirror: Mirror, real: Catalogue) -> None:
+def test_a_copy_of_the_base_image_is_watched_too(mirror: Mirror) -> None:
     """The archive is the system's, wherever its base image is."""
-    matrix = at(mirror.address, real.matrix)
-    here = upstream.state(matrix, "bookworm", {})
-    copied = matrix.operating_systems["bookworm"].model_copy(update={"image": "registry.test/mirror/debian:bookworm"})
-    systems = {**matrix.operating_systems, "bookworm": copied}
-    assert upstream.state(matrix.model_copy(update={"operating_systems": systems}), "bookworm", {}) == here
+    copied = at(mirror.address, image="registry.test/mirror/system:1")
+    assert upstream.state(copied, "omega", {}) == upstream.state(at(mirror.address), "omega", {})
 
 
-def test_what_packages_come_from(real: Catalogue) -> None:
+def test_what_packages_come_from() -> None:
     """As the provenance of an image names it."""
-    assert [upstream.repository(real.matrix, "bookworm")] == list(real.matrix.archives["debian"])
-    assert real.matrix.ros_archive
-    assert upstream.repository(real.matrix, "jazzy") == real.matrix.ros_archive.live.format(generation="ros2")
+    assert upstream.repository(at("http://debian.test"), "omega") == "http://debian.test"
+    assert upstream.repository(at("http://debian.test"), "alpha") == "http://ros.test/ros2/ubuntu"
 
 
-def test_where_no_repository_decides(real: Catalogue, mirror: Mirror) -> None:
+def test_where_no_repository_decides(mirror: Mirror) -> None:
     """Wheels are locked: nobody is asked."""
-    assert upstream.state(real.matrix, "jazzy-wheels", {}) == ""
+    assert upstream.state(at(mirror.address), "sigma", {}) == ""
     assert mirror.asked == []
 
 
-def test_ros_repositories_say_their_date(real: Catalogue, monkeypatch: pytest.MonkeyPatch, mirror: Mirror) -> None:
+def test_ros_repositories_say_their_date(monkeypatch: pytest.MonkeyPatch, mirror: Mirror) -> None:
     monkeypatch.setattr(sync, "published", lambda source, _: f"the date of {source.address}")
-    assert real.matrix.ros_archive
-    live = real.matrix.ros_archive.live.format(generation="ros2")
-    assert upstream.state(real.matrix, "jazzy", {}) == f"the date of {live}"
+    assert upstream.state(at(mirror.address), "alpha", {}) == "the date of http://ros.test/ros2/ubuntu"
     assert mirror.asked == []
