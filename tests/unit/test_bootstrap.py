@@ -554,14 +554,13 @@ def test_docker_hub_answers(
     assert network.docker_hub_answers({}, "") is answers
 
 
+@pytest.mark.timeout(60)
 def test_docker_hub_that_hangs(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(network, "HUB_SECONDS", 0.2)
     monkeypatch.setenv("no_proxy", "127.0.0.1")
     with socket.create_server(("127.0.0.1", 0)) as server:
         monkeypatch.setattr(network, "HUB_API", f"http://127.0.0.1:{server.getsockname()[1]}/v2/")
-        started = time.monotonic()
         assert not network.docker_hub_answers({}, "")
-    assert time.monotonic() - started < 3
 
 
 def test_ports() -> None:

@@ -141,8 +141,8 @@ def test_seconds(stage: Stage) -> None:
     assert found.ours.shell_seconds == found.usual.shell_seconds == 0.5
     assert found.ours.start_seconds == 0.01
     assert found.usual.install_seconds == pytest.approx(3.0)
-    assert 0 < found.ours.build_and_push_seconds < 60
-    assert 0 < found.usual.first_image_seconds < 60
+    assert found.ours.build_and_push_seconds > 0
+    assert found.usual.first_image_seconds > 0
     assert found.assembling_seconds == 0
 
 
