@@ -67,9 +67,10 @@ BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 # Sets up all that tests need, then runs them; the set-up's time counts.
 SUITE := started=$$(date +%s); $(BOOTSTRAP) suite; $(RUN) python -m tests.suite --started "$$started"
-PAGE := $(RUN) pytest tests/page
-# As many tests at a time as there are processors.
-BESIDE := --numprocesses=auto
+# A browser for each of two processors.
+PAGE := $(RUN) pytest --numprocesses=2 --dist=worksteal tests/page
+# As many tests at a time as there are processors, which take them from one another in the end.
+BESIDE := --numprocesses=auto --dist=worksteal
 
 .PHONY: help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner signer room publish standing catalogue down clean status docs
 
@@ -90,7 +91,7 @@ test-all: ## that, and every proof in tests/proofs: SHARD=1/3 is the part of the
 lint: .linters ## the linters only
 	@$(RUN) pytest tests/lint
 
-unit: .linters ## the linters and the unit tests: no builder, two minutes; COVERAGE=1 fails below 90 % of rosml/
+unit: .linters ## the linters and the unit tests: no builder, about four minutes on two cores; COVERAGE=1 fails below 90 % of rosml/
 	@$(RUN) pytest $(BESIDE) $(if $(COVERAGE),--cov=rosml) tests/lint tests/unit
 
 page: ## the catalogue's page in a browser; installs Chromium where there is none

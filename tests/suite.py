@@ -56,8 +56,8 @@ def pytest(*arguments: str) -> list[str]:
 
 
 QUICK = (
-    Phase("linters and unit tests", pytest("--numprocesses=auto", "tests/lint", "tests/unit")),
-    Phase("the catalogue's page", pytest("tests/page")),
+    Phase("linters and unit tests", pytest("--numprocesses=auto", "--dist=worksteal", "tests/lint", "tests/unit")),
+    Phase("the catalogue's page", pytest("--numprocesses=2", "--dist=worksteal", "tests/page")),
     Phase("real images", pytest(*LANES, "-m", "not full", "tests/e2e")),
 )
 """What `make test` runs after the set-up."""

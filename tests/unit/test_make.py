@@ -27,8 +27,8 @@ CALLS = {
     "bench TARGET=x": 'scripts/bench.py --target="$TARGET"',
     "plan JSON=1": 'scripts/generate_bake.py --shards "8" --json',
     "standing JSON=1": 'scripts/publish.py status --only "$ONLY" --registry "$PLACE" --json',
-    "unit": "pytest --numprocesses=auto tests/lint tests/unit",
-    "unit COVERAGE=1": "pytest --numprocesses=auto --cov=rosml tests/lint tests/unit",
+    "unit": "pytest --numprocesses=auto --dist=worksteal tests/lint tests/unit",
+    "unit COVERAGE=1": "pytest --numprocesses=auto --dist=worksteal --cov=rosml tests/lint tests/unit",
     "diff JSON=1": 'scripts/generate_bake.py --diff "$REV" --json',
 }
 
