@@ -113,7 +113,7 @@ def cosign(tmp_path: Path, mini: Mini) -> dict[str, str]:
     note = ROOT / ".state/signer.json"
     program = json.loads(note.read_text())["cosign"] if note.exists() else shutil.which("cosign")
     if not program:
-        pytest.skip("cosign is not installed: make signer")
+        pytest.fail("cosign is not installed: make signer", pytrace=False)
     made = subprocess.run(
         [program, "generate-key-pair", "--output-key-prefix", str(tmp_path / "test")],
         env={**os.environ, **environment},
@@ -127,6 +127,7 @@ def cosign(tmp_path: Path, mini: Mini) -> dict[str, str]:
     return environment
 
 
+@pytest.mark.full(proof="signer")
 def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
     """By the real cosign: before tags move, once, and only ours count."""
     refused = mini.publish("all", "--serve", NATIVE, "--sign", *ONLY, env=cosign | {"COSIGN_PASSWORD": "wrong"})

@@ -6,13 +6,7 @@ registry as the real one is from its own. What is not verified so: the real data
 
 from __future__ import annotations
 
-import gzip
-import hashlib
-import io
 import json
-import os
-import subprocess
-import tarfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
@@ -21,42 +15,21 @@ from typing import Any
 
 import pytest
 
-from machine import network
-from machine.console import Failure
-from machine.install import Installer
-from machine.state import State
-from rosml import ROOT, oci, payloads, policy, sbom, scan, source
+from rosml import ROOT, oci, payloads, policy, sbom, scan
 from rosml.expand import Catalogue
 from rosml.scan import Outcome, Part
 from rosml.services import Services
 from rosml.trivy import Database, ScannerFailed, Trivy
 from tests.e2e.conftest import LOG, NAMESPACE, Published
 from tests.e2e.mini import NATIVE
+from tests.e2e.vulnerabilities import UPDATED, installed, put, put_database, rules_with, write_database
 
-UPDATED = datetime.now(UTC).replace(microsecond=0) - timedelta(hours=1)
-
-ADVISORIES: list[dict[str, Any]] = [
-    {"Source": "debian 12", "Package": "gnupg2", "ID": "CVE-2026-90001", "Severity": "HIGH", "Fixed": "999-1"},
-    {"Source": "debian 12", "Package": "glibc", "ID": "CVE-2026-90002", "Severity": "CRITICAL", "Fixed": ""},
-    {"Source": "debian 12", "Package": "bash", "ID": "CVE-2026-90003", "Severity": "CRITICAL", "Fixed": "1.0-1"},
-    {
-        "Source": "pip::GitHub Security Advisory Pip",
-        "Package": "numpy",
-        "ID": "CVE-2026-90004",
-        "Severity": "CRITICAL",
-        "Vulnerable": ["<99.0"],
-        "Patched": ["99.0"],
-    },
-]
-"""Of a Debian package with a newer version, of one without, of one that is mended here already, and of a wheel."""
+pytestmark = pytest.mark.full(proof="scanner")
 
 
 @pytest.fixture(scope="module")
 def trivy(tmp_path_factory: pytest.TempPathFactory, services: Services) -> Trivy:
-    try:
-        return Trivy.find(ROOT, tmp_path_factory.mktemp("trivy"), services.environment())
-    except ScannerFailed as error:
-        pytest.skip(f"{error.message}: {error.remedy}")
+    return installed(tmp_path_factory.mktemp("trivy"), services.environment())
 
 
 @pytest.fixture(scope="module")
@@ -64,67 +37,12 @@ def registry(services: Services) -> Any:
     return oci.Registry(services.registry)
 
 
-def write_database(folder: Path, updated: datetime = UPDATED) -> None:
-    """Writes a database with the program of `trivy_db`, which is built where it is not there yet."""
-    module = ROOT / "tests" / "e2e" / "trivy_db"
-    content = hashlib.sha256(b"".join((module / name).read_bytes() for name in ("main.go", "go.mod", "go.sum")))
-    program = ROOT / ".state" / "cache" / f"trivy_db-{content.hexdigest()[:16]}"
-    if not program.exists():
-        state = State(ROOT)
-        installer = Installer(state, network.ca_bundle(os.environ))
-        try:
-            go = installer.go()
-        except Failure as failure:
-            pytest.skip(f"the stand-in for trivy's database is a Go program: {failure.message}")
-        with state.lock():
-            env = installer.go_environment()
-            subprocess.run([go, "build", "-trimpath", "-o", str(program), "."], cwd=module, env=env, check=True)
-            installer.drop_go_caches()
-    asked = {"Updated": updated.isoformat(), "Advisories": [{**it, "PublishedBy": "test"} for it in ADVISORIES]}
-    subprocess.run([str(program), str(folder)], input=json.dumps(asked), text=True, check=True)
-
-
 @pytest.fixture(scope="module")
 def rules(services: Services, registry: Any, tmp_path_factory: pytest.TempPathFactory) -> policy.Rules:
     """The project's policy, with a repository of the local registry that has the database as trivy publishes it."""
-    folder = tmp_path_factory.mktemp("db")
-    write_database(folder)
-    packed = io.BytesIO()
-    with tarfile.open(fileobj=packed, mode="w") as archive:
-        for name in ("trivy.db", "metadata.json"):
-            archive.add(folder / name, name)
-    layer = gzip.compress(packed.getvalue())
     repository = f"{NAMESPACE}/trivy-db"
-    config, image = "application/vnd.aquasec.trivy.config.v1+json", "application/vnd.oci.image.manifest.v1+json"
-    put(
-        registry,
-        repository,
-        "2",
-        {
-            "schemaVersion": 2,
-            "mediaType": image,
-            "config": {"mediaType": config, "digest": registry.put_blob(repository, b"{}"), "size": 2},
-            "layers": [
-                {
-                    "mediaType": "application/vnd.aquasec.trivy.db.layer.v1.tar+gzip",
-                    "digest": registry.put_blob(repository, layer),
-                    "size": len(layer),
-                    "annotations": {"org.opencontainers.image.title": "db.tar.gz"},
-                }
-            ],
-        },
-    )
-    text = (ROOT / "scan.yaml").read_text()
-    old = next(line for line in text.splitlines() if line.startswith("  repositories:"))
-    text = text.replace(
-        old, f"  repositories: [{services.registry}/{NAMESPACE}/none:2, {services.registry}/{repository}]"
-    )
-    return policy.parsed(source.parse(text.encode(), "scan.yaml"))
-
-
-def put(registry: Any, repository: str, reference: str, content: dict[str, Any]) -> str:
-    digest: str = registry.put_manifest(repository, reference, content, content["mediaType"])
-    return digest
+    put_database(registry, repository, tmp_path_factory.mktemp("db"))
+    return rules_with(f"{services.registry}/{NAMESPACE}/none:2", f"{services.registry}/{repository}")
 
 
 @pytest.fixture(scope="module")

@@ -1,0 +1,145 @@
+"""The real trivy finds what it must in a small image, in a registry with TLS and a password, or one that issues tokens; where
+it may not read, it fails. Needs no builder: the nightly's scan job runs it before it relies on trivy."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import io
+import tarfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from rosml import certificates, oci, sbom, scan
+from rosml.scan import Outcome, Part
+from rosml.services import Services
+from rosml.trivy import ScannerFailed, Trivy
+from tests.e2e import secure
+from tests.e2e.conftest import LOG
+from tests.e2e.mini import NATIVE
+from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
+from tests.e2e.vulnerabilities import installed, put, put_database, rules_with
+
+pytestmark = pytest.mark.full(proof="scanner")
+
+PACKAGE = """\
+Package: {name}
+Status: install ok installed
+Maintainer: A test <a@example.org>
+Architecture: all
+Source: {source}
+Version: {version}
+Description: made up
+
+"""
+FILES = {
+    "etc/debian_version": "12.12\n",
+    "etc/os-release": 'ID=debian\nVERSION_ID="12"\nPRETTY_NAME="Debian GNU/Linux 12 (bookworm)"\n',
+    "var/lib/dpkg/status": PACKAGE.format(name="gpg", source="gnupg2", version="2.2.40-1.1")
+    + PACKAGE.format(name="libc6", source="glibc", version="2.36-9")
+    + PACKAGE.format(name="bash", source="bash", version="5.2.15-2"),
+    "usr/lib/python3/dist-packages/numpy-2.1.0.dist-info/METADATA": "Metadata-Version: 2.1\nName: numpy\nVersion: 2.1.0\n",
+}
+"""An image with three packages of Debian and a wheel, of which the database knows something."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A registry that is not everybody's, and what it takes to use it.
+
+    Attributes:
+        secure: the registry. services: a machine without a builder. docker: Docker's configuration folder.
+    """
+
+    secure: Secure
+    services: Services
+    docker: Path
+
+    def client(self) -> oci.Registry:
+        return oci.Registry(self.secure.host)
+
+    def trivy(self, folder: Path) -> Trivy:
+        return installed(folder, certificates.trusting(self.services))
+
+    def put_image(self) -> Part:
+        """Uploads the small image."""
+        packed = io.BytesIO()
+        with tarfile.open(fileobj=packed, mode="w") as archive:
+            for name, text in FILES.items():
+                member = tarfile.TarInfo(name)
+                member.size = len(text.encode())
+                archive.addfile(member, io.BytesIO(text.encode()))
+        layer = gzip.compress(packed.getvalue(), mtime=0)
+        diff = f"sha256:{hashlib.sha256(packed.getvalue()).hexdigest()}"
+        config = oci.encoded(
+            {"architecture": NATIVE, "os": "linux", "config": {}, "rootfs": {"type": "layers", "diff_ids": [diff]}}
+        )
+        client = self.client()
+        for data in (layer, config):
+            client.put_blob("images/small", data)
+        content = {
+            "schemaVersion": 2,
+            "mediaType": "application/vnd.oci.image.manifest.v1+json",
+            "config": oci.descriptor(oci.CONFIG, config),
+            "layers": [oci.descriptor("application/vnd.oci.image.layer.v1.tar+gzip", layer)],
+        }
+        digest = put(client, "images/small", "latest", content)
+        return Part("small", self.secure.host, "images/small", digest, True)
+
+
+@pytest.fixture(params=["password", "tokens"])
+def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
+    docker = tmp_path / "docker"
+    monkeypatch.setenv("DOCKER_CONFIG", str(docker))
+    monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
+    for name in ("no_proxy", "NO_PROXY"):
+        monkeypatch.setenv(name, secure.own_address())
+    users = {NAME: "pull,push"} if request.param == "tokens" else None
+    root = tmp_path / "checkout"
+    (root / ".state").mkdir(parents=True)
+    services = Services(root, "", (), "", "", None, "", "", "", False)
+    with secure.registry(tmp_path / "registry", users=users) as found:
+        found.docker_config(docker, {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}})
+        yield Place(found, services, docker)
+
+
+def test_it_finds_what_it_must(place: Place, tmp_path: Path) -> None:
+    """A package with a newer version and a wheel fail the policy, one without a newer version is listed, one that is mended is
+    not found; and trivy itself reads the image and the database with the user's password and certificates."""
+    put_database(place.client(), "security/trivy-db", tmp_path / "db")
+    rules = rules_with(f"{place.secure.host}/security/trivy-db:2")
+    trivy, part = place.trivy(tmp_path / "trivy"), place.put_image()
+    trivy.fetch(rules.policy.database, say=LOG.info)
+    shelf = sbom.Shelf(place.client(), f"trivy {trivy.version}")
+    image = scan.Image("small", NATIVE, (part,))
+    run = scan.scan_images([image], rules, trivy, shelf, now=datetime.now(UTC), whole=True, say=LOG.info)
+    (scanned,) = run.images
+    assert scanned.outcome is Outcome.POLICY_FAILED, scanned.reason
+    assert {it.id for it in scanned.failing} == {"CVE-2026-90001", "CVE-2026-90004"}
+    assert {it.id for it in scanned.findings} == {"CVE-2026-90001", "CVE-2026-90002", "CVE-2026-90004"}
+    assert scanned.packages == len(FILES)
+
+
+@pytest.mark.parametrize("config", [{}, {"auth": encoded(NAME, "wrong")}])
+def test_where_it_may_not_read_it_fails(place: Place, tmp_path: Path, config: dict[str, str]) -> None:
+    part = place.put_image()
+    trivy = place.trivy(tmp_path / "trivy")
+    place.secure.docker_config(tmp_path / "other", {"auths": {place.secure.host: config}} if config else {})
+    stranger = Trivy(
+        trivy.program, trivy.version, trivy.folder, {**trivy.environment, "DOCKER_CONFIG": str(tmp_path / "other")}
+    )
+    with pytest.raises(ScannerFailed, match=r"(?i)unauthorized|denied|authentication required") as caught:
+        stranger.sbom(part.reference)
+    assert encoded(NAME, PASSWORD) not in str(caught.value) and PASSWORD not in str(caught.value)
+
+
+def test_a_certificate_that_nobody_trusts(place: Place, tmp_path: Path) -> None:
+    part, trivy = place.put_image(), place.trivy(tmp_path / "trivy")
+    environment = {name: value for name, value in trivy.environment.items() if name != "SSL_CERT_FILE"}
+    stranger = Trivy(trivy.program, trivy.version, trivy.folder, environment)
+    with pytest.raises(ScannerFailed, match=r"x509|certificate"):
+        stranger.sbom(part.reference)

@@ -1,0 +1,101 @@
+"""The real cosign signs with a key and without a public log, in a registry with TLS and a password, or one that issues tokens.
+Needs no builder: the nightly runs it before it relies on cosign. Keyless signing needs a service outside: it is not run."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from rosml import ROOT, certificates, oci
+from rosml.services import Services
+from rosml.signer import Signer, SignerFailed
+from tests.e2e import secure
+from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
+
+pytestmark = pytest.mark.full(proof="signer")
+
+
+@dataclass(frozen=True)
+class Place:
+    """A registry that is not everybody's, with an index.
+
+    Attributes:
+        secure: the registry. reference: of the index. environment: of a run that signs with a key of its own.
+    """
+
+    secure: Secure
+    reference: str
+    environment: Mapping[str, str]
+
+    def signer(self) -> Signer:
+        return Signer.find(ROOT, self.environment)
+
+
+def cosign() -> str:
+    """The real program; the test fails where there is none."""
+    try:
+        found: str = json.loads((ROOT / ".state/signer.json").read_text())["cosign"]
+    except OSError:
+        pytest.fail("cosign is not installed: make signer", pytrace=False)
+    return found
+
+
+@pytest.fixture(params=["password", "tokens"])
+def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
+    docker = tmp_path / "docker"
+    monkeypatch.setenv("DOCKER_CONFIG", str(docker))
+    monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
+    for name in ("no_proxy", "NO_PROXY"):
+        monkeypatch.setenv(name, secure.own_address())
+    key = {"COSIGN_KEY": str(tmp_path / "test.key"), "COSIGN_PASSWORD": "only for this test"}
+    made = subprocess.run(
+        [cosign(), "generate-key-pair", "--output-key-prefix", str(tmp_path / "test")],
+        env={**os.environ, **key},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert made.returncode == 0, made.stderr
+    root = tmp_path / "checkout"
+    (root / ".state").mkdir(parents=True)
+    services = Services(root, "", (), "", "", None, "", "", "", False)
+    users = {NAME: "pull,push"} if request.param == "tokens" else None
+    with secure.registry(tmp_path / "registry", users=users) as found:
+        found.docker_config(docker, {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}})
+        index = {"schemaVersion": 2, "mediaType": "application/vnd.oci.image.index.v1+json", "manifests": []}
+        digest = oci.Registry(found.host).put_manifest("images/small", "latest", index, index["mediaType"])
+        reference = f"{found.host}/images/small@{digest}"
+        yield Place(found, reference, {**certificates.trusting(services), **key})
+
+
+def test_it_signs_once_and_knows_its_signature(place: Place) -> None:
+    signer = place.signer()
+    with pytest.raises(SignerFailed, match="has no signature"):
+        signer.verify(place.reference)
+    assert signer.ensure(place.reference) is True
+    signer.verify(place.reference)
+    assert signer.ensure(place.reference) is False
+
+
+def test_another_key_is_not_ours(place: Place, tmp_path: Path) -> None:
+    place.signer().ensure(place.reference)
+    other = {**place.environment, "COSIGN_KEY": str(tmp_path / "other.key")}
+    argv = [cosign(), "generate-key-pair", "--output-key-prefix", str(tmp_path / "other")]
+    subprocess.run(argv, env=other, stdin=subprocess.DEVNULL, capture_output=True, check=True)
+    with pytest.raises(SignerFailed, match="has no signature"):
+        Signer.find(ROOT, other).verify(place.reference)
+
+
+def test_where_it_may_not_write_it_fails(place: Place, tmp_path: Path) -> None:
+    place.secure.docker_config(tmp_path / "other", {})
+    signer = Signer.find(ROOT, {**place.environment, "DOCKER_CONFIG": str(tmp_path / "other")})
+    with pytest.raises(SignerFailed, match="could not be signed") as caught:
+        signer.ensure(place.reference)
+    assert PASSWORD not in str(caught.value) and place.environment["COSIGN_PASSWORD"] not in str(caught.value)
