@@ -141,7 +141,7 @@ def test_a_package_with_another_hash_is_refused(installer: Installer, tmp_path: 
     digest = wheel(tmp_path / "wheels", "one")
     file = installer.state.root / "tools/requirements-app.txt"
     file.write_text(f"one==1.0 --hash=sha256:{'0' * 64}\n")
-    with pytest.raises(Failure, match="(?i)hash"):
+    with pytest.raises(Failure, match=r"(?i)hash"):
         installer.packages(uv(), "app")
     assert not installed(installer)
     file.write_text(f"one==1.0 --hash=sha256:{digest}\n")
@@ -152,7 +152,7 @@ def test_a_package_with_another_hash_is_refused(installer: Installer, tmp_path: 
 def test_a_package_without_a_hash_is_refused(installer: Installer, tmp_path: Path) -> None:
     wheel(tmp_path / "wheels", "one")
     (installer.state.root / "tools/requirements-app.txt").write_text("one==1.0\n")
-    with pytest.raises(Failure, match="(?i)hash"):
+    with pytest.raises(Failure, match=r"(?i)hash"):
         installer.packages(uv(), "app")
 
 
