@@ -39,7 +39,7 @@ class Client(Protocol):
         """Puts a blob, unless it is there. Gives its digest."""
 
     def put_manifest(self, repository: str, reference: str, content: Mapping[str, Any], media_type: str, /) -> str:
-        """Puts a manifest or index under a reference. Gives its digest."""
+        """Puts a manifest or index under a tag, or by its digest alone if the reference is that or empty. Gives its digest."""
 
     def tag(self, repository: str, digest: str, name: str, /) -> None:
         """Moves a tag to a manifest or index that is in the repository; also an error where it is not."""
@@ -60,7 +60,8 @@ class Client(Protocol):
         """Removes an artifact that is attached to a manifest; both by digest."""
 
     def delete(self, repository: str, reference: str, /) -> None:
-        """Removes a manifest with its tags; or a tag, where the registry can. Nothing there is no error."""
+        """Removes a manifest with its tags; or a tag, where the registry can. Nothing there is no error; `oci.Undeletable` where
+        the registry deletes no manifest at all."""
 
     def discard(self, repository: str, digest: str, /) -> bool:
         """Removes a manifest that nothing leads to any more, and says whether it is gone: never an error."""

@@ -194,6 +194,17 @@ class Manifest:
         return {"mediaType": self.media_type, "digest": self.digest, "size": self.size}
 
 
+REMEDY = (
+    "let its operator allow it, or delete with its own tools; on ghcr.io these are the versions of the package, on GitHub's"
+    " page of it or by GitHub's API"
+)
+"""What to do about a registry that deletes nothing."""
+
+
+class Undeletable(RosmlError):
+    """The registry deletes no manifest, whichever it is."""
+
+
 class _Transient(Exception):
     """Something that may be gone a moment later.
 
@@ -404,7 +415,9 @@ class Registry:
         also = (_scope(repository, "delete"),)
         answer = self._ask("DELETE", path, repository, allow=(404, 405, *allow), push=True, also=also)
         if answer.status_code == 405:
-            raise RosmlError(f"{self.host} deletes nothing", "let its operator allow it, or delete with its own tools")
+            if not is_digest(reference):
+                raise RosmlError(f"{self.host} deletes no tag by its name", REMEDY)
+            raise Undeletable(f"{self.host} deletes nothing", REMEDY)
         return answer.status_code not in (404, *allow)
 
     # ---- Blobs -------------------------------------------------------------------------------------------------------

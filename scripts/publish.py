@@ -739,7 +739,8 @@ def undo(run: str, **options: Any) -> None:
 def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
     """Says what the registry no longer needs, and with --apply removes it.
 
-    What a kept tag leads to stays: an index, its images, and what is attached to them.
+    What a kept tag leads to stays: an index, its images, and what is attached to them. With --registry, it needs that
+    registry alone: no 'make up'.
 
     \b
     Examples:
@@ -747,25 +748,27 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
       uv run scripts/publish.py prune --apply
     """
 
-    from rosml.prune import Pruner
+    from rosml import expand, source
+    from rosml.prune import STAYS, Pruner
 
     call = Call(**options)
-    pipeline = call.pipeline()
-    today = datetime.now(UTC).date()
-    pruner = Pruner(pipeline.registry, pipeline.prefix, pipeline.agenda.catalogue, today, days, newest)
-    found = pruner.find()
-    if not call.as_json:
-        for repository, tag in found.tags:
-            click.echo(f"{repository}:{tag}")
-        for repository, digest in found.manifests:
-            click.echo(f"{repository}@{digest}")
-        for repository, subject, digest in found.superseded:
-            click.echo(f"{repository}@{digest}, superseded, of {subject}")
-        manifests = len(found.manifests) + len(found.superseded)
-        click.echo(f"{len(found.tags)} tags and {manifests} manifests can go; {found.kept} tags stay")
-    if apply:
-        for line in pruner.remove(found):
-            say(line if " stays: " in line else f"removed: {line}")
+    catalogue = expand.catalogue(source.read(call.matrix))  # without its locks: it names repositories
+    client, prefix = call.client()
+    with client:
+        pruner = Pruner(client, prefix, catalogue, datetime.now(UTC).date(), days, newest)
+        found = pruner.find()
+        if not call.as_json:
+            for repository, tag in found.tags:
+                click.echo(f"{repository}:{tag}")
+            for repository, digest in found.manifests:
+                click.echo(f"{repository}@{digest}")
+            for repository, subject, digest in found.superseded:
+                click.echo(f"{repository}@{digest}, superseded, of {subject}")
+            manifests = len(found.manifests) + len(found.superseded)
+            click.echo(f"{len(found.tags)} tags and {manifests} manifests can go; {found.kept} tags stay")
+        if apply:
+            for line in pruner.remove(found):
+                say(line if STAYS in line else f"removed: {line}")
     if call.as_json:  # at the end: an error while it is removed is an object of its own
         click.echo(json.dumps(found.to_json(), indent=2))
     elif not apply and (found.tags or found.manifests or found.superseded):

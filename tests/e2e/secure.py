@@ -19,6 +19,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 import bcrypt
@@ -110,28 +111,43 @@ def registry(folder: Path, expired: bool = False, users: Mapping[str, str] | Non
 
 @contextmanager
 def running(folder: Path, found: Secure, auth: Mapping[str, object]) -> Iterator[None]:
-    """Runs the registry's program."""
-    config = {
-        "version": 0.1,
-        "log": {"level": "info"},
-        "storage": {"filesystem": {"rootdirectory": str(found.storage)}, "delete": {"enabled": True}},
-        "http": {
-            "addr": found.host,
-            "tls": {"certificate": str(folder / "chain.pem"), "key": str(folder / "key.pem")},
-        },
-        "auth": auth,
-    }
-    (folder / "config.json").write_text(json.dumps(config))
+    """Runs the registry's program with TLS and users."""
+    tls = {"certificate": str(folder / "chain.pem"), "key": str(folder / "key.pem")}
+    config = {"http": {"addr": found.host, "tls": tls}, "auth": auth}
+    with serving(folder, found.storage, config):
+        yield
+
+
+@contextmanager
+def plain(folder: Path, deletes: bool) -> Iterator[str]:
+    """Starts a registry on this machine that speaks plain http to anybody, and deletes, or refuses to; gives its address."""
+    folder.mkdir()
+    address = f"127.0.0.1:{network.free_port()}"
+    with serving(folder, folder / "storage", {"http": {"addr": address}}, deletes):
+        yield address
+
+
+@contextmanager
+def serving(folder: Path, storage: Path, own: Mapping[str, Any], deletes: bool = True) -> Iterator[None]:
+    """Runs the registry's program.
+
+    Args:
+        folder: for its configuration and log. storage: for what it holds.
+        own: the rest of its configuration; `http.addr` in it is where it listens.
+        deletes: whether it deletes.
+    """
+    kept = {"filesystem": {"rootdirectory": str(storage)}, "delete": {"enabled": deletes}}
+    (folder / "config.json").write_text(json.dumps({"version": 0.1, "log": {"level": "info"}, "storage": kept, **own}))
     env = {name: value for name, value in os.environ.items() if not name.startswith(("REGISTRY_", "OTEL_"))}
     env["OTEL_TRACES_EXPORTER"] = "none"
     command = [str(ROOT / ".state/bin/registry"), "serve", str(folder / "config.json")]
-    with found.log.open("wb") as log:
+    with (folder / "log").open("wb") as log:
         process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=env)
     try:
-        host, _, port = found.host.rpartition(":")
+        host, _, port = own["http"]["addr"].rpartition(":")
         deadline = time.monotonic() + 20
         while True:
-            assert process.poll() is None and time.monotonic() < deadline, found.log.read_text()[-2000:]
+            assert process.poll() is None and time.monotonic() < deadline, (folder / "log").read_text()[-2000:]
             with socket.socket() as probe:
                 if probe.connect_ex((host, int(port))) == 0:
                     break

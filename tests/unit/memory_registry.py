@@ -93,7 +93,7 @@ class MemoryRegistry:
             name = digest(data)
             self.uploaded += len(data)
             self.manifests.setdefault(repository, {})[name] = Manifest(json.loads(data), name, media_type, len(data))
-            if not reference.startswith("sha256:"):
+            if reference and not reference.startswith("sha256:"):
                 self.names.setdefault(repository, {})[reference] = name
             return name
 
@@ -103,6 +103,8 @@ class MemoryRegistry:
 
     def blob(self, repository: str, name: str) -> bytes:
         self._read()
+        if name not in self.blobs.get(repository, {}):
+            raise RosmlError(f"{repository}: there is no blob {name}", "check the reference that leads there")
         return self.blobs[repository][name]
 
     def put_blob(self, repository: str, data: bytes) -> str:
@@ -128,15 +130,13 @@ class MemoryRegistry:
         return sorted(self.names.get(repository, {}))
 
     def delete(self, repository: str, reference: str) -> None:
-        what = "delete a manifest" if reference.startswith("sha256:") else "delete a tag"
-        with self.writing(what):
-            if reference.startswith("sha256:"):
-                del self.manifests[repository][reference]
-                names = self.names.get(repository, {})
-                for name in [name for name, target in names.items() if target == reference]:
-                    del names[name]
-            else:
-                del self.names[repository][reference]
+        manifests, names = self.manifests.get(repository, {}), self.names.get(repository, {})
+        if reference not in manifests and reference not in names:
+            return
+        with self.writing("delete a manifest" if reference in manifests else "delete a tag"):
+            manifests.pop(reference, None)
+            for name in [name for name, target in names.items() if reference in (name, target)]:
+                del names[name]
 
     def discard(self, repository: str, name: str) -> bool:
         try:
@@ -156,7 +156,6 @@ class MemoryRegistry:
         ]
 
     def detach(self, repository: str, subject: str, name: str) -> None:
-        assert name in [item["digest"] for item in self.referrers(repository, subject)]
         self.delete(repository, name)
 
     def forget(self, repository: str, subject: str) -> None:

@@ -197,6 +197,9 @@ class _Handler(BaseHTTPRequestHandler):
         found = registry.manifests.get((repository, digest))
         if found is None:
             self._answer(404, b'{"errors": [{"code": "MANIFEST_UNKNOWN", "message": "manifest unknown"}]}')
+        elif self.command == "DELETE" and name in tags:
+            del tags[name]
+            self._answer(202)
         elif self.command == "DELETE":
             del registry.manifests[repository, digest]
             registry.tags[repository] = {tag: value for tag, value in tags.items() if value != digest}

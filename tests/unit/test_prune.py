@@ -308,16 +308,16 @@ def test_looking_asks_at_most_twice_for_an_image_of_a_night(
     newest: int,
 ) -> None:
     here = place(project, services(project), monkeypatch)
-    asked, images = [], []
+    asked, images, repositories = [], [], {image.repository for image in catalogue.images}
     for number in range(6):
         night(here, catalogue, number)
         before = here.registry.reads
         Pruner(here.registry, PREFIX, catalogue, FIRST + timedelta(days=100), days, newest).find()
         asked.append(here.registry.reads - before)
-        dated = [tag for name in ("ros", "ros-torch") for tag in here.tagged(name) if prune.DATED.search(tag)]
+        dated = [tag for name in repositories for tag in here.tagged(name) if prune.DATED.search(tag)]
         images.append(len(dated))
     more = images[5] - images[1]
-    assert more >= 4 * 5, "nights without new images say nothing"
+    assert more >= 4 * 10, "nights without new images say nothing"
     assert (asked[5] - asked[1]) / more <= 2
 
 
@@ -330,6 +330,8 @@ def test_images_are_asked_for_side_by_side(
     manifest, together, waiting = nights.registry.manifest, threading.Event(), []
 
     def answering(repository: str, reference: str) -> Manifest | None:
+        if repository.endswith("/ledger"):
+            return manifest(repository, reference)
         waiting.append(reference)
         if len(waiting) >= 8:
             together.set()

@@ -99,7 +99,7 @@ def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
             command.run(script.cli, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
         (failed,) = [item for item in json.loads(capsys.readouterr().out)["outcomes"] if item["state"] == "failed"]
         assert ended.value.code == 1 and failed["target"] == f"ros:{TAGS[1]}"
-        assert "deletes nothing" in failed["reason"] and "its own tools" in failed["reason"]
+        assert "deletes no tag by its name" in failed["reason"] and "its own tools" in failed["reason"]
         assert client.head(f"{PREFIX}/ros", TAGS[0]) == found["ros"][0]
 
 

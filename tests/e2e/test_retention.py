@@ -1,0 +1,194 @@
+"""What stays in a registry and what goes: the real program, where it deletes and where it refuses to, as ghcr.io does.
+
+Images are put into it without a builder; index, promote, undo and prune are the commands that people call.
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+
+import pytest
+
+from rosml import ROOT, agenda, labels, ledger, oci
+from rosml.base_images import native_architecture
+from rosml.expand import Image
+from rosml.ledger import Ledger
+from rosml.promote import UNDO
+from rosml.services import Services
+from tests.e2e import mini as minis
+from tests.e2e import secure
+from tests.e2e.conftest import Run, run
+from tests.e2e.mini import Mini
+from tests.e2e.parts import CREATED, Tiny
+from tests.registry_calls import CALLS
+
+ONLY = ("--only", "bookworm-core", "--only", "bookworm-base")
+NIGHTS = tuple((datetime.now(UTC) - timedelta(days=number)).strftime("%Y-%m-%dT03:00:00Z") for number in (4, 3, 2))
+HERE = native_architecture()
+
+
+@pytest.fixture(scope="module")
+def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+    return minis.make(tmp_path_factory.mktemp("mini"), services)
+
+
+@contextmanager
+def place(project: Mini, folder: Path, deletes: bool) -> Iterator[Mini]:
+    """The small project with a registry of its own."""
+    with secure.plain(folder / "registry", deletes) as address:
+        yield replace(project.elsewhere(), services=replace(project.services, registry=address))
+
+
+def night(mini: Mini, date: str) -> None:
+    """What builders and tests leave in a night: other ROS images than before, whose tests passed; then their tags move."""
+    client = mini.client()
+    book = Ledger(client, mini.prefix)
+    plan = agenda.survey(
+        Services.load(mini.folder), mini.catalogue, client, mini.prefix, ONLY[1::2], [HERE], date=date
+    )
+    assert {item.target for item in plan.items} == set(ONLY[1::2])
+    for item in plan.items:
+        image = item.thing
+        assert isinstance(image, Image)
+        said = labels.named(image.distribution, image.component, "1", "none", None, {})
+        said |= {f"org.opencontainers.image.{name}": text for name, text in FACTS.items()}
+        digest, size = Tiny(said, salt=date).put_manifest(client, book.path(item.repository), f"linux/{HERE}")
+        facts = {"inputs": plan.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
+        facts |= {"parts": {target: plan.known[target, HERE].digest for target in item.needs}, "changed": date}
+        facts |= {"upstream": plan.upstream.get(image.distribution, ""), "tested": plan.tests(item), "passed": 5}
+        before = plan.known.get(item.key) or ledger.Entry(*item.key)
+        plan.known[item.key] = before.made(digest, **facts)
+        book.write(plan.known[item.key], plan.inputs.of(*item.key))
+    for step in ("index", "promote"):
+        done = mini.publish(step, *ONLY, "--serve", HERE, "--date", date, "--json")
+        assert done.code == 0 and '"waits"' not in done.out, done.out + done.err
+
+
+FACTS = {
+    "created": CREATED,
+    "licenses": "Apache-2.0",
+    "base.name": "debian:bookworm",
+    "base.digest": oci.digest_of(b"a base image"),
+    "source": minis.SOURCE,
+}
+
+
+def pull(mini: Mini, folder: Path) -> int:
+    """Pulls what every tag points at, with regctl, whole; gives how many there are."""
+    tags = mini.tags()
+    for number, tag in enumerate(tags):
+        reference, target = f"{mini.registry}/{tag}", f"ocidir://{folder}/{number}:one"
+        host = f"reg={mini.services.registry},tls=disabled"
+        done = run(mini.services.regctl, "--host", host, "image", "copy", reference, target)
+        assert done.code == 0, f"{tag}: {done.err}"
+    return len(tags)
+
+
+def clone(mini: Mini, folder: Path) -> Path:
+    """A checkout on another machine: nothing was set up, and there are neither locks nor build files."""
+    for name in ("rosml", "scripts"):
+        shutil.copytree(mini.folder / name, folder / name)
+    shutil.copy(mini.folder / "matrix.yaml", folder)
+    return folder
+
+
+def called(folder: Path, mini: Mini, *arguments: str) -> Run:
+    """publish.py of a checkout, for a project's place."""
+    return run(sys.executable, str(folder / "scripts/publish.py"), *arguments, "--registry", mini.registry, cwd=folder)
+
+
+def records(mini: Mini) -> list[str]:
+    return [name for name in mini.client().tags(f"{mini.prefix}/ledger") if name.startswith(UNDO)]
+
+
+def test_a_registry_that_refuses_to_delete(project: Mini, tmp_path: Path) -> None:
+    """Published twice, undone, pruned: everything works but removing, which says how much stays and what to do."""
+    with place(project, tmp_path, deletes=False) as mini:
+        elsewhere = clone(mini, tmp_path / "clone")
+        night(mini, NIGHTS[0])
+        first = mini.tags()
+        night(mini, NIGHTS[1])
+        second = mini.tags()
+        mini.check()
+        assert second["ros:bookworm-core"] != first["ros:bookworm-core"]
+
+        called(elsewhere, mini, "undo")
+        back = mini.tags()
+        assert {tag: back[tag] for tag in first} == first
+        mini.check()
+        again = called(elsewhere, mini, "undo", NIGHTS[1], "--json")
+        left = {item["target"]: item for item in json.loads(again.out)["outcomes"]}
+        for tag in back.keys() - first.keys():  # dated tags that the registry keeps are named, with what to do
+            assert left[tag]["state"] == "failed" and "delete with its own tools" in left[tag]["reason"]
+
+        night(mini, NIGHTS[2])
+        kept, entries = mini.tags(), len(records(mini))
+        dry = called(elsewhere, mini, "prune", "--days", "0", "--newest", "0")
+        assert dry.code == 0 and "nothing was removed" in dry.out, dry.err
+        pruned = called(elsewhere, mini, "prune", "--days", "0", "--newest", "0", "--apply")
+        assert pruned.code == 1
+        said = " ".join(pruned.err.split())
+        assert "deletes nothing" in said and "could go, and stay" in said and "manifest" in said
+        assert "remedy: let its operator allow it, or delete with its own tools" in said and "ghcr.io" in said
+        now = mini.tags()
+        assert now.items() <= kept.items() and {tag for tag in kept if not tag[-8:].isdigit()} <= now.keys()
+        assert len(records(mini)) == entries
+        mini.check()
+        assert pull(mini, tmp_path / "pulled") >= 4
+
+
+def test_every_kept_tag_pulls_after_pruning(project: Mini, tmp_path: Path) -> None:
+    """Three nights; then what only the first ones led to goes, and its bytes with it."""
+    with place(project, tmp_path, deletes=True) as mini:
+        elsewhere = clone(mini, tmp_path / "clone")
+        for date in NIGHTS:
+            night(mini, date)
+        tags = mini.tags()
+        dated = {tag for tag in tags if tag[-8:].isdigit()}
+        assert len(dated) == 2 * len(NIGHTS)
+        whole = stored(tmp_path)
+        pruned = called(elsewhere, mini, "prune", "--apply", "--days", "0", "--newest", "1", "--json")
+        assert pruned.code == 0, pruned.err
+        assert len(json.loads(pruned.out)["tags"]) == 4 and not (elsewhere / ".state").exists()
+        day = NIGHTS[-1][:10].replace("-", "")
+        assert mini.tags() == {tag: digest for tag, digest in tags.items() if tag not in dated or tag.endswith(day)}
+        mini.check()
+        again = json.loads(called(elsewhere, mini, "prune", "--days", "0", "--newest", "1", "--json").out)
+        assert (again["tags"], again["manifests"], again["superseded"], again["records"]) == ([], [], [], [])
+        collected = subprocess.run(
+            [str(ROOT / ".state/bin/registry"), "garbage-collect", str(tmp_path / "registry/config.json")],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert collected.returncode == 0, collected.stderr
+        assert stored(tmp_path) < whole
+        mini.check()
+        assert pull(mini, tmp_path / "pulled") == len(mini.tags()) >= 4
+        plan = json.loads(mini.publish("plan", *ONLY, "--serve", HERE, "--json").out)
+        assert plan["tasks"] == [], "pruning took what the next run needs"
+
+
+def stored(folder: Path) -> int:
+    """How many blobs the registry's folder holds."""
+    return sum(1 for path in (folder / "registry/storage/docker/registry/v2/blobs").rglob("data") if path.is_file())
+
+
+@pytest.fixture(scope="module")
+def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[oci.Registry]:
+    with secure.plain(tmp_path_factory.mktemp("calls") / "registry", deletes=True) as address:
+        with oci.Registry(address) as found:
+            yield found
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_the_real_registry_does_what_its_imitations_do(client: oci.Registry, name: str) -> None:
+    CALLS[name](client, f"calls/{name.replace('_', '-')}")

@@ -1,0 +1,32 @@
+"""Imitations of a registry do what the real one does: the same calls, with the same assertions, as in tests/e2e."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from memory_registry import MemoryRegistry
+from registry_stand_in import standing_in
+
+from rosml import oci
+from rosml.client import Client
+from tests.registry_calls import CALLS
+
+
+@pytest.fixture(params=["memory", "stand-in", "stand-in with the referrers API"])
+def client(request: pytest.FixtureRequest) -> Iterator[Client]:
+    if request.param == "memory":
+        yield MemoryRegistry()
+        return
+    with standing_in() as server, oci.Registry(server.address) as found:
+        server.referrers = "API" in request.param
+        yield found
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_call(client: Client, name: str) -> None:
+    CALLS[name](client, "a/b")
+
+
+def test_there_are_calls() -> None:
+    assert len(CALLS) >= 20
