@@ -321,7 +321,7 @@ def undo(book: Ledger, date: str, run: str = "") -> list[Outcome]:
         now = list(zip(recorded, there, strict=True))
         # Before the first tag moves: one who is killed between them leaves nothing that the next night moves there again.
         held = {(move.repository, move.new) for move, where in now if where in (move.old, move.new)}
-        list(pool.map(lambda item: _hold(book, *item, date), sorted(held)))
+        list(pool.map(lambda item: _hold(book, item[0], item[1], date), sorted(held)))
         images: dict[tuple[str, str], list[tuple[Move, str]]] = {}
         for move, where in now:
             images.setdefault((move.repository, move.new), []).append((move, where))

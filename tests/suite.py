@@ -87,7 +87,7 @@ def run(phase: Phase) -> Outcome:
         )
         assert process.stdout
         try:
-            while data := process.stdout.read1():
+            while data := os.read(process.stdout.fileno(), 1 << 16):
                 stream.write(data)
                 sys.stdout.buffer.write(data)
                 sys.stdout.flush()
@@ -168,7 +168,7 @@ def _time(seconds: float) -> str:
     return f"{int(seconds // 60)}:{int(seconds % 60):02d}"
 
 
-class Shard(click.ParamType):
+class Shard(click.ParamType[tuple[int, int]]):
     """`2/3`: the second of three machines."""
 
     name = "i/n"

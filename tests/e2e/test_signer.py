@@ -69,8 +69,8 @@ def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mo
     users = {NAME: "pull,push"} if request.param == "tokens" else None
     with secure.registry(tmp_path / "registry", users=users) as found:
         found.docker_config(docker, {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}})
-        index = {"schemaVersion": 2, "mediaType": "application/vnd.oci.image.index.v1+json", "manifests": []}
-        digest = oci.Registry(found.host).put_manifest("images/small", "latest", index, index["mediaType"])
+        index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []}
+        digest = oci.Registry(found.host).put_manifest("images/small", "latest", index, oci.INDEX)
         reference = f"{found.host}/images/small@{digest}"
         yield Place(found, reference, {**certificates.trusting(services), **key})
 

@@ -37,7 +37,7 @@ settings.register_profile(
 settings.register_profile("thorough", settings.get_profile("quick"), max_examples=1_250, derandomize=False)
 NAME = os.environ.get("HYPOTHESIS_PROFILE", "quick")
 PROFILE = settings.get_profile(NAME)
-pytestmark = pytest.mark.timeout(3600) if NAME == "thorough" else []
+pytestmark = [pytest.mark.timeout(3600)] if NAME == "thorough" else list[pytest.MarkDecorator]()
 
 MEGABYTES, MEGABYTES_FOR_IMAGE = 100, 0.02
 """What it may add to the most memory that this process ever had."""

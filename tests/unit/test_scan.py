@@ -318,7 +318,12 @@ def test_a_new_format_of_the_database_is_no_other_format_of_reports(
     assert scanned(world, image("a", world.part("a", "bash", ros=True))).outcome is Outcome.CLEAN
     database = rules(database="{repositories: [example.org/db], max_age_hours: 48}").policy.database
     asked: list[str] = []
-    trivy.resolve(database, lambda reference: (asked.append(reference), "sha256:1")[1])
+
+    def digest(reference: str) -> str:
+        asked.append(reference)
+        return "sha256:1"
+
+    trivy.resolve(database, digest)
     assert asked == ["example.org/db:3"]
 
 
