@@ -27,7 +27,7 @@ def write(data: Mapping[str, Any], folder: Path, limits: Mapping[str, float]) ->
     """Writes the report; what was there is replaced.
 
     Args:
-        data: as `bench.py --json` prints it: `real_seconds`, `sizes`, and where images were built `comparison` and
+        data: as `bench.py --json` prints it: `real_seconds`, `sizes`, `limits`, and where images were built `comparison` and
             `growth_of_tags`.
         folder: where to; it is made if need be.
         limits: of the generator, in seconds: `real` and `largest`.
@@ -64,7 +64,14 @@ def machine() -> dict[str, Any]:
 
 def markdown(data: Mapping[str, Any], limits: Mapping[str, float]) -> str:
     """The page: a table for each chart, so that it says the same without pictures."""
-    parts = ["# Benchmark\n", *_machine(data), *_comparison(data), *_growth(data), *_generator(data, limits)]
+    parts = [
+        "# Benchmark\n",
+        *_machine(data),
+        *_comparison(data),
+        *_growth(data),
+        *_generator(data, limits),
+        *_limits(data),
+    ]
     return "\n".join(parts)
 
 
@@ -115,6 +122,11 @@ def _generator(data: Mapping[str, Any], limits: Mapping[str, float]) -> list[str
         _table(("matrix", "seconds", "limit", "µs for an image"), rows),
         "![Seconds by the number of images](generator.svg)\n",
     ]
+
+
+def _limits(data: Mapping[str, Any]) -> list[str]:
+    rows = [(item["what"], f"{item['seconds']:.3f}", f"{item['limit']:.2f}") for item in data.get("limits", ())]
+    return ["## Limits\n", _table(("median of", "seconds", "limit"), rows)] if rows else []
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

@@ -65,7 +65,7 @@ def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(bench, "SIZES", (96, 192))
     monkeypatch.setattr(bench, "ROUNDS", 1)
     monkeypatch.setattr(bench, "RUNS", 1)
-    for limit in ("REAL_SECONDS", "LARGEST_SECONDS", "GROWTH"):
+    for limit in ("REAL_SECONDS", "LARGEST_SECONDS", "GROWTH", "PLAN_SECONDS", "DIGESTS_SECONDS", "REFUSED_SECONDS"):
         monkeypatch.setattr(bench, limit, 1_000.0)
 
 
@@ -73,7 +73,8 @@ def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(bench.main, arguments=["--generator", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    assert found.keys() == {"machine", "real_seconds", "sizes", "growth"}
+    assert found.keys() == {"machine", "real_seconds", "sizes", "growth", "limits"}
+    assert len(found["limits"]) == 3 and all(item["seconds"] > 0 for item in found["limits"])
     assert [size["images"] for size in found["sizes"]] == [96, 192]
     assert command.run(bench.main, arguments=["--generator"]) == 0
     said = capsys.readouterr()
@@ -95,6 +96,24 @@ def test_too_slow(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
     assert "192 images" in done.out
     assert "too slow: 192 images take" in done.err
     assert "cProfile" in done.err
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize(
+    ("limit", "what"),
+    [
+        ("PLAN_SECONDS", "dealing the largest matrix out"),
+        ("DIGESTS_SECONDS", "digests of the real"),
+        ("REFUSED_SECONDS", "refusing the worst file"),
+    ],
+)
+def test_a_limit_beside_the_generator_is_missed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], limit: str, what: str
+) -> None:
+    monkeypatch.setattr(bench, limit, 0.0)
+    assert command.run(bench.main, arguments=["--generator", "--check"]) == 1
+    assert f"too slow: {what}" in capsys.readouterr().err
+    assert f"| {what}" in (tmp_path / "report/report.md").read_text()
 
 
 def test_a_run_that_fails_is_no_measurement(monkeypatch: pytest.MonkeyPatch) -> None:
