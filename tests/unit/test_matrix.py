@@ -7,6 +7,7 @@ import json
 import os
 import re
 import resource
+import sys
 import tempfile
 import tracemalloc
 from collections.abc import Callable, Iterator
@@ -230,7 +231,7 @@ def test_any_number_of_rows(edits: tuple[str, list[tuple[str, int, int, bool]]])
     data = yaml.safe_load(text)
     for section, which, count, same in edits[1]:
         row = list(data[section].values())[which % len(data[section])]
-        shown = json.dumps({key: value for key, value in row.items() if key != "eol"})
+        shown = yaml.safe_dump(row, default_flow_style=True, width=sys.maxsize).strip().removesuffix("\n...")
         added = [f"{section[0]}{0 if same else n}" for n in range(min(count, 3_000))]
         head = re.findall(rf"^{section}:.*\n", text, re.MULTILINE)[0]
         text = text.replace(head, head + "".join(f"  {name}: {shown}\n" for name in added))
