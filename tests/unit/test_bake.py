@@ -169,7 +169,7 @@ def test_list_json(real: Catalogue) -> None:
     assert len({image["inputs"]["amd64"] for image in listed}) == len(listed)
 
 
-def test_explain_json(small: Catalogue, small_file: Path) -> None:
+def test_explain_json(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """What a tag, a test, a payload or a group is, and whether there is one; the text is what people read."""
     image = small.image("alpha-core-torch-cu1")
     for name, target, exists in (
@@ -181,12 +181,12 @@ def test_explain_json(small: Catalogue, small_file: Path) -> None:
         ("alpha-robot", "alpha-robot", False),
         ("alpha-core-torch", "alpha-core-torch", False),
     ):
-        told = generate("--explain", name, "--matrix", small_file).stdout
-        assert json.loads(generate("--explain", name, "--matrix", small_file, "--json").stdout) == {
-            "target": target,
-            "exists": exists,
-            "text": told.rstrip("\n"),
-        }
+        said = []
+        for form in ((), ("--json",)):
+            arguments = ["--explain", name, "--matrix", str(small_file), *form]
+            assert command.run(generate_bake.main, arguments=arguments) == 0
+            said.append(capsys.readouterr().out)
+        assert json.loads(said[1]) == {"target": target, "exists": exists, "text": said[0].rstrip("\n")}
 
 
 def test_list_is_one_line_for_each_image(small: Catalogue, small_file: Path) -> None:
