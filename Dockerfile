@@ -86,6 +86,7 @@ RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/payload/bytecode.sh,target=/run/components/payload/bytecode.sh \
     --mount=type=bind,source=locks/${ROS_ROW}/${TARGETARCH}/${PYTHON}/ros.txt,target=/run/lock.txt \
     --mount=type=bind,from=assembler,source=/opt/uv,target=/run/uv \
+    --mount=type=bind,from=upstream,target=/run/upstream \
     --mount=type=secret,id=ca-bundle \
     --mount=type=secret,id=os-apt-mirror \
     LOCK=/run/lock.txt UV=/run/uv/bin/uv /run/components/ros/wheels.sh

@@ -13,7 +13,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
-from rosml import builder, filelist, files, names, payloads
+from rosml import builder, filelist, files, names, payloads, upstream
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload, repository_of
 from rosml.oci import Reference
@@ -121,7 +121,7 @@ class BuildKitMaker:
         """Builds a ROS image on the one below it, as it is in the registry."""
         publisher = self._publisher(architecture)
         publisher.services.require_builder("" if publisher.native else self._platform(architecture))
-        variables = publisher.variables(image, Result(image.target), moment)
+        variables = publisher.variables(image, Result(image.target), upstream.ros_date(moment))
         variables["DIGESTS"] = json.dumps(parts)
         sets = [f"{image.target}.tags="]
         # The first component brings the essentials, which are the operating system's own packages.

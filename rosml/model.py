@@ -166,7 +166,7 @@ class OperatingSystem(Facts):
     tools: Packages = Field(description="Debian packages of the developers' tools: colcon, rosdep, vcs")
     archive: Name | None = Field(
         default=None,
-        description="a name from archives: where rows whose ROS is the system's own look whether its packages moved",
+        description="a name from archives: what says whether its packages moved",
     )
     suite: Name | None = Field(default=None, description="name of its release in that archive, such as bookworm")
     codename: Name | None = Field(

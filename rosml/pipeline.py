@@ -460,8 +460,9 @@ class Pipeline:
             used = self.agenda.inputs.of(*item.key)
             yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
         if isinstance(item.thing, Image) and item.kind == "ros":
-            address = upstreams.repository(self.agenda.catalogue.matrix, item.thing.distribution)
-            yield from provenance.packages(address, made.upstream)
+            matrix, distribution = self.agenda.catalogue.matrix, item.thing.distribution
+            for address, moment in upstreams.repositories(matrix, distribution, made.upstream):
+                yield provenance.packages(address, moment)
         yield from self._source
 
     def _facts(self, item: Item, digest: str, parts: Mapping[str, str]) -> dict[str, Any]:

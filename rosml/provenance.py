@@ -133,9 +133,9 @@ def locks(root: Path, names: Iterable[str]) -> list[dict[str, Any]]:
     ]
 
 
-def packages(address: str, moment: str) -> list[dict[str, Any]]:
-    """The descriptor of the apt repository that packages came from: of when it was. Nothing where nobody knows."""
-    return [{"name": "apt", "uri": address, "annotations": {"state": moment}}] if moment else []
+def packages(address: str, moment: str) -> dict[str, Any]:
+    """The descriptor of an apt repository that packages came from: of when it was."""
+    return {"name": "apt", "uri": address, "annotations": {"state": moment}}
 
 
 def source(root: Path) -> list[dict[str, Any]]:

@@ -1,7 +1,7 @@
 """Of when the repositories are that ROS images are built from: when they move, images are built anew.
 
-ROS's own repositories are asked as `sync` does; the rows whose ROS comes from the operating system depend on the archive
-that matrix.yaml names for it.
+Every image has packages of its operating system, whatever its ROS comes from: the archive that matrix.yaml names for it is
+asked for its lists of packages, and ROS's own repository for its date, as `sync` does.
 What is pinned (base images, wheels) is an input like any other, and not asked for.
 """
 
@@ -20,27 +20,39 @@ MIRROR = "OS_APT_MIRROR"
 RELEASE_BYTES = 1 << 22
 """More than any Release file has; Debian's have some hundred kB."""
 
-INDEXES = re.compile(r"^ ([0-9a-f]{64}) +\d+ (main/binary-(?:all|amd64|arm64)/Packages)$", re.MULTILINE)
-"""The digests of the lists of packages in a Release file. Its date changes several times a day, with nothing else."""
+INDEXES = re.compile(r"^ ([0-9a-f]{64}) +\d+ ((?:main|universe)/binary-(?:all|amd64|arm64)/Packages)$", re.MULTILINE)
+"""The digests of the lists of packages in a Release file. Its date changes several times a day, with nothing else. ROS's
+packages need Ubuntu's universe; Debian has none."""
+
+
+SEPARATOR = ", "
+_OF_AN_ARCHIVE = re.compile(r"\S+ \S+ [0-9a-f]{16}")
 
 
 def state(matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.environ) -> str:
-    """Of when a distribution's packages are: a date, or a digest of the lists of packages in its system's archive; empty
-    where no repository decides (wheels are locked), and where matrix.yaml names no archive.
+    """Of when a distribution's packages are: the date of ROS's repository, a digest of the lists of packages in its
+    operating system's archive, or both; empty where matrix.yaml names neither.
 
     Raises:
         RosmlError: a repository does not answer, or with something else.
     """
-    facts = matrix.distributions[distribution]
-    if facts.wheels:
-        return ""
-    if source := sync.source(matrix, distribution, environ):
-        return sync.published(source, environ)
-    system = matrix.operating_systems[facts.os]
-    found = [packages(url) for url in releases(matrix, facts.os, environ)]
-    if not found:
-        return ""
-    return f"{system.archive} {system.suite} {hashlib.sha256(' '.join(found).encode()).hexdigest()[:16]}"
+    source = sync.source(matrix, distribution, environ)
+    found = [sync.published(source, environ) if source else "", _archive(matrix, distribution, environ)]
+    return SEPARATOR.join(filter(None, found))
+
+
+def ros_date(state: str) -> str:
+    """The date of ROS's repository in a state; empty where ROS is not from there."""
+    first = state.partition(SEPARATOR)[0]
+    return "" if _OF_AN_ARCHIVE.fullmatch(first) else first
+
+
+def _archive(matrix: Matrix, distribution: str, environ: Mapping[str, str]) -> str:
+    os = matrix.distributions[distribution].os
+    system = matrix.operating_systems[os]
+    found = [packages(url) for url in releases(matrix, os, environ)]
+    digest = hashlib.sha256(" ".join(found).encode()).hexdigest()[:16]
+    return f"{system.archive} {system.suite} {digest}" if found else ""
 
 
 def releases(matrix: Matrix, os: str, environ: Mapping[str, str]) -> Iterator[str]:
@@ -55,12 +67,13 @@ def releases(matrix: Matrix, os: str, environ: Mapping[str, str]) -> Iterator[st
         yield from (f"{address}/{folder.format(suite=system.suite)}/Release" for folder in folders)
 
 
-def repository(matrix: Matrix, distribution: str) -> str:
-    """The address of the archive that a distribution's ROS packages come from; empty where nobody knows it."""
-    if source := sync.source(matrix, distribution):
-        return source.address
-    archive = matrix.operating_systems[matrix.distributions[distribution].os].archive
-    return next(iter(matrix.archives[archive])) if archive else ""
+def repositories(matrix: Matrix, distribution: str, state: str) -> list[tuple[str, str]]:
+    """The addresses of the repositories that a state is of, with the state of each."""
+    source, ros = sync.source(matrix, distribution), ros_date(state)
+    found = [(source.address, ros)] if source and ros else []
+    name = matrix.operating_systems[matrix.distributions[distribution].os].archive
+    archive = state.removeprefix(ros).removeprefix(SEPARATOR)
+    return [*found, (next(iter(matrix.archives[name])), archive)] if name and archive else found
 
 
 def packages(url: str) -> str:

@@ -51,9 +51,7 @@ def night(mini: Mini, date: str) -> None:
     """What builders and tests leave in a night: other ROS images than before, whose tests passed; then their tags move."""
     client = mini.client()
     book = Ledger(client, mini.prefix)
-    plan = agenda.survey(
-        Services.load(mini.folder), mini.catalogue, client, mini.prefix, ONLY[1::2], [HERE], date=date
-    )
+    plan = agenda.survey(Services.load(mini.folder), mini.catalogue, client, mini.prefix, ONLY[1::2], [HERE], date=date)
     assert {item.target for item in plan.items} == set(ONLY[1::2])
     for item in plan.items:
         image = item.thing

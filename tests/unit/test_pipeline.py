@@ -850,11 +850,12 @@ def test_packages_are_of_the_plans_moment(
 ) -> None:
     """With the first component the essentials as well, which the builder would keep for ever."""
     folder = registry.services.state / "upstream/alpha"
+    registry.upstream["alpha"] = "monday, ubuntu noble 0123456789abcdef"
     [system] = {image.os for image in catalogue.images if image.target == "alpha-core"}
     for target, targets in (("alpha-core", {names.os_target(system), "alpha-core"}), ("alpha-base", {"alpha-base"})):
         sets, variables = told(registry.run(catalogue), target, monkeypatch, never)
         assert set(sets) == {f"{target}.tags=", *(f"{name}.contexts.upstream={folder}" for name in targets)}
-        assert (folder / "moment").read_text() == "monday\n"
+        assert (folder / "moment").read_text() == "monday, ubuntu noble 0123456789abcdef\n"
         assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "monday"}
         sets, _ = told(registry.run(catalogue, date=NEXT, force=True), target, monkeypatch, never)
         assert set(sets) == {f"{target}.tags=", *(f"{name}.no-cache=true" for name in targets)}

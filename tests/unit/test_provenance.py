@@ -82,12 +82,11 @@ def test_the_checkout(checkout: Path, tmp_path: Path) -> None:
     assert provenance.source(checkout / "locks") == [], "a checkout of something else around it"
 
 
-def test_locks_and_packages(checkout: Path) -> None:
+def test_locks(checkout: Path) -> None:
     sha = subprocess.run(["sha256sum", str(checkout / "locks/a.txt")], capture_output=True, text=True, check=True)
     assert provenance.locks(checkout, ["locks/a.txt"]) == [
         {"name": "locks/a.txt", "digest": {"sha256": sha.stdout.split()[0]}}
     ]
-    assert provenance.packages("http://packages.example", "") == []
 
 
 def test_the_statement() -> None:

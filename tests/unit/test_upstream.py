@@ -1,4 +1,5 @@
-"""Of when Debian's packages are: by its lists of packages, and not by the date that it writes several times a day."""
+"""Of when packages are: by an archive's lists of packages, and not by the date that it writes several times a day; of ROS's
+own repository by its date."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ from conftest import WHEELS, changed, parse
 
 from rosml import sync, upstream
 from rosml.errors import RosmlError
+from rosml.expand import Catalogue
 from rosml.model import Matrix
 
 RELEASE = """\
@@ -19,16 +21,27 @@ Date: {date}
 SHA256:
  {amd64} 12345678 main/binary-amd64/Packages
  {arm64} 12345677 main/binary-arm64/Packages
+ {universe} 12345675 universe/binary-amd64/Packages
  {other} 3456 main/binary-amd64/Packages.xz
  {other} 12345676 main/binary-armhf/Packages
  {other} 3456 contrib/binary-amd64/Packages
 """
-FACTS = {"date": "Sat, 21 Nov 2026 10:00:00 UTC", "amd64": "a" * 64, "arm64": "b" * 64, "other": "c" * 64}
-PATHS = [
-    "/debian/dists/bookworm/Release",
-    "/debian/dists/bookworm-updates/Release",
-    "/debian-security/dists/bookworm-security/Release",
-]
+FACTS = {"date": "Sat, 21 Nov 2026 10:00:00 UTC"} | {
+    name: letter * 64 for name, letter in (("amd64", "a"), ("arm64", "b"), ("other", "c"), ("universe", "f"))
+}
+DATE = "2026-11-20T21:14:09Z"
+SYNC = "/ros2/ubuntu/dists/noble/InRelease"
+ROWS = {"omega": "bookworm", "alpha": "noble", "sigma": "noble"}
+"""Rows whose ROS is the system's own, from ROS's repository, and from wheels: the suite that their system is of."""
+PATHS = {
+    suite: [
+        f"/debian/dists/{suite}/Release",
+        f"/debian/dists/{suite}-updates/Release",
+        f"/debian-security/dists/{suite}-security/Release",
+    ]
+    for suite in ("bookworm", "noble")
+}
+EVERY = [(row, path) for row, suite in ROWS.items() for path in PATHS[suite]]
 
 
 class Mirror(http.server.ThreadingHTTPServer):
@@ -61,7 +74,9 @@ def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
     for name in ("no_proxy", "NO_PROXY"):
         monkeypatch.setenv(name, "127.0.0.1")
     with Mirror(("127.0.0.1", 0), Handler) as server:
-        server.files, server.asked = {path: RELEASE.format(**FACTS).encode() for path in PATHS}, []
+        lists = RELEASE.format(**FACTS).encode()
+        server.files, server.asked = {path: lists for paths in PATHS.values() for path in paths}, []
+        server.files[SYNC] = b"Suite: noble\nDate: Fri, 20 Nov 2026 21:14:09 UTC\n"
         threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
         yield server
         server.shutdown()
@@ -69,33 +84,39 @@ def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
 
 def at(address: str, image: str = "docker.io/library/ubuntu:26.04") -> Matrix:
     """A matrix with a live row, one from wheels, and omega, whose ROS is the system's own: of an archive at that address."""
-    text = WHEELS.replace("http://debian.test", address).replace("docker.io/library/ubuntu:26.04", image)
+    text = changed("    codename: noble\n", "    codename: noble\n    archive: debian\n    suite: noble\n", WHEELS)
+    text = (
+        text.replace("http://debian.test", address)
+        .replace("http://ros.test", address)
+        .replace("docker.io/library/ubuntu:26.04", image)
+    )
     text = changed("    codename: resolute\n", "    archive: debian\n    suite: bookworm\n", text)
     return parse(changed("    apt: {channel: snapshot, date: 2026-11-01}\n", "", text)).matrix
 
 
-@pytest.mark.parametrize("path", PATHS)
-@pytest.mark.parametrize("what", ["amd64", "arm64"])
-def test_another_list_of_packages_is_another_state(mirror: Mirror, path: str, what: str) -> None:
-    """Of the release, its updates and its security, for either architecture."""
-    before = upstream.state(at(mirror.address), "omega", {})
-    assert before.startswith("debian bookworm ") and sorted(mirror.asked) == sorted(PATHS)
-    assert upstream.state(at(mirror.address), "omega", {}) == before
+@pytest.mark.parametrize(("row", "path"), EVERY)
+@pytest.mark.parametrize("what", ["amd64", "arm64", "universe"])
+def test_another_list_of_packages_is_another_state(mirror: Mirror, row: str, path: str, what: str) -> None:
+    """Of the release, its updates and its security, for either architecture; wherever a row's ROS is from, its images have
+    packages of the system."""
+    before = upstream.state(at(mirror.address), row, {})
+    assert f"debian {ROWS[row]} " in before
+    assert sorted(mirror.asked) == sorted([*PATHS[ROWS[row]], *([SYNC] if row == "alpha" else [])])
+    assert upstream.state(at(mirror.address), row, {}) == before
     mirror.files[path] = RELEASE.format(**FACTS | {what: "d" * 64}).encode()
-    assert upstream.state(at(mirror.address), "omega", {}) != before
+    assert upstream.state(at(mirror.address), row, {}) != before
 
 
-def test_another_date_alone_is_none(mirror: Mirror) -> None:
+@pytest.mark.parametrize("row", ROWS)
+def test_another_date_alone_is_none(mirror: Mirror, row: str) -> None:
     """Nor are the lists of packages that no image is installed from."""
-    before = upstream.state(at(mirror.address), "omega", {})
-    mirror.files = {
-        path: RELEASE.format(**FACTS | {"date": "Sun, 22 Nov 2026 16:00:00 UTC", "other": "e" * 64}).encode()
-        for path in PATHS
-    }
-    assert upstream.state(at(mirror.address), "omega", {}) == before
+    before = upstream.state(at(mirror.address), row, {})
+    later = RELEASE.format(**FACTS | {"date": "Sun, 22 Nov 2026 16:00:00 UTC", "other": "e" * 64}).encode()
+    mirror.files |= {path: later for paths in PATHS.values() for path in paths}
+    assert upstream.state(at(mirror.address), row, {}) == before
 
 
-@pytest.mark.parametrize("path", PATHS)
+@pytest.mark.parametrize(("row", "path"), EVERY)
 @pytest.mark.parametrize(
     ("body", "words"),
     [
@@ -104,13 +125,13 @@ def test_another_date_alone_is_none(mirror: Mirror) -> None:
         (b"\xff", "names"),
     ],
 )
-def test_what_is_not_there_is_an_error(mirror: Mirror, path: str, body: bytes | None, words: str) -> None:
+def test_what_is_not_there_is_an_error(mirror: Mirror, row: str, path: str, body: bytes | None, words: str) -> None:
     """And no state, as which it would have everything built anew."""
     mirror.files.pop(path)
     if body is not None:
         mirror.files[path] = body
     with pytest.raises(RosmlError, match=words) as caught:
-        upstream.state(at(mirror.address), "omega", {})
+        upstream.state(at(mirror.address), row, {})
     assert path in caught.value.message and caught.value.remedy
 
 
@@ -131,19 +152,43 @@ def test_a_copy_of_the_base_image_is_watched_too(mirror: Mirror) -> None:
     assert upstream.state(copied, "omega", {}) == upstream.state(at(mirror.address), "omega", {})
 
 
-def test_what_packages_come_from() -> None:
-    """As the provenance of an image names it."""
-    assert upstream.repository(at("http://debian.test"), "omega") == "http://debian.test"
-    assert upstream.repository(at("http://debian.test"), "alpha") == "http://ros.test/ros2/ubuntu"
+def test_each_repository_has_its_own_state(mirror: Mirror) -> None:
+    """As the provenance of an image names them; the build fails where ROS's is of another date by then."""
+    matrix = at(mirror.address)
+    found = upstream.state(matrix, "alpha", {})
+    ros, archive = found.split(", ")
+    assert upstream.ros_date(found) == upstream.ros_date(DATE) == ros == DATE
+    assert upstream.repositories(matrix, "alpha", found) == [
+        (f"{mirror.address}/ros2/ubuntu", DATE),
+        (mirror.address, archive),
+    ]
+    own = upstream.state(matrix, "omega", {})
+    assert upstream.ros_date(own) == upstream.ros_date("") == ""
+    assert upstream.repositories(matrix, "omega", own) == [(mirror.address, own)]
+    assert upstream.repositories(matrix, "omega", "") == []
 
 
-def test_where_no_repository_decides(mirror: Mirror) -> None:
-    """Wheels are locked: nobody is asked."""
-    assert upstream.state(at(mirror.address), "sigma", {}) == ""
-    assert mirror.asked == []
+def test_a_system_without_an_archive(mirror: Mirror) -> None:
+    """Nobody is asked for it, and ROS's own repository decides alone."""
+    matrix = parse(WHEELS.replace("http://ros.test", mirror.address)).matrix
+    assert upstream.state(matrix, "alpha", {}) == DATE
+    assert upstream.state(matrix, "sigma", {}) == ""
+    assert mirror.asked == [SYNC]
 
 
-def test_ros_repositories_say_their_date(monkeypatch: pytest.MonkeyPatch, mirror: Mirror) -> None:
-    monkeypatch.setattr(sync, "published", lambda source, _: f"the date of {source.address}")
-    assert upstream.state(at(mirror.address), "alpha", {}) == "the date of http://ros.test/ros2/ubuntu"
-    assert mirror.asked == []
+def test_a_fixed_package_reaches_every_row(real: Catalogue, mirror: Mirror) -> None:
+    """Security's lists, those of updates and the release are asked for, for each row whose system names an archive."""
+    lists = mirror.files[PATHS["noble"][0]]
+    for row, facts in real.matrix.distributions.items():
+        mirror.files, mirror.asked = {}, []
+        environ = dict.fromkeys(("OS_APT_MIRROR", "ROS_APT_MIRROR"), mirror.address)
+        system = real.matrix.operating_systems[facts.os]
+        urls = list(upstream.releases(real.matrix, facts.os, environ))
+        mirror.files |= {url.removeprefix(mirror.address): lists for url in urls}
+        if source := sync.source(real.matrix, row, {}):
+            path = source.address.removeprefix("http:/")
+            mirror.files[f"{path}/dists/{source.codename}/InRelease"] = b"Date: Fri, 20 Nov 2026 21:14:09 UTC\n"
+        assert upstream.state(real.matrix, row, environ), row
+        asked = {path.split("/dists/")[1] for path in mirror.asked if path.endswith("/Release")}
+        wanted = {f"{system.suite}{pocket}/Release" for pocket in ("", "-updates", "-security")}
+        assert asked == (wanted if system.archive else set()), row
