@@ -233,7 +233,7 @@ def _abstract(catalogue: Catalogue) -> Iterator[Target]:
         ),
     }
     yield "_image", {"inherits": ["_common"], "labels": common}
-    assembler = Expression(names.os_variable(next(iter(catalogue.matrix.operating_systems))))
+    assembler = Expression(names.os_variable(catalogue.matrix.default.assembler))
     test = {"inherits": ["_common"], "target": "test", "contexts": {"os": assembler}, "output": ["type=cacheonly"]}
     yield "_test", test
     listing = {"inherits": ["_common"], "target": "file-list", "contexts": {"os": assembler}}

@@ -37,7 +37,8 @@ class Payload:
         part: `cuda`, `common`, `torch`, `tensorflow-cc` or `tensorflow`.
         stack: name of the stack.
         python: version of Python, `any` where the part is the same for all.
-        os: operating system that it is assembled on; one with that Python.
+        os: operating system that it is assembled on, one with that Python: the assembler of the matrix, or else the first
+            by name.
         architectures: those that images need it for.
         platforms: the same as BuildKit calls them.
         locks: its lock for each architecture, relative to the project's root.
@@ -483,9 +484,10 @@ def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tup
 
 
 def _payload(matrix: Matrix, part: Part, stack: str, python: str, architectures: tuple[str, ...]) -> Payload:
-    systems = list(matrix.operating_systems)
     pythons = _pythons(matrix, part, stack) if part in FOR_ANY_PYTHON else (python,)
-    os = next((name for name in systems if matrix.operating_systems[name].python in pythons), systems[0])
+    fitting = sorted(name for name, system in matrix.operating_systems.items() if system.python in pythons)
+    assembler = matrix.default.assembler
+    os = assembler if assembler in fitting or not fitting else fitting[0]
     if part in FOR_ANY_PYTHON:
         python = ANY_PYTHON
     return Payload(

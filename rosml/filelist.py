@@ -212,8 +212,8 @@ def _made(services: Services, catalogue: Catalogue, registry: Registry, reposito
     from rosml.publish import write_excerpt
 
     config: dict[str, Any] = registry.json_blob(repository, manifest.content["config"]["digest"])
-    os_name, system = next(iter(catalogue.matrix.operating_systems.items()))
-    base = base_images.ensure(services, system, say=lambda _: None)
+    os_name = catalogue.matrix.default.assembler
+    base = base_images.ensure(services, catalogue.matrix.operating_systems[os_name], say=lambda _: None)
     file = write_excerpt(services, catalogue, TARGET)
     (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:

@@ -128,9 +128,12 @@ class Facts(BaseModel):
 
 
 class Default(Facts):
-    """What is built when nothing is named."""
+    """What is taken when nothing is named."""
 
     target: Target = Field(description="the image that `make image` builds")
+    assembler: OsName = Field(
+        description="the operating system that assembles payloads for any Python, tests images and lists their files"
+    )
     group: Annotated[tuple[Target, ...], Field(min_length=1)] = Field(
         description="images of the bake file's `default` group: small and useful"
     )

@@ -191,7 +191,8 @@ def _base(services: Services, catalogue: Catalogue, payload: Payload, say: Calla
     if not services.mirror or base_images.debian_suite(system.image):
         reference = base_images.ensure(services, system, say=say)
         return Base(reference, system.python, reference)
-    debian = next((item for item in systems.values() if base_images.debian_suite(item.image)), None)
+    choice = [systems[catalogue.matrix.default.assembler], *(systems[name] for name in sorted(systems))]
+    debian = next((item for item in choice if base_images.debian_suite(item.image)), None)
     if debian is None:
         raise RosmlError(f"{system.image} is on Docker Hub, which does not answer", "use a machine that reaches it")
     reference = base_images.ensure(services, debian, say=say)

@@ -260,12 +260,12 @@ class Publisher:
         """
         assembled_on = {self.catalogue.payload_by_name[name].os for name in image.parts}
         systems = self.catalogue.matrix.operating_systems
-        first = next(iter(systems))  # what the tools of tests and the cuda part are assembled on
+        assembler = self.catalogue.matrix.default.assembler
         variables = {
             "REGISTRY": self.prefix,
             "PLATFORM": self.catalogue.matrix.architectures[self.architecture].platform,
         }
-        for name in sorted({image.os, first} | assembled_on):
+        for name in sorted({image.os, assembler} | assembled_on):
             reference = base_images.ensure(self.services, systems[name], self.architecture, self.say)
             variables[names.os_variable(name)] = f"docker-image://{reference}"
             if name == image.os:

@@ -30,6 +30,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
     for check in (
         _duplicates,
         _axes,
+        _default,
         _architectures,
         _operating_systems,
         _archives,
@@ -51,6 +52,13 @@ def _each(path: Path, kind: str, used: Iterable[str], known: Iterable[str]) -> I
     for index, name in enumerate(used):
         if name not in known:
             yield (*path, index), unknown(kind, name, known)
+
+
+def _default(matrix: Matrix) -> Iterator[Finding]:
+    """The assembler exists; images of `default` are looked for among all that the matrix allows."""
+    assembler = matrix.default.assembler
+    if assembler not in matrix.operating_systems:
+        yield ("default", "assembler"), unknown("operating system", assembler, matrix.operating_systems)
 
 
 def _duplicates(matrix: Matrix) -> Iterator[Finding]:

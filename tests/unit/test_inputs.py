@@ -170,14 +170,61 @@ def test_what_does_not_matter_does_not_count(name: str, project: Path) -> None:
     assert digests(project) == digests(project, changed(*INDIFFERENT[name]))
 
 
-def test_the_order_of_the_matrix_does_not_count(project: Path) -> None:
-    def turned(value: Any) -> Any:
-        return {key: turned(value[key]) for key in reversed(value)} if isinstance(value, dict) else value
+TWINS = SMALL.replace(
+    "components:\n  core:",
+    f"""\
+  another-24.04:
+    image: docker.io/library/ubuntu:24.04
+    digest: sha256:{"4" * 64}
+    python: "3.12"
+    numpy: "<2"
+    architectures: [amd64, arm64]
+    tools: colcon
+components:
+  core:""",
+    1,
+)
+"""The small matrix with a second operating system for one Python."""
 
-    data = yaml.safe_load(SMALL)
-    # The first operating system assembles what is the same for every Python.
-    shuffled = turned(data) | {"operating_systems": data["operating_systems"]}
-    assert digests(project) == digests(project, yaml.safe_dump(shuffled, sort_keys=False))
+
+def turned(value: Any) -> Any:
+    return {key: turned(value[key]) for key in reversed(value)} if isinstance(value, dict) else value
+
+
+def sorted_by_name(value: Any) -> Any:
+    return {key: sorted_by_name(value[key]) for key in sorted(value)} if isinstance(value, dict) else value
+
+
+@pytest.mark.parametrize("text", [SMALL, TWINS], ids=["small", "twins"])
+@pytest.mark.parametrize("order", [turned, sorted_by_name])
+def test_the_order_of_the_matrix_does_not_count(order: Callable[[Any], Any], text: str, project: Path) -> None:
+    """Of operating systems, distributions, stacks, frameworks, and of all else that has names."""
+    assert digests(project, text) == digests(project, yaml.safe_dump(order(yaml.safe_load(text)), sort_keys=False))
+
+
+def test_the_order_of_the_projects_own_matrix_does_not_count(real: Catalogue) -> None:
+    """For images, for payloads, and for what images are tested with."""
+
+    def found(catalogue: Catalogue) -> dict[tuple[str, str], str]:
+        inputs = Inputs(ROOT, catalogue)
+        targets = [(item.target, item.architectures) for item in items(catalogue)]
+        targets += [(image.test_target, image.architectures) for image in catalogue.images]
+        return {(target, name): inputs.digest(target, name) for target, names in targets for name in names}
+
+    data = yaml.safe_load((ROOT / "matrix.yaml").read_text())
+    for order in (turned, sorted_by_name):
+        again = parse(yaml.safe_dump(order(data), sort_keys=False))
+        again = expand.with_locks(again, expand.current_locks(again, ROOT))
+        assert found(again) == found(real), order.__name__
+
+
+def test_what_assembles_is_said_and_counts(project: Path, small: Catalogue) -> None:
+    """Another operating system for what is the same for every Python is another input of that, and of nothing else."""
+    assert {payload.os for payload in small.payloads if payload.part == "cuda"} == {"ubuntu-24.04"}
+    other = parse(changed("assembler: ubuntu-24.04", "assembler: ubuntu-26.04"))
+    assert {payload.os for payload in other.payloads if payload.part == "cuda"} == {"ubuntu-26.04"}
+    before, after = digests(project), digests(project, changed("assembler: ubuntu-24.04", "assembler: ubuntu-26.04"))
+    assert differing(before, after) == reached(small, False, {"cuda"})
 
 
 def on(system: str) -> Callable[[Catalogue], set[str]]:

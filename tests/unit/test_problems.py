@@ -16,6 +16,18 @@ ZEROS = "sha256:" + "1" * 64
 
 # What stands in the small matrix, what a user wrote instead, and all that is said about it.
 WRONG = {
+    "unknown assembler": (
+        "assembler: ubuntu-24.04",
+        "assembler: ubuntu-24.4",
+        "4:41: default.assembler: no operating system named 'ubuntu-24.4'; did you mean 'ubuntu-24.04' or "
+        "'ubuntu-26.04'?",
+    ),
+    "no assembler": (
+        "assembler: ubuntu-24.04, ",
+        "",
+        "4:1: default: 'assembler' is missing; add 'assembler: …' (the operating system that assembles payloads for any "
+        "Python, tests images and lists their files)",
+    ),
     "unknown name": (
         "os: ubuntu-24.04",
         "os: ubuntu-24.4",
