@@ -430,9 +430,9 @@ WRONG = {
     "default that nothing has, default that cannot be": (
         "[alpha-core]",
         "[alpha-cor, omega-robot]",
-        "4:49: default.group[0]: no image named 'alpha-cor'; did you mean 'alpha-core', 'alpha-core-ml-cu1' "
+        "4:74: default.group[0]: no image named 'alpha-cor'; did you mean 'alpha-core', 'alpha-core-ml-cu1' "
         "or 'alpha-core-ml-cpu'?\n"
-        "4:60: default.group[1]: omega-robot does not exist: omega (ROS 2) has no robot metapackage; "
+        "4:85: default.group[1]: omega-robot does not exist: omega (ROS 2) has no robot metapackage; "
         "it has core and base.",
     ),
     "operating systems that bake cannot tell apart": (
