@@ -31,6 +31,18 @@ Costs = dict[tuple[str, str], int]
 
 
 @dataclass(frozen=True)
+class Work:
+    """What is to be done, by target and architecture.
+
+    Attributes:
+        made: images and payloads that are built or composed. tested: images whose tests run.
+    """
+
+    made: frozenset[tuple[str, str]]
+    tested: frozenset[tuple[str, str]]
+
+
+@dataclass(frozen=True)
 class Unit:
     """What one machine has to build: a distribution's images on an architecture, in build order."""
 
@@ -75,13 +87,17 @@ class Plan:
     shards: tuple[Shard, ...]
 
 
-def plan(catalogue: Catalogue, shards: int, include: Callable[[Image], bool] = lambda image: True) -> Plan:
+def plan(
+    catalogue: Catalogue, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
+) -> Plan:
     """Deals a catalogue's images out to machines.
 
     Args:
         catalogue: all that the matrix describes.
         shards: how many machines there are, at most.
         include: whether an image is built. The ROS images that it stands on are built with it.
+        work: what is to be done; images and architectures without any get no machine, and times count nothing else. All that
+            is included if None. What a machine fetches and keeps is counted whole: tests need all of an image.
 
     Raises:
         RosmlError: there is no shard, there are fewer shards than architectures, there is nothing to build, or the matrix does not say
@@ -90,7 +106,7 @@ def plan(catalogue: Catalogue, shards: int, include: Callable[[Image], bool] = l
     if shards < 1:
         text = f"{shards} machines can build nothing"
         raise RosmlError(text, "say how many there are, one or more: make plan SHARDS=8", exit_code=2)
-    units = _units(catalogue, _rates(catalogue), include)
+    units = _units(catalogue, _rates(catalogue), include, work)
     if not units:
         raise RosmlError("no image can be built, so there is nothing to plan", "see why: make locks", exit_code=2)
     if shards < len(units):
@@ -131,28 +147,41 @@ def _runner(catalogue: Catalogue, architecture: str) -> str:
 # ---- Units -----------------------------------------------------------------------------------------------------------
 
 
-def _units(catalogue: Catalogue, rates: Rates, include: Callable[[Image], bool]) -> dict[str, list[Unit]]:
+def _units(
+    catalogue: Catalogue, rates: Rates, include: Callable[[Image], bool], work: Work | None
+) -> dict[str, list[Unit]]:
     """Units by architecture, both in the order of the matrix; architectures without any are left out."""
     members: dict[str, dict[str, list[Image]]] = {name: {} for name in catalogue.matrix.architectures}
     for image in filter(include, catalogue.images):
         for architecture in image.architectures:
-            members[architecture].setdefault(image.distribution, []).append(image)
+            if work is None or (image.target, architecture) in work.made | work.tested:
+                members[architecture].setdefault(image.distribution, []).append(image)
     return {
-        architecture: [_unit(catalogue, rates, name, images) for name, images in distributions.items()]
+        architecture: [
+            _unit(catalogue, rates, name, images, architecture, work) for name, images in distributions.items()
+        ]
         for architecture, distributions in members.items()
         if distributions
     }
 
 
-def _unit(catalogue: Catalogue, rates: Rates, distribution: str, images: list[Image]) -> Unit:
+def _unit(
+    catalogue: Catalogue, rates: Rates, distribution: str, images: list[Image], architecture: str, work: Work | None
+) -> Unit:
     ordered = _ordered(catalogue, images)
-    packages = sum(_own(catalogue, image).unpacked for image in ordered if image.stack is None)
-    costs: Costs = {
-        ("distribution", distribution): _divided(packages, rates.packages) + rates.test * len(ordered),
-        ("os", ordered[0].os): _divided(catalogue.matrix.disk.os.unpacked, rates.packages),
-    }
-    for name in _payloads(ordered):
-        costs["payload", name] = _divided(catalogue.payload_by_name[name].disk.unpacked, rates.payloads)
+
+    def made(target: str) -> bool:
+        return work is None or (target, architecture) in work.made
+
+    ros = [image for image in ordered if image.stack is None and made(image.target)]
+    tests = sum(work is None or (image.target, architecture) in work.tested for image in ordered)
+    packages = sum(_own(catalogue, image).unpacked for image in ros)
+    costs: Costs = {("distribution", distribution): _divided(packages, rates.packages) + rates.test * tests}
+    if any(image.parent not in catalogue.by_target for image in ros):
+        costs["os", ordered[0].os] = _divided(catalogue.matrix.disk.os.unpacked, rates.packages)
+    for payload in (catalogue.payload_by_name[name] for name in _payloads(ordered)):
+        if made(payload.target):
+            costs["payload", payload.name] = _divided(payload.disk.unpacked, rates.payloads)
     return Unit(distribution, ordered, costs)
 
 

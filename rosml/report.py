@@ -27,16 +27,19 @@ def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
     """plan.json: what is to be done, and which machine builds what."""
     found = tasks(pipeline)
     agenda = pipeline.agenda
-    # What is only to be tested needs a machine as well. A scan needs none of a kind.
-    building = {task.item.target for task in found if {*task.steps} - {"scan"}}
-    matrix = agenda.catalogue.matrix
     dealt: list[dict[str, Any]] = []
-    if building and matrix.rates:
+    # What is only to be tested needs a machine as well. A scan needs none of a kind.
+    here = [task for task in found if task.item.architecture in agenda.architectures]
+    work = plan.Work(
+        frozenset(task.item.key for task in here if task.item.making in task.steps),
+        frozenset(task.item.key for task in here if "test" in task.steps),
+    )
+    wanted = {image.target for image in agenda.images}
+    architectures = {name for target, name in work.made | work.tested if target in wanted}
+    if architectures and agenda.catalogue.matrix.rates:
         # By architecture: a machine of each kind, however few images there are.
-        wanted = {image.target for image in agenda.images if image.target in building}
-        here = {task.item.architecture for task in found if {*task.steps} - {"scan"}}
-        made = plan.plan(agenda.catalogue, max(shards, len(matrix.architectures)), lambda image: image.target in wanted)
-        dealt = [plan.facts(shard) for shard in made.shards if shard.architecture in here]
+        made = plan.plan(agenda.catalogue, max(shards, len(architectures)), lambda image: image.target in wanted, work)
+        dealt = [plan.facts(shard) for shard in made.shards]
     content = {
         "version": PLAN_FORMAT,
         "date": agenda.date,

@@ -113,6 +113,30 @@ def test_what_is_only_to_be_tested_has_a_machine(registry: Place, catalogue: Cat
     assert tested <= {target for shard in plan["shards"] for target in shard["targets"]}
 
 
+def test_all_machines_build_what_is_served(registry: Place, catalogue: Catalogue) -> None:
+    run = registry.run(catalogue, architectures=("amd64",), serving=("amd64",))
+    shards = json.loads(report.plan_json(run, 2, why=False))["shards"]
+    assert [shard["name"] for shard in shards] == ["amd64-1", "amd64-2"]
+
+
+def test_estimates_count_what_is_built_and_tested(registry: Place, catalogue: Catalogue, project: Path) -> None:
+    """One part changed: its payloads, and tests of the images that have it; no ROS image, no other payload."""
+    registry.publish(catalogue)
+    script = project / "components/torch/files.sh"
+    script.write_text(script.read_text() + "# a change\n")
+    plan, _ = content(registry, catalogue, date=NEXT)
+    rates = catalogue.matrix.rates
+    assert rates and plan["shards"]
+    for shard in plan["shards"]:
+        tasks = [task for task in plan["tasks"] if task["architecture"] == shard["architecture"]]
+        tested = [task for task in tasks if "test" in task["steps"] and task["target"] in shard["targets"]]
+        built = [task["target"].removeprefix("payload-") for task in tasks if "build" in task["steps"]]
+        sizes = [catalogue.payload_by_name[name].disk.unpacked for name in built if name in shard["payloads"]]
+        assert tested and sizes
+        seconds = sum(-(-size // rates.payloads) for size in sizes) + rates.test * len(tested)
+        assert shard["estimates"]["seconds"] == seconds
+
+
 def test_what_is_only_to_be_scanned_needs_none(registry: Place, catalogue: Catalogue) -> None:
     registry.publish(catalogue)
     plan, _ = content(registry, catalogue, date=NEXT, scanning="sha256:1")
