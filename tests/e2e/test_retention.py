@@ -172,7 +172,7 @@ def test_every_kept_tag_pulls_after_pruning(project: Mini, tmp_path: Path) -> No
         mini.check()
         assert pull(mini, tmp_path / "pulled") == len(mini.tags()) >= 4
         plan = json.loads(mini.publish("plan", *ONLY, "--serve", HERE, "--json").out)
-        assert plan["tasks"] == [], "pruning took what the next run needs"
+        assert not [task for task in plan["tasks"] if task["steps"]], "pruning took what the next run needs"
 
 
 def stored(folder: Path) -> int:
@@ -182,9 +182,9 @@ def stored(folder: Path) -> int:
 
 @pytest.fixture(scope="module")
 def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[oci.Registry]:
-    with secure.plain(tmp_path_factory.mktemp("calls") / "registry", deletes=True) as address:
-        with oci.Registry(address) as found:
-            yield found
+    folder = tmp_path_factory.mktemp("calls") / "registry"
+    with secure.plain(folder, deletes=True) as address, oci.Registry(address) as found:
+        yield found
 
 
 @pytest.mark.parametrize("name", CALLS)
