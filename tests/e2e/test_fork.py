@@ -20,6 +20,7 @@ def raise_an_action(fork: Path) -> None:
 
 
 @pytest.mark.full(proof="fork")
+@pytest.mark.timeout(3600)
 def test_a_fork_by_the_documentation_passes_its_own_tests(tmp_path: Path) -> None:
     """docs/extend.md, then docs/nightly.md: an own set, published to an own registry."""
     fork = walk.clone(tmp_path)
