@@ -114,6 +114,13 @@ def own_set(project: Path) -> str:
     return follow(project, OWN_SET)
 
 
+def set_up(project: Path) -> None:
+    """Installs uv and the Python packages in a clone, as every `make` command does first: tests read what `make` prints."""
+    argv = ["python3", "scripts/bootstrap.py", "tools", "--python"]
+    done = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def unit_tests(project: Path, *files: str, processes: int = 0) -> subprocess.CompletedProcess[str]:
     """Runs a project's unit tests, or some files of them, in a child process."""
     argv = [sys.executable, "-m", "pytest", "--quiet", "-o", "log_cli=false", *(files or ["tests/unit"])]

@@ -30,6 +30,7 @@ def test_a_fork_by_the_documentation_passes_its_own_tests(tmp_path: Path) -> Non
     assert [name for state, name in changed if state != "M" or name.startswith(("tests/", ".github/"))] == []
     walk.git(fork, "commit", "--quiet", "--all", "--message", "a set of our own")
     raise_an_action(fork)
+    walk.set_up(fork)
     done = walk.unit_tests(fork, processes=2)
     assert done.returncode == 0, done.stdout
     found = re.search(r"(\d+) passed", done.stdout)
