@@ -72,7 +72,7 @@ PAGE := $(RUN) pytest --numprocesses=2 --dist=worksteal tests/page
 # As many tests at a time as there are processors, which take them from one another in the end.
 BESIDE := --numprocesses=auto --dist=worksteal
 
-.PHONY: help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner signer room publish standing catalogue down clean status docs
+.PHONY: help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner test-scanner signer test-signer room publish standing catalogue down clean status docs
 
 help: ## this list
 	@python3 tools/make_help.py
@@ -128,8 +128,16 @@ emulation: up ## let this machine build and test for the other architecture too:
 scanner: ## trivy, which looks for known vulnerabilities in images; building it takes 10 minutes, once
 	@$(BOOTSTRAP) scanner
 
+test-scanner: ## that trivy finds what it must in a small image, in a registry with a password: before a scan relies on it
+	@$(BOOTSTRAP) scanner --tests
+	@$(RUN) pytest tests/e2e/test_scanner.py
+
 signer: ## cosign, which signs images where publish.py is called with --sign; building it takes a quarter of an hour, once
 	@$(BOOTSTRAP) signer
+
+test-signer: ## that cosign signs with a key, in a registry with a password: before tags rely on it
+	@$(BOOTSTRAP) signer --tests
+	@$(RUN) pytest tests/e2e/test_signer.py
 
 client: ## set up for commands that only read or write a registry: no builder, no local registry
 	@$(BOOTSTRAP) client

@@ -422,7 +422,7 @@ class Call:
 
     def pipeline(self) -> Pipeline:
         """The run, after the registry and the repositories of packages were asked how things are."""
-        from rosml import agenda, expand, oci, policy
+        from rosml import agenda, certificates, expand, oci, policy
         from rosml import pipeline as running
         from rosml.services import Services
         from rosml.signer import Signer
@@ -446,7 +446,7 @@ class Call:
                 raise click.UsageError("--since says which images; leave --only out")
             self.only = self.changed(catalogue)
         place = running.destination(self.registry or services.place)
-        signer = Signer.find(ROOT, services.environment()) if self.sign else None  # told before anything is built
+        signer = Signer.find(ROOT, certificates.trusting(services)) if self.sign else None  # told before anything is built
         client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
         date = running.checked_date(self.date) if self.date else running.now()
         if not self.force:

@@ -49,6 +49,7 @@ def test_a_night_in_which_nothing_fails(tmp_path: Path) -> None:
         assert f"uv run scripts/publish.py test --plan plan.json --shard {shard}" in played.commands["images"]
     assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
     assert "signer" not in steps(played, "promote")
+    assert steps(played, "scan") == ["client", "scanner", "test-scanner", "scan"]
     place = "--registry ghcr.io/somebody/images"
     assert place in played.commands["plan"][-1] and place in played.commands["prune"][-1]
     assert "--serve  --only  " in played.commands["plan"][-1] and "--shards 24 " in played.commands["plan"][-1]
@@ -82,6 +83,24 @@ def test_a_scan_that_fails_is_recorded(tmp_path: Path) -> None:
     assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
 
 
+def test_a_scanner_that_does_not_find_what_it_must(tmp_path: Path) -> None:
+    """Nothing is scanned with it, and nothing gets a tag that needs a scan."""
+    make = '[ "$1" != test-scanner ]'
+    played = play(workflow("nightly"), tmp_path, {"make": make, "uv": f"FAILING='' SHARDS_PLANNED='[]'\n{UV}"})
+    assert played.results["scan"] == "failure"
+    assert "scan" not in steps(played, "scan")
+    assert "record" not in steps(played, "promote")
+
+
+def test_a_signer_that_does_not_sign(tmp_path: Path) -> None:
+    """No index is made, and no tag moves."""
+    make = '[ "$1" != test-signer ]'
+    programs = {"make": make, "uv": f"FAILING='' SHARDS_PLANNED='[]'\n{UV}"}
+    played = play(workflow("nightly"), tmp_path, programs, variables={"ROSML_SIGN": "true"})
+    assert played.results["promote"] == "failure"
+    assert not {"index", "promote"} & set(steps(played, "promote"))
+
+
 def test_results_of_a_scan_that_never_arrive(tmp_path: Path) -> None:
     """Images that need a scan wait, as the publisher sees to; what was scanned before can get its tags."""
     played = night(tmp_path, lost="scan")
@@ -104,7 +123,9 @@ def test_signing_is_a_variable_of_the_repository(tmp_path: Path, value: str, sig
     uv = f"FAILING='' SHARDS_PLANNED='[]'\n[ \"${{3:-}}\" != promote ] || [ \"$ROSML_SIGN\" = '{value}' ]\n{UV}"
     played = play(workflow("nightly"), tmp_path, {"make": ":", "uv": uv}, variables={"ROSML_SIGN": value})
     assert ("signer" in steps(played, "promote")) is signed
-    assert ("Signer" in played.steps["promote"]) is signed
+    assert ("test-signer" in steps(played, "promote")) is signed
+    assert len(played.caches) == 1 + signed, "of the scan, and of the signer"
+    assert all(line.endswith(" .state/bin") for line in played.caches)
     assert played.results["promote"] == "success"
 
 

@@ -166,7 +166,7 @@ def test_variables_of_make_are_known_to_it() -> None:
 BUILDERS = {("ci", "images"), ("ci", "test"), ("nightly", "images"), ("proofs", "all")}
 """Jobs that build images: the others need no builder and no local registry, whose programs take minutes to build."""
 
-FROM_SOURCE = {"up", "publish", "test", "test-all", "scanner", "signer", "lint", "unit"}
+FROM_SOURCE = {"up", "publish", "test", "test-all", "scanner", "test-scanner", "signer", "test-signer", "lint", "unit"}
 """Targets of make that build programs from their Go modules."""
 
 
@@ -255,7 +255,7 @@ def test_the_scanner_may_not_publish() -> None:
     for step in RUNS:
         argv = words(step)
         permissions = PERMISSIONS[step.workflow, step.job]
-        if "scanner" in argv or argv[2:4] == ["scripts/publish.py", "scan"]:
+        if {"scanner", "test-scanner"} & set(argv) or argv[2:4] == ["scripts/publish.py", "scan"]:
             assert "write" not in permissions.values()
         if argv[2:3] == ["scripts/publish.py"]:
             assert (argv[3] in WRITERS) == (permissions.get("packages") == "write") or argv[3] == "status"
@@ -263,11 +263,21 @@ def test_the_scanner_may_not_publish() -> None:
                 assert "--output" in argv, "or it would write into the registry"
 
 
+def test_scanner_and_signer_are_tested_before_a_night_relies_on_them() -> None:
+    for job, name, use in (("scan", "scanner", "scan"), ("promote", "signer", "index")):
+        told = [words(step) for step in RUNS if (step.workflow, step.job) == ("nightly", job)]
+        (proof,) = [number for number, argv in enumerate(told) if argv == ["make", f"test-{name}"]]
+        (first,) = [number for number, argv in enumerate(told) if argv[3:4] == [use]]
+        assert proof < first
+
+
 def test_one_variable_says_whether_indexes_are_signed() -> None:
     """It installs the signer, and has the commands sign; nobody else shows who they are."""
     job = load("nightly")["jobs"]["promote"]
     (install,) = [step for step in job["steps"] if step.get("run") == "make signer"]
     assert install["if"] == "${{ vars.ROSML_SIGN == 'true' }}"
+    (proof,) = [step for step in job["steps"] if step.get("run") == "make test-signer"]
+    assert proof["if"] == install["if"]
     assert job["env"] == {"ROSML_SIGN": "${{ vars.ROSML_SIGN }}"}
     for name in ("index", "promote"):
         (option,) = [item for item in publish.cli.commands[name].params if item.name == "sign"]
@@ -334,7 +344,8 @@ def test_one_image_blocks_only_itself() -> None:
     for step in RUNS:
         argv = words(step)
         if argv[2:3] == ["scripts/publish.py"] and argv[3] in WRITERS - {"build", "record"}:
-            assert step.content["if"] == "${{ !cancelled() }}"
+            unsigned = " && steps.signer.outcome != 'failure'" if argv[3] in ("index", "promote") else ""
+            assert step.content["if"] == f"${{{{ !cancelled(){unsigned} }}}}"
 
 
 def test_the_date_is_chosen_once() -> None:

@@ -14,6 +14,7 @@ import sys
 import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from types import FrameType
 from typing import Any, Callable, NoReturn
@@ -245,22 +246,32 @@ def browser(state: State) -> None:
     installer.debian_packages(browser_packages())
 
 
-def scanner(state: State) -> None:
-    """Command ``scanner``."""
+def scanner(state: State, tests: bool = False) -> None:
+    """Command ``scanner``. ``tests``: also what its tests need."""
     installer = Installer(state, network.ca_bundle(os.environ))
     path = installer.found_exactly(TRIVY, ["--version"]) or installer.go_tool(TRIVY)
+    if tests:
+        for_tests(installer)
     installer.drop_go_caches()
     installer.report()
     write_atomically(state.scanner, json.dumps({"trivy": path}, indent=2) + "\n")
 
 
-def signer(state: State) -> None:
-    """Command ``signer``."""
+def signer(state: State, tests: bool = False) -> None:
+    """Command ``signer``. ``tests``: also what its tests need."""
     installer = Installer(state, network.ca_bundle(os.environ))
     path = installer.found_exactly(COSIGN, ["version"]) or installer.go_tool(COSIGN)
+    if tests:
+        for_tests(installer)
     installer.drop_go_caches()
     installer.report()
     write_atomically(state.signer, json.dumps({"cosign": path}, indent=2) + "\n")
+
+
+def for_tests(installer: Installer) -> None:
+    """What tests of the scanner and the signer need: a registry's program, and pytest."""
+    installer.go_tool(REGISTRY)
+    installer.packages(installer.uv(OLDEST_UV))
 
 
 def prepare(state: State, tests: bool = False) -> tuple[Tools, bool, str]:
@@ -460,6 +471,8 @@ def parser() -> argparse.ArgumentParser:
     found["tools"].add_argument(
         "--python", action="store_true", help="only uv and the Python packages: enough for linters and lists"
     )
+    for name in ("scanner", "signer"):
+        found[name].add_argument("--tests", action="store_true", help="also what its tests need: a registry, and pytest")
     found["status"].add_argument("--json", action="store_true", help="for machines")
     return top
 
@@ -507,6 +520,8 @@ def main(root: Path, argv: Sequence[str]) -> int:
             "clean": clean,
         }
         work = python_tools if getattr(arguments, "python", False) else table[arguments.command]
+        if getattr(arguments, "tests", False):
+            work = partial(work, tests=True)
         if work in (down, clean) and not state.folder.exists():
             work(state)
             return 0
