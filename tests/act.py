@@ -21,7 +21,10 @@ from rosml import ROOT
 TOKEN = "ghs_0123456789abcdef0123456789abcdef"
 """The job's own token; act writes *** where it is printed."""
 
-UPLOAD = 'mkdir -p "$ARTIFACTS/$NAME"; for path in $PATHS; do if [ -e "$path" ]; then cp -a --parents "$path" "$ARTIFACTS/$NAME/"; fi; done'
+UPLOAD = """\
+for path in $PATHS; do
+  if [ -e "$path" ]; then mkdir -p "$ARTIFACTS/$NAME"; cp -a --parents "$path" "$ARTIFACTS/$NAME/"; fi
+done"""
 DOWNLOAD = '[ -d "$ARTIFACTS/$NAME" ]; case " $LOST " in *" $NAME "*) exit 1 ;; esac; mkdir -p "${PATHS:-.}"; cp -a "$ARTIFACTS/$NAME/." "${PATHS:-.}"'
 
 ACTIONS = {
