@@ -446,7 +446,9 @@ class Call:
                 raise click.UsageError("--since says which images; leave --only out")
             self.only = self.changed(catalogue)
         place = running.destination(self.registry or services.place)
-        signer = Signer.find(ROOT, certificates.trusting(services)) if self.sign else None  # told before anything is built
+        signer = (
+            Signer.find(ROOT, certificates.trusting(services)) if self.sign else None
+        )  # told before anything is built
         client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
         date = running.checked_date(self.date) if self.date else running.now()
         if not self.force:

@@ -472,7 +472,9 @@ def parser() -> argparse.ArgumentParser:
         "--python", action="store_true", help="only uv and the Python packages: enough for linters and lists"
     )
     for name in ("scanner", "signer"):
-        found[name].add_argument("--tests", action="store_true", help="also what its tests need: a registry, and pytest")
+        found[name].add_argument(
+            "--tests", action="store_true", help="also what its tests need: a registry, and pytest"
+        )
     found["status"].add_argument("--json", action="store_true", help="for machines")
     return top
 
