@@ -146,7 +146,7 @@ def test_the_proof_is_there(command: str) -> None:
         ),
         ("make publish", "tests/unit/test_bench.py::test_numbers", "all"),
         ("make scanner", "tests/unit/test_bench.py::test_numbers", "scanner"),
-        ("cosign verify --key x", "tests/e2e/test_attached.py::test_signatures", "never skipped"),
+        ("make up", "tests/e2e/test_ros.py::test_a_base_image_is_the_same_wherever_it_is_made", "never skipped"),
         (
             "uv run scripts/publish.py prune --apply",
             "tests/unit/test_built.py::test_results_of_a_checkout_are_recorded",
