@@ -115,6 +115,7 @@ class Agenda:
         architectures: those that this run works for.
         force: everything is made anew. scanning: whether images are scanned; a digest of the policy.
         date: of the run. forced: what was made anew in this run already.
+        whole: what images stand on is there for all of its architectures, and not for theirs alone: to judge its index.
         restored: inputs by name of the entries that the ledger lacks, and that were found beside their images.
         remarks: what people should know, such as a repository that does not answer.
     """
@@ -130,6 +131,7 @@ class Agenda:
     force: bool = False
     scanning: str = ""
     date: str = ""
+    whole: bool = False
     remarks: list[str] = field(default_factory=list)
     restored: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
     forced: set[tuple[str, str]] = field(default_factory=set)
@@ -141,19 +143,21 @@ class Agenda:
         payloads: dict[tuple[str, str], Item] = {}
         joined: dict[tuple[str, str], Item] = {}
         for image in self.images:
-            for architecture in image.architectures:
-                chain = [image] if image.stack is None else []
-                below = self.catalogue.by_target.get(image.parent)
-                while below:
-                    chain.append(below)
-                    below = self.catalogue.by_target.get(below.parent)
+            chain = [image] if image.stack is None else []
+            below = self.catalogue.by_target.get(image.parent)
+            while below:
+                chain.append(below)
+                below = self.catalogue.by_target.get(below.parent)
+            parts = [self.catalogue.payload_by_name[name] for name in image.parts]
+            for architecture in self.catalogue.matrix.architectures if self.whole else image.architectures:
                 for link in reversed(chain):
-                    below_it = (link.parent,) if link.parent in self.catalogue.by_target else ()
-                    ros.setdefault((link.target, architecture), Item(link, architecture, below_it))
-                if image.stack:
-                    parts = [self.catalogue.payload_by_name[name] for name in image.parts]
-                    for part in parts:
+                    if architecture in link.architectures:
+                        below_it = (link.parent,) if link.parent in self.catalogue.by_target else ()
+                        ros.setdefault((link.target, architecture), Item(link, architecture, below_it))
+                for part in parts:
+                    if architecture in part.architectures:
                         payloads.setdefault((part.target, architecture), Item(part, architecture, ()))
+                if image.stack and architecture in image.architectures:
                     needs = (image.parent, *(part.target for part in parts))
                     joined[image.target, architecture] = Item(image, architecture, needs)
         return (*ros.values(), *payloads.values(), *joined.values())
@@ -368,6 +372,7 @@ def survey(
     date: str = "",
     inputs: Inputs | None = None,
     upstream: Mapping[str, str] | None = None,
+    whole: bool = False,
 ) -> Agenda:
     """Asks the registry and the repositories of packages how things are.
 
@@ -383,6 +388,7 @@ def survey(
         inputs: of the catalogue's targets, where they were read before.
         upstream: of when the packages of distributions are, by a plan. All steps of a run take them to be of one moment:
             what moves between two of them is the next run's.
+        whole: what images stand on is judged for all of its architectures.
 
     Raises:
         RosmlError: the registry does not answer, or there is no such image or architecture.
@@ -401,6 +407,7 @@ def survey(
         force,
         scanning,
         date=date,
+        whole=whole,
     )
     agenda.inputs.check()
     book = Ledger(registry, prefix)

@@ -48,8 +48,13 @@ class Services:
     mirror: bool
 
     @classmethod
-    def load(cls, root: Path) -> Services:
+    def load(cls, root: Path, required: bool = True) -> Services:
         """Reads the services of a checkout.
+
+        Args:
+            root: the checkout.
+            required: they have to be there. Otherwise, where they were never started: the facts of a machine without
+                any, for commands that only read another registry.
 
         Raises:
             RosmlError: they were not started, or the file is damaged.
@@ -71,6 +76,8 @@ class Services:
                 mirror=bool(facts["mirror"]),
             )
         except FileNotFoundError:
+            if not required:
+                return cls(root, "", (), "", "", None, "", "", os.environ.get("SSL_CERT_FILE", ""), mirror=False)
             raise RosmlError("the local registry and the builder are not up", REMEDY) from None
         except OSError as error:
             raise RosmlError(f"cannot read {path}: {error.strerror}", REMEDY) from None

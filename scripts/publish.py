@@ -420,8 +420,13 @@ class Call:
         place = destination(self.registry)
         return oci.Registry(place.host, ca_bundle=ca_bundle), place.prefix
 
-    def pipeline(self) -> Pipeline:
-        """The run, after the registry and the repositories of packages were asked how things are."""
+    def pipeline(self, reading: bool = False) -> Pipeline:
+        """The run, after the registry and the repositories of packages were asked how things are.
+
+        Args:
+            reading: nothing will be made. What images stand on is judged for all of its architectures, and with a
+                registry named, no service of this machine is needed.
+        """
         from rosml import agenda, certificates, expand, oci, policy
         from rosml import pipeline as running
         from rosml.services import Services
@@ -429,7 +434,7 @@ class Call:
 
         started = time.monotonic()
         catalogue = expand.load(self.matrix, ROOT)
-        services = Services.load(ROOT)
+        services = Services.load(ROOT, required=not (reading and self.registry))
         upstream: Mapping[str, str] = {}
         if self.plan_file:
             plan = running.read_plan(self.plan_file, self.shard)
@@ -465,6 +470,7 @@ class Call:
             scanning,
             date,
             upstream=upstream,
+            whole=reading,
         )
         for remark in found.remarks:
             say(remark)
@@ -676,6 +682,8 @@ def record(file: Path, **options: Any) -> None:
 def status(**options: Any) -> None:
     """Shows how every image stands: published, stale, failed, missing, unlocked or unbuildable here; and why.
 
+    With --registry, it needs that registry alone: no 'make up'.
+
     \b
     Examples:
       uv run scripts/publish.py status --only 'bookworm-*'
@@ -685,7 +693,7 @@ def status(**options: Any) -> None:
     from rosml.pipeline import now
 
     call = Call(**options)
-    pipeline = call.pipeline()
+    pipeline = call.pipeline(reading=True)
     found = list(standing.standings(pipeline.agenda, pipeline.registry, pipeline.prefix, now(), pipeline.serving))
     if call.as_json:
         click.echo(standing.as_json(found))
