@@ -63,6 +63,13 @@ $(error nothing was done)
 endif
 endif
 
+# So is a word that is no command: `make image jazzy-base` would build the default image.
+ifneq ($(MAKECMDGOALS),)
+ifneq ($(shell python3 tools/make_help.py --commands $(patsubst %,'%',$(MAKECMDGOALS)) || echo wrong),)
+$(error nothing was done)
+endif
+endif
+
 BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 # Sets up all that tests need, then runs them; the set-up's time counts.
@@ -165,10 +172,6 @@ status: ## what is running
 
 docs: .python ## the documentation as a site in .state/docs/site, without a broken link
 	@$(RUN) scripts/docs.py
-
-# What there is not: which was meant? Also in a dry run.
-.DEFAULT:
-	+@python3 tools/make_help.py '$@'
 
 .PHONY: .python
 .python:

@@ -9,7 +9,7 @@ import difflib
 import os
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 MAKEFILE = Path(__file__).resolve().parent.parent / "Makefile"
@@ -59,10 +59,17 @@ def lines(found: dict[str, tuple[str, str]], colour: bool) -> Iterator[str]:
                 yield f"{'':<19}{dim}{example}{end}"
 
 
-def unknown(name: str, found: dict[str, tuple[str, str]]) -> str:
-    """What to say of a command that there is not."""
-    near = difflib.get_close_matches(name, found, n=3, cutoff=0.5)
-    guess = f"; did you mean {' or '.join(f'make {other}' for other in near)}?" if near else ""
+def unknown(name: str, found: dict[str, tuple[str, str]], given: Iterable[str] = ()) -> str:
+    """What to say of a command that there is not.
+
+    Args:
+        given: all words of the call. One of them may be a command whose example begins with a variable: that of the name.
+    """
+    near = [f"make {other}" for other in difflib.get_close_matches(name, found, n=3, cutoff=0.5)]
+    examples = [found[word][1] for word in given if word in found]
+    if not near:
+        near = [f"{match[0]}{name}" for text in examples if (match := re.match(r"make [a-z-]+ (TARGET|GROUP)=", text))]
+    guess = f"; did you mean {' or '.join(near)}?" if near else ""
     return f"error: make has no command '{name}'{guess}\nremedy: see all with: make"
 
 
@@ -94,16 +101,17 @@ def coloured(stream_is_terminal: bool) -> bool:
 
 
 def main(arguments: list[str]) -> int:
-    """Prints the list; or says that there is no such command, or which variables are mistyped, and gives 2."""
+    """Prints the list; or says which commands, or variables, are mistyped, and gives 2."""
     text = MAKEFILE.read_text(encoding="utf-8")
     if arguments[:1] == ["--variables"]:
         said = [line for name in arguments[1:] if (line := mistyped(name, text))]
         print("\n".join(said), file=sys.stderr, end="\n" if said else "")
         return 2 if said else 0
     found = commands(text)
-    if arguments:
-        print(unknown(arguments[0], found), file=sys.stderr)
-        return 2
+    if arguments[:1] == ["--commands"]:
+        said = [unknown(name, found, arguments) for name in arguments[1:] if name not in found]
+        print("\n".join(said), file=sys.stderr, end="\n" if said else "")
+        return 2 if said else 0
     print("\n".join(lines(found, coloured(sys.stdout.isatty()))))
     return 0
 

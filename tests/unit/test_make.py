@@ -58,7 +58,7 @@ def test_a_registry_is_no_variable_of_the_bake_file() -> None:
     """Where images are published must not change what bake prints, least of all to nothing."""
     for given in ([], ["REGISTRY=ghcr.io/me/x"]):
         done = subprocess.run(
-            ["make", "--eval", 'shown:; @echo "[$${REGISTRY-none}] $$PLACE"', "shown", *given],
+            ["make", "list", "BOOTSTRAP=:", 'RUN=echo "[$${REGISTRY-none}] $$PLACE"; :', *given],
             cwd=ROOT,
             env={name: value for name, value in os.environ.items() if name != "REGISTRY"},
             capture_output=True,
@@ -107,6 +107,30 @@ def test_a_command_that_is_mistyped(given: str, meant: str, options: list[str]) 
     assert f"error: make has no command '{given}'" in done.stderr
     assert (f"did you mean {meant}" in done.stderr) == bool(meant)
     assert "remedy: see all with: make\n" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("goals", "meant"),
+    [
+        ("image jazzy-base", "make image TARGET=jazzy-base"),
+        ("explain jazzy-robot", "make explain TARGET=jazzy-robot"),
+        ("list jazzy", "make list GROUP=jazzy"),
+        ("bench jazzy-base", "make bench TARGET=jazzy-base"),
+        ("standing jazzy-base", ""),
+        ("up imge", "make image"),
+        ("jazzy-base image", "make image TARGET=jazzy-base"),
+    ],
+)
+@pytest.mark.parametrize("options", [[], ["--dry-run"]])
+def test_a_word_behind_a_command(goals: str, meant: str, options: list[str]) -> None:
+    """`make image jazzy-base` would build the default image, and then say that it knows no jazzy-base."""
+    argv = ["make", *options, *goals.split(), "BOOTSTRAP=echo set up", "RUN=echo run"]
+    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
+    wrong = next(word for word in goals.split() if word in ("jazzy-base", "jazzy-robot", "jazzy", "imge"))
+    assert (done.returncode, done.stdout) == (2, "")
+    assert f"error: make has no command '{wrong}'" in done.stderr
+    assert (f"; did you mean {meant}" in done.stderr) == bool(meant)
+    assert "nothing was done" in done.stderr
 
 
 @pytest.mark.parametrize(
