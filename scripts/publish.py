@@ -182,7 +182,7 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
       uv run scripts/publish.py image bookworm-core-torch-cu128
       uv run scripts/publish.py image bookworm-base --json
     """
-    from rosml import bake, expand, files, sync
+    from rosml import expand, sync
     from rosml.base_images import native_architecture
     from rosml.publish import Publisher, architecture_of, require_buildable
     from rosml.services import Services
@@ -197,9 +197,6 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     if check:
         return
     services = Services.load(ROOT)
-    bake_file = ROOT / "docker-bake.hcl"
-    if matrix.resolve() == ROOT / "matrix.yaml" and files.write(bake_file, bake.render(catalogue)):
-        say(f"{bake_file.name} was not up to date with {matrix.name}: written anew")
     result = Publisher(services, catalogue, say, namespace, architecture).publish(target)
     if catalogue.image(target).stack is None:  # what others are composed of
         _list_files(services, catalogue, f"{namespace}/{catalogue.image(target).repository}", result.manifest)

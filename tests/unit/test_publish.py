@@ -446,12 +446,17 @@ def test_command(checkout: Stage, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(checkout, TARGET) == 0
     done = capsys.readouterr()
     assert f"FROM             {checkout.registry}/rosml/ros-torch:alpha-base-cu1\n" in done.out
-    assert "==> docker-bake.hcl was not up to date with matrix.yaml: written anew\n" in done.err
     assert "==> structure tests, inside the image\n" in done.err
     excerpt = checkout.folder / f".state/bake/{TARGET}.hcl"
     assert f"buildx bake --file {excerpt}" in checkout.calls("buildx bake")[0]
     assert excerpt.read_text().count(f'target "{TARGET}"') == 1
-    assert f'target "{TARGET}"' in (checkout.folder / "docker-bake.hcl").read_text()
+
+
+def test_command_leaves_committed_files_alone(checkout: Stage) -> None:
+    """A stale docker-bake.hcl is no matter of a build, which reads an excerpt of its own: make generate writes it."""
+    (checkout.folder / "docker-bake.hcl").write_text("# somebody's edit\n")
+    assert run(checkout, TARGET) == 0
+    assert (checkout.folder / "docker-bake.hcl").read_text() == "# somebody's edit\n"
 
 
 def test_command_with_another_matrix_leaves_the_bake_file_alone(checkout: Stage) -> None:
