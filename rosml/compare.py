@@ -14,7 +14,7 @@ from typing import IO, Any, cast
 
 import zstandard
 
-from rosml import registry
+from rosml import oci, registry
 from rosml.errors import RosmlError
 from rosml.services import REMEDY, Services
 
@@ -66,8 +66,13 @@ def compare(services: Services, one: str, other: str) -> Comparison:
         one, other: references of image manifests, or of indexes with one platform.
 
     Raises:
-        RosmlError: a registry does not answer, or a layer cannot be read.
+        RosmlError: there is no such image (exit code 2), a registry does not answer, or a layer cannot be read.
     """
+    for reference in (one, other):
+        oci.parse(reference)
+        if not registry.digest(services, reference):
+            remedy = "name a tag or digest that is there; tags are listed by: make catalogue"
+            raise RosmlError(f"there is no {reference}", remedy, exit_code=2)
     pairs = tuple(itertools.zip_longest(_layers(services, one), _layers(services, other)))
     different = next(((number, pair) for number, pair in enumerate(pairs, 1) if pair[0] != pair[1]), None)
     if different is None:

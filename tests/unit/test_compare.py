@@ -8,21 +8,22 @@ import io
 import json
 import tarfile
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import pytest
 import zstandard
-from stubs import executable, services
+from stubs import answering_registry, executable, services
 
 from rosml.compare import compare
 from rosml.errors import RosmlError
 from rosml.services import Services
 
-REGCTL = """
-case $1 in
-  manifest) cat "{folder}/$(basename "$5" | tr ':@' '--')" ;;
-  blob) cat "{folder}/blobs/$4" ;;
+REGCTL = r"""
+case "$1 $2" in
+  manifest\ head) test -f "{folder}/$(basename "$3" | tr ':@' '--')" || {{ echo "no $3: not found: {{}}" >&2; exit 1; }}; echo sha256:0 ;;
+  manifest\ get) cat "{folder}/$(basename "$5" | tr ':@' '--')" ;;
+  blob\ get) cat "{folder}/blobs/$4" ;;
 esac
 """
 
@@ -140,3 +141,20 @@ def test_a_layer_that_cannot_be_read(damage: bytes, registry: Registry) -> None:
     one, other = registry.image("one", layer()), registry.image("other", damage)
     with pytest.raises(RosmlError, match=r"layer sha256:\w+ cannot be read"):
         compare(registry.services, one, other)
+
+
+@pytest.mark.parametrize("missing", ["localhost:5000/rosml/x:nothing", "localhost:5000/rosml/x@sha256:" + "1" * 64])
+def test_an_image_that_is_not_there(missing: str, registry: Registry) -> None:
+    """A sentence with a remedy, and not what the registry answers."""
+    one = registry.image("one", layer())
+    with answering_registry() as address, pytest.raises(RosmlError) as caught:
+        compare(replace(registry.services, registry=address), one, missing)
+    assert caught.value.message == f"there is no {missing}"
+    assert caught.value.remedy == "name a tag or digest that is there; tags are listed by: make catalogue"
+    assert caught.value.exit_code == 2
+
+
+def test_what_is_no_reference(registry: Registry) -> None:
+    with pytest.raises(RosmlError, match="'x y' is no reference") as caught:
+        compare(registry.services, registry.image("one", layer()), "x y")
+    assert caught.value.exit_code == 2
