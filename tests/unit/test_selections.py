@@ -32,6 +32,7 @@ CODES = {0, 1, 2, 3, 4}
 """Exit codes as documented: done, failed, wrong input, and two of scans."""
 
 SCRIPTS = {"generate_bake": generate_bake, "catalogue": catalogue_script, "compose": compose, "lock": lock}
+LOAD = expand.load
 COMMANDS: dict[str, click.Command] = {
     **{f"publish {name}": found for name, found in publish.cli.commands.items()},
     **{name: module.main for name, module in SCRIPTS.items()},
@@ -320,3 +321,37 @@ def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.Ca
     for name in ("publish status", "catalogue"):
         code, _, err = ended(shop, name, words, capsys)
         assert (code, err) == (1, "error: the local registry and the builder are not up\nremedy: run 'make up'\n")
+
+
+@pytest.fixture
+def without_docker_hub(shop: Shop) -> Iterator[None]:
+    """A machine that can build no Ubuntu image, but every payload."""
+    stubs.services(shop.root, registry=shop.host, mirror=True)
+    yield
+    stubs.services(shop.root, registry=shop.host)
+
+
+@pytest.mark.usefixtures("without_docker_hub")
+def test_payloads_are_planned_where_their_images_cannot_be_built(
+    shop: Shop, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With a matrix elsewhere, whose locks are those of the checkout."""
+    monkeypatch.setattr(expand, "load", LOAD)
+    own = shutil.copy(ROOT / "matrix.yaml", tmp_path / "own.yaml")
+    words = ["--registry", "{host}/nothing", "--matrix", str(own), "--only", "jazzy-core*", "--json"]
+    code, out, err = ended(shop, "publish plan", words, capsys)
+    assert code == 0, err
+    plan = json.loads(out)
+    planned = {task["target"] for task in plan["tasks"] if task["steps"]}
+    assert "payload-torch-cu128-py312" in planned
+    assert "jazzy-core" not in planned
+    assert plan["shards"] == []
+
+
+def test_a_plan_of_an_image_without_a_lock(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
+    """What it stands on can be built, and it cannot."""
+    target = next(image.target for image in REAL.images if image.parent == "bookworm-core" and not image.locked)
+    code, out, err = ended(shop, "publish plan", ["--registry", "{host}/nothing", "--only", target, "--json"], capsys)
+    assert code == 0, err
+    (task,) = [task for task in json.loads(out)["tasks"] if task["target"] == target and task["architecture"] == "amd64"]
+    assert task["hindered"].startswith("unlocked: locks/")
