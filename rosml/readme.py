@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
-from rosml import rules, stand_in
+from rosml import missing, rules, stand_in
 from rosml.built import Built
 from rosml.catalogue import WORDS, status
 from rosml.errors import RosmlError
@@ -44,14 +44,28 @@ def render(readme: str, catalogue: Catalogue, built: Sequence[Built] = ()) -> st
 
 
 def tables(catalogue: Catalogue, built: Sequence[Built] = ()) -> str:
-    """Distributions with their components; then what images carry, and on which distributions."""
+    """Images without a lock; distributions with their components; then what images carry, and on which distributions."""
     known = {item.target: item for item in built}
     assembled = stand_in.assembled(catalogue, built)
     head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
-    lines = [f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_distributions(catalogue, known, assembled)]
+    lines = [*_unlocked(catalogue), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
+    lines += [*_distributions(catalogue, known, assembled)]
     head = ["image", "content", "distributions", "platforms", "compressed, where built with today's payloads"]
     lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(catalogue, known)]
     return "\n".join(lines) + "\n"
+
+
+def _unlocked(catalogue: Catalogue) -> Iterator[str]:
+    """Which images cannot be built from the locks that are there, and what makes those; nothing where all can be."""
+    rows: dict[str, dict[str, None]] = {}
+    lacking = [image for image in catalogue.images if not image.locked]
+    for image in lacking:
+        rows.setdefault(f"{image.repository}:<d>-<c>-{image.stack}", {})[image.distribution] = None
+    if lacking:
+        remedies = listed(list(dict.fromkeys(missing.remedy(image) for image in lacking))).replace("'", "`")
+        yield from ("", f"These have no lock yet, and cannot be built before you {remedies}:", "")
+        yield from (f"- `{tag}`: {listed(list(distributions))}" for tag, distributions in rows.items())
+        yield ""
 
 
 def _distributions(catalogue: Catalogue, built: Mapping[str, Built], assembled: stand_in.Assembled) -> Iterator[str]:

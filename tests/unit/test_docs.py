@@ -15,6 +15,7 @@ import pytest
 import yaml
 from conftest import ROOT
 
+from rosml import expand, readme
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from scripts import docs
@@ -181,6 +182,20 @@ def test_the_readme_fits_on_two_screens_before_its_tables() -> None:
     head, marker, _ = (ROOT / "README.md").read_text().partition("<!-- images:")
     assert marker
     assert head.count("\n") <= 100
+
+
+def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: Catalogue, small: Catalogue) -> None:
+    """Right below the table that people choose from, and by what is locked now; nothing where all of them are."""
+    page = readme.render((ROOT / "README.md").read_text(), real)
+    text = page.partition(readme.BEGIN)[2].partition("\n| distribution |")[0]
+    lacking = {(i.repository, i.stack, i.distribution) for i in real.images if not i.locked}
+    assert lacking, "then the sentence is not there"
+    for repository, stack, distribution in lacking:
+        (line,) = [line for line in text.splitlines() if line.startswith(f"- `{repository}:<d>-<c>-{stack}`: ")]
+        assert distribution in re.split(r": |, | and ", line)
+    assert text.count("\n- ") == len({(repository, stack) for repository, stack, _ in lacking})
+    whole = expand.with_locks(small, small.locks)
+    assert "cannot be built" not in readme.tables(whole)
 
 
 def test_the_readme_says_which_distributions_lack_an_image(real: Catalogue) -> None:
