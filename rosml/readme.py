@@ -62,7 +62,9 @@ def _unlocked(catalogue: Catalogue) -> Iterator[str]:
     for image in lacking:
         rows.setdefault(f"{image.repository}:<d>-<c>-{image.stack}", {})[image.distribution] = None
     if lacking:
-        remedies = listed(list(dict.fromkeys(missing.remedy(image) for image in lacking))).replace("'make locks'", "`make locks`")
+        remedies = listed(list(dict.fromkeys(missing.remedy(image) for image in lacking))).replace(
+            "'make locks'", "`make locks`"
+        )
         yield from ("", f"These have no lock yet, and cannot be built before you {remedies}:", "")
         yield from (f"- `{tag}`: {listed(list(distributions))}" for tag, distributions in rows.items())
         yield ""

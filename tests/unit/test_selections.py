@@ -353,5 +353,7 @@ def test_a_plan_of_an_image_without_a_lock(shop: Shop, capsys: pytest.CaptureFix
     target = next(image.target for image in REAL.images if image.parent == "bookworm-core" and not image.locked)
     code, out, err = ended(shop, "publish plan", ["--registry", "{host}/nothing", "--only", target, "--json"], capsys)
     assert code == 0, err
-    (task,) = [task for task in json.loads(out)["tasks"] if task["target"] == target and task["architecture"] == "amd64"]
+    (task,) = [
+        task for task in json.loads(out)["tasks"] if task["target"] == target and task["architecture"] == "amd64"
+    ]
     assert task["hindered"].startswith("unlocked: locks/")
