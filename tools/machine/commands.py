@@ -521,7 +521,7 @@ def main(root: Path, argv: Sequence[str]) -> int:
             "down": down,
             "clean": clean,
         }
-        work = python_tools if getattr(arguments, "python", False) else table[arguments.command]
+        work: Callable[..., Any] = python_tools if getattr(arguments, "python", False) else table[arguments.command]
         if getattr(arguments, "tests", False):
             work = partial(work, tests=True)
         if work in (down, clean) and not state.folder.exists():
