@@ -39,5 +39,5 @@ def accepted(command: click.Command, arguments: list[str]) -> None:
         return accepted(command.commands[arguments[0]], arguments[1:])
     context = click.Context(command)
     _, rest, _ = command.make_parser(context).parse_args(list(arguments))
-    assert not rest
+    assert not rest, f"unexpected words: {' '.join(rest)}"
     return None
