@@ -17,16 +17,6 @@ TESTS = sorted(file.relative_to(ROOT).as_posix() for file in (ROOT / "tests").rg
 PUBLIC = {"_replace", "_asdict", "_fields", "_make"}
 """What Python's named tuples have under such names for everybody."""
 
-IMAGES = "what builds and pushes its images has to be a helper"
-ALLOWED = {
-    "tests/e2e/test_compose.py: imports from tests.e2e.test_images": IMAGES,
-    "tests/e2e/test_documentation.py: imports from tests.e2e.test_images": IMAGES,
-    "tests/e2e/test_ros.py: imports from tests.e2e.test_images": IMAGES,
-    "tests/e2e/test_tensorflow.py: imports from tests.e2e.test_images": IMAGES,
-    "tests/e2e/test_secure_registry.py: imports from tests.e2e.test_fleet": "a fixture that has to be a plugin's",
-}
-"""What may stay until it is mended, as `violations` says it, each with its reason."""
-
 
 def private(name: str) -> bool:
     """Whether a name is its owner's alone."""
@@ -121,7 +111,7 @@ def test_tests_stand_on_public_names_and_on_no_other_test(product: dict[str, lis
     trees = {file: ast.parse((ROOT / file).read_text(encoding="utf-8")) for file in TESTS}
     helpers = classes(trees.values())
     found = [line for file, tree in trees.items() for line in violations(file, tree, product, helpers)]
-    assert sorted(set(found)) == sorted(ALLOWED), "mend what is new here; take what is mended off the list"
+    assert sorted(set(found)) == []
 
 
 @pytest.mark.parametrize(

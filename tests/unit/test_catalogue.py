@@ -379,9 +379,9 @@ def rows_of(test: str) -> str:
 
 
 def test_steps_count_as_run_where_a_test_runs_them() -> None:
-    """Of every distribution with an apt source, for all components."""
+    """Of every distribution with an apt source, for all components; for some of them in the proof `apt` alone."""
     source = (ROOT / "tests/e2e/test_apt_source.py").read_text()
-    assert rows_of("test_all_components_of_a_row") == "ROWS"
+    assert rows_of("test_all_components_of_a_row").endswith(" for name in ROWS]")
     assert (
         "ROWS = [name for name, distribution in CATALOGUE.matrix.distributions.items() if distribution.apt]" in source
     )

@@ -281,7 +281,7 @@ def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     monkeypatch.setattr(publish, "ROOT", ROOT)
     from rosml.services import Services
 
-    monkeypatch.setattr(Services, "load", lambda root: None)
+    monkeypatch.setattr(Services, "load", lambda root, required: None)
     done = CliRunner().invoke(publish.cli, ["all", "--since", "HEAD", "--json"])
     assert done.exit_code == 0, done.output
     assert json.loads(done.stdout) == {"counts": {}, "outcomes": []}

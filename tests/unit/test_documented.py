@@ -144,7 +144,7 @@ def test_the_proof_is_there(command: str) -> None:
             "tests/e2e/test_ros.py::test_the_same_packages_give_the_same_layers",
             "base",
         ),
-        ("make publish", "tests/unit/test_bench.py::test_numbers", "all"),
+        ("make publish", "tests/unit/test_turn.py::test_nobody_to_wait_for", "all"),
         ("make scanner", "tests/unit/test_bench.py::test_numbers", "scanner"),
         ("make up", "tests/e2e/test_ros.py::test_a_base_image_is_the_same_wherever_it_is_made", "never skipped"),
         (

@@ -325,6 +325,9 @@ def test_a_registry_says_why(server: StandIn, registry: Registry) -> None:
 def test_a_registry_that_deletes_nothing(server: StandIn, registry: Registry) -> None:
     server.fault("DELETE", "/manifests/", 405)
     with pytest.raises(RosmlError, match="deletes nothing"):
+        registry.delete("a", DIGEST)
+    server.fault("DELETE", "/manifests/", 405)
+    with pytest.raises(RosmlError, match="deletes no tag by its name"):
         registry.delete("a", "x")
 
 
