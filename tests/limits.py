@@ -9,9 +9,13 @@ import pytest
 SECONDS = {"lint": 600, "unit": 300, "page": 120, "e2e": 900}
 """By folder: many times what a test takes on a busy machine. A test that takes longer says so: ``@pytest.mark.timeout``."""
 
+PROOF_SECONDS = 3600
+"""For a test that only `make test-all` runs: its images are the large ones."""
+
 
 def set_limits(items: Sequence[pytest.Item]) -> None:
     """Gives each test the limit of its folder, if it has none of its own."""
     for item in items:
         if item.get_closest_marker("timeout") is None:
-            item.add_marker(pytest.mark.timeout(SECONDS[item.path.parent.name]))
+            seconds = PROOF_SECONDS if item.get_closest_marker("full") else SECONDS[item.path.parent.name]
+            item.add_marker(pytest.mark.timeout(seconds))

@@ -120,9 +120,7 @@ def test_signals_reach_the_process(container: Container, environment: dict[str, 
         while "ready" not in container.docker.docker("logs", identity).out:
             assert time.monotonic() < end, container.docker.docker("logs", identity)
             time.sleep(0.1)
-        started = time.monotonic()
         assert container.docker.docker("stop", "--time", "20", identity).code == 0
-        assert time.monotonic() - started < 10
         assert "ended" in container.docker.docker("logs", identity).out
         code = container.docker.docker("inspect", "--format", "{{.State.ExitCode}}", identity)
         assert code.out.strip() == "9"
