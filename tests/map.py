@@ -25,8 +25,8 @@ PROOFS = """
 `make test` has half an hour on two cores; what takes longer runs in `make test-all`. `make test-all SHARD=1/3` runs what the
 first of three machines runs, `make test-all PROOF=cuda` one proof. A proof that passes is recorded in `tests/proofs/`: the day,
 the number of tests, the digest of the log, and a digest of the committed files and the images' inputs that it depends on.
-`make test` fails where these changed since, and names the command that gives the proof anew. In CI, where `CI` is set, nothing
-is recorded: the committed proof has to agree.
+`make test` fails where these changed since, and names the command that gives the proof again; at its end it names the proofs
+that nobody has given yet. In CI, where `CI` is set, nothing is recorded: the committed proof has to agree.
 
 | proof | proves | minutes on two cores, about |
 | --- | --- | ---: |"""

@@ -103,10 +103,8 @@ class Proof:
         return "sha256:" + hashlib.sha256(json.dumps(found, sort_keys=True).encode()).hexdigest()
 
     def stale(self, root: Path = ROOT) -> str:
-        """Why it does not hold for a checkout; empty where it does."""
-        if self.proved is None:
-            return f"{self.name} was never proved; run: {self.command}"
-        if self.proved.digest != self.digest(root):
+        """Why what was proved does not hold for a checkout any more; empty where it does, or where it was never proved."""
+        if self.proved and self.proved.digest != self.digest(root):
             return f"what {self.name} depends on has changed since {self.proved.date}; run: {self.command}"
         return ""
 
