@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tomllib
 import zipfile
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -164,14 +165,25 @@ def test_what_a_package_requires_is_not_chosen_during_installation(installer: In
     assert installed(installer) == {"one-1.0.dist-info"}
 
 
+def ask(installer: Installer, group: str, wanted: Mapping[str, str]) -> set[str]:
+    """Installs a group of packages, given by name and sha256; what is there then."""
+    text = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in wanted.items())
+    (installer.state.root / f"tools/requirements-{group}.txt").write_text(text)
+    installer.packages(uv(), group)
+    return installed(installer)
+
+
 def test_what_is_no_longer_asked_for_goes(installer: Installer, tmp_path: Path) -> None:
-    names = {name: wheel(tmp_path / "wheels", name) for name in ("one", "two")}
-    for group in ("dev", "app"):
-        wanted = names if group == "dev" else {"one": names["one"]}
-        text = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in wanted.items())
-        (installer.state.root / f"tools/requirements-{group}.txt").write_text(text)
-        installer.packages(uv(), group)
-        assert installed(installer) == {f"{name}-1.0.dist-info" for name in wanted}
+    one, two = ({name: wheel(tmp_path / "wheels", name)} for name in ("one", "two"))
+    assert ask(installer, "dev", one | two) == {"one-1.0.dist-info", "two-1.0.dist-info"}
+    assert ask(installer, "dev", one) == {"one-1.0.dist-info"}
+
+
+def test_a_smaller_group_takes_nothing_away(installer: Installer, tmp_path: Path) -> None:
+    """A test calls a command of make, which asks for less than the tests beside it import."""
+    one, two = ({name: wheel(tmp_path / "wheels", name)} for name in ("one", "two"))
+    both = ask(installer, "page", one | two)
+    assert ask(installer, "app", one) == both == {"one-1.0.dist-info", "two-1.0.dist-info"}
 
 
 def test_uv_resolves_nothing_by_itself() -> None:

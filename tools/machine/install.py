@@ -31,6 +31,10 @@ OLDEST_PYTHON: Version = (3, 11)
 """That the commands run with, as pyproject.toml has it."""
 
 
+GROUPS = ("app", "dev", "page")
+"""Of Python packages, each with those before it: of the commands; of linters and tests; of the page's tests."""
+
+
 @dataclass(frozen=True)
 class GoTool:
     """A program built from its Go module; ``tools/go/<folder>`` pins it and all its dependencies by hash."""
@@ -328,7 +332,8 @@ class Installer:
         """Installs the Python packages of ``tools/requirements-<group>.txt`` into ``.venv``, and removes others.
 
         Args:
-            group: ``app`` (of the commands alone), ``dev`` (of linters and tests too), ``page`` (of the page's tests too).
+            group: of ``GROUPS``. Where a larger one was installed before, it stays: otherwise a command would take away what
+                the tests beside it import.
 
         Raises:
             Failure: a package has none of the hashes in the file, or cannot be had.
@@ -347,10 +352,14 @@ class Installer:
             say("Python packages: installing into .venv")
             make = [uv, "venv", "--clear", "--no-project", "--python", f">={dotted(OLDEST_PYTHON)}", str(venv)]
             run("Python packages", make, log, env=env, cwd=self.state.root)
+        known = venv / "group"
+        before = known.read_text() if known.exists() else ""
+        group = max(group, before if before in GROUPS else group, key=GROUPS.index)
         file = self.state.root / "tools" / f"requirements-{group}.txt"
         # A build would fetch what it needs by itself, without a hash: wheels alone.
         sync = [uv, "pip", "sync", "--python", str(python), "--require-hashes", "--no-build", str(file)]
         run("Python packages", sync, log, env=env, cwd=self.state.root)
+        write_atomically(known, group)
         if fresh:
             say(f"Python packages: installed into .venv in {elapsed(started)}")
 
