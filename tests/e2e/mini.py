@@ -314,7 +314,7 @@ def make(folder: Path, services: Services) -> Mini:
     parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name != "torch"}
     matrix["disk"] |= {"parts": {"cpu": parts}, "budgets": {}}
     matrix["source"] = SOURCE
-    matrix["default"] = {"target": "bookworm-core", "group": ["bookworm-core"]}
+    matrix["default"] = {"target": "bookworm-core", "group": ["bookworm-core"], "assembler": "bookworm"}
     (folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
     (folder / ".state").mkdir()
     (ROOT / ".state" / "base").mkdir(exist_ok=True)  # base images are made once, by whoever is the first
