@@ -80,12 +80,12 @@ variable "CA_BUNDLE" {
   default = ""
 }
 
-# mirror of ROS's apt sources and of github.com, such as http://host:3142; never part of an image
+# mirror of the hosts that ros_archive names, such as http://host:3142; never part of an image
 variable "ROS_APT_MIRROR" {
   default = ""
 }
 
-# mirror of Debian's and Ubuntu's own archives, such as http://host:3142; never part of an image
+# mirror of the hosts that base images' apt sources name, such as http://host:3142; never part of an image
 variable "OS_APT_MIRROR" {
   default = ""
 }
@@ -276,12 +276,14 @@ target "_ros-noetic" {
   inherits = ["_distribution-noetic"]
   target   = "ros"
   args = {
-    ROS_DISTRO    = "noetic"
-    ROS_VERSION   = "1"
-    ROS_CHANNEL   = overridable("final", ROS_CHANNEL)
-    ROS_SNAPSHOT  = overridable("", ROS_SNAPSHOT)
-    ROS_CODENAME  = "focal"
-    ROS_SYNC_DATE = sync_date("noetic")
+    ROS_DISTRO           = "noetic"
+    ROS_VERSION          = "1"
+    ROS_CHANNEL          = overridable("final", ROS_CHANNEL)
+    ROS_SNAPSHOT         = overridable("", ROS_SNAPSHOT)
+    ROS_LIVE_ADDRESS     = "http://packages.ros.org/ros/ubuntu"
+    ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/noetic/{day}/ubuntu"
+    ROS_CODENAME         = "focal"
+    ROS_SYNC_DATE        = sync_date("noetic")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -385,12 +387,14 @@ target "_ros-foxy" {
   inherits = ["_distribution-foxy"]
   target   = "ros"
   args = {
-    ROS_DISTRO    = "foxy"
-    ROS_VERSION   = "2"
-    ROS_CHANNEL   = overridable("final", ROS_CHANNEL)
-    ROS_SNAPSHOT  = overridable("", ROS_SNAPSHOT)
-    ROS_CODENAME  = "focal"
-    ROS_SYNC_DATE = sync_date("foxy")
+    ROS_DISTRO           = "foxy"
+    ROS_VERSION          = "2"
+    ROS_CHANNEL          = overridable("final", ROS_CHANNEL)
+    ROS_SNAPSHOT         = overridable("", ROS_SNAPSHOT)
+    ROS_LIVE_ADDRESS     = "http://packages.ros.org/ros2/ubuntu"
+    ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/foxy/{day}/ubuntu"
+    ROS_CODENAME         = "focal"
+    ROS_SYNC_DATE        = sync_date("foxy")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -455,13 +459,15 @@ target "_ros-humble" {
   inherits = ["_distribution-humble"]
   target   = "ros"
   args = {
-    ROS_DISTRO     = "humble"
-    ROS_VERSION    = "2"
-    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
-    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
-    ROS_CODENAME   = "jammy"
-    ROS_APT_SOURCE = "1.2.0@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433"
-    ROS_SYNC_DATE  = sync_date("humble")
+    ROS_DISTRO           = "humble"
+    ROS_VERSION          = "2"
+    ROS_CHANNEL          = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT         = overridable("", ROS_SNAPSHOT)
+    ROS_LIVE_ADDRESS     = "http://packages.ros.org/ros2/ubuntu"
+    ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/humble/{day}/ubuntu"
+    ROS_CODENAME         = "jammy"
+    ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.jammy_all.deb@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433"
+    ROS_SYNC_DATE        = sync_date("humble")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -552,13 +558,15 @@ target "_ros-iron" {
   inherits = ["_distribution-iron"]
   target   = "ros"
   args = {
-    ROS_DISTRO     = "iron"
-    ROS_VERSION    = "2"
-    ROS_CHANNEL    = overridable("final", ROS_CHANNEL)
-    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
-    ROS_CODENAME   = "jammy"
-    ROS_APT_SOURCE = "1.2.0@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433"
-    ROS_SYNC_DATE  = sync_date("iron")
+    ROS_DISTRO           = "iron"
+    ROS_VERSION          = "2"
+    ROS_CHANNEL          = overridable("final", ROS_CHANNEL)
+    ROS_SNAPSHOT         = overridable("", ROS_SNAPSHOT)
+    ROS_LIVE_ADDRESS     = "http://packages.ros.org/ros2/ubuntu"
+    ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/iron/{day}/ubuntu"
+    ROS_CODENAME         = "jammy"
+    ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.jammy_all.deb@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433"
+    ROS_SYNC_DATE        = sync_date("iron")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -649,13 +657,15 @@ target "_ros-jazzy" {
   inherits = ["_distribution-jazzy"]
   target   = "ros"
   args = {
-    ROS_DISTRO     = "jazzy"
-    ROS_VERSION    = "2"
-    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
-    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
-    ROS_CODENAME   = "noble"
-    ROS_APT_SOURCE = "1.2.0@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5"
-    ROS_SYNC_DATE  = sync_date("jazzy")
+    ROS_DISTRO           = "jazzy"
+    ROS_VERSION          = "2"
+    ROS_CHANNEL          = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT         = overridable("", ROS_SNAPSHOT)
+    ROS_LIVE_ADDRESS     = "http://packages.ros.org/ros2/ubuntu"
+    ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/jazzy/{day}/ubuntu"
+    ROS_CODENAME         = "noble"
+    ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.noble_all.deb@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5"
+    ROS_SYNC_DATE        = sync_date("jazzy")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -746,13 +756,15 @@ target "_ros-kilted" {
   inherits = ["_distribution-kilted"]
   target   = "ros"
   args = {
-    ROS_DISTRO     = "kilted"
-    ROS_VERSION    = "2"
-    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
-    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
-    ROS_CODENAME   = "noble"
-    ROS_APT_SOURCE = "1.2.0@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5"
-    ROS_SYNC_DATE  = sync_date("kilted")
+    ROS_DISTRO           = "kilted"
+    ROS_VERSION          = "2"
+    ROS_CHANNEL          = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT         = overridable("", ROS_SNAPSHOT)
+    ROS_LIVE_ADDRESS     = "http://packages.ros.org/ros2/ubuntu"
+    ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/kilted/{day}/ubuntu"
+    ROS_CODENAME         = "noble"
+    ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.noble_all.deb@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5"
+    ROS_SYNC_DATE        = sync_date("kilted")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -843,13 +855,15 @@ target "_ros-lyrical" {
   inherits = ["_distribution-lyrical"]
   target   = "ros"
   args = {
-    ROS_DISTRO     = "lyrical"
-    ROS_VERSION    = "2"
-    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
-    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
-    ROS_CODENAME   = "resolute"
-    ROS_APT_SOURCE = "1.2.0@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3"
-    ROS_SYNC_DATE  = sync_date("lyrical")
+    ROS_DISTRO           = "lyrical"
+    ROS_VERSION          = "2"
+    ROS_CHANNEL          = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT         = overridable("", ROS_SNAPSHOT)
+    ROS_LIVE_ADDRESS     = "http://packages.ros.org/ros2/ubuntu"
+    ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/lyrical/{day}/ubuntu"
+    ROS_CODENAME         = "resolute"
+    ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3"
+    ROS_SYNC_DATE        = sync_date("lyrical")
   }
   labels = { "io.rosml.framework" = "none" }
 }
@@ -940,13 +954,15 @@ target "_ros-rolling" {
   inherits = ["_distribution-rolling"]
   target   = "ros"
   args = {
-    ROS_DISTRO     = "rolling"
-    ROS_VERSION    = "2"
-    ROS_CHANNEL    = overridable("live", ROS_CHANNEL)
-    ROS_SNAPSHOT   = overridable("", ROS_SNAPSHOT)
-    ROS_CODENAME   = "resolute"
-    ROS_APT_SOURCE = "1.2.0@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3"
-    ROS_SYNC_DATE  = sync_date("rolling")
+    ROS_DISTRO           = "rolling"
+    ROS_VERSION          = "2"
+    ROS_CHANNEL          = overridable("live", ROS_CHANNEL)
+    ROS_SNAPSHOT         = overridable("", ROS_SNAPSHOT)
+    ROS_LIVE_ADDRESS     = "http://packages.ros.org/ros2/ubuntu"
+    ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/rolling/{day}/ubuntu"
+    ROS_CODENAME         = "resolute"
+    ROS_APT_SOURCE       = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3"
+    ROS_SYNC_DATE        = sync_date("rolling")
   }
   labels = { "io.rosml.framework" = "none" }
 }

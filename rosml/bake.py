@@ -10,7 +10,7 @@ from typing import Any
 from rosml import labels, missing, names, rules
 from rosml.expand import Catalogue, Image, Payload
 from rosml.hcl import Expression, block, call, template, text
-from rosml.model import PARTS, Apt, Distribution, Matrix, OperatingSystem
+from rosml.model import PARTS, Apt, Distribution, Matrix
 
 EPOCH = "1767225600"
 """2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
@@ -195,9 +195,9 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield "ROS_CHANNEL", "", "live, snapshot or final, in the place of what matrix.yaml says (make image CHANNEL=final)"
     yield "ROS_SNAPSHOT", "", "day of the snapshot where ROS_CHANNEL is snapshot: YYYY-MM-DD"
     yield "CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer"
-    mirror = "mirror of ROS's apt sources and of github.com, such as http://host:3142; never part of an image"
+    mirror = "mirror of the hosts that ros_archive names, such as http://host:3142; never part of an image"
     yield "ROS_APT_MIRROR", "", mirror
-    archive = "mirror of Debian's and Ubuntu's own archives, such as http://host:3142; never part of an image"
+    archive = "mirror of the hosts that base images' apt sources name, such as http://host:3142; never part of an image"
     yield "OS_APT_MIRROR", "", archive
     for proxy in PROXIES:
         yield proxy, "", "for build steps; never part of an image"
@@ -299,7 +299,7 @@ def _ros(matrix: Matrix, name: str, distribution: Distribution) -> dict[str, obj
         "ROS_VERSION": str(distribution.ros),
     }
     if distribution.apt:
-        args |= _apt(matrix.operating_systems[distribution.os], distribution, distribution.apt)
+        args |= _apt(matrix, name, distribution.apt)
         args["ROS_SYNC_DATE"] = _sync_date(name)
     wheels: dict[str, object] = {}
     if distribution.wheels:  # the stage takes uv from what assembles payloads, which stands on the system's base image
@@ -326,16 +326,18 @@ def _overridable(fact: str, variable: str) -> Overridable:
     return Overridable(call("overridable", fact, Expression(variable)).code, fact)
 
 
-def _apt(system: OperatingSystem, distribution: Distribution, apt: Apt) -> dict[str, str | Expression]:
+def _apt(matrix: Matrix, name: str, apt: Apt) -> dict[str, str | Expression]:
     """Arguments of a distribution whose packages come from ROS's own apt repository."""
     day = apt.date.isoformat() if apt.date else ""
     args: dict[str, str | Expression] = {
         "ROS_CHANNEL": _overridable(apt.channel, "ROS_CHANNEL"),
         "ROS_SNAPSHOT": _overridable(day, "ROS_SNAPSHOT"),
-        "ROS_CODENAME": system.codename or "",
+        "ROS_LIVE_ADDRESS": rules.ros_live(matrix, name),
+        "ROS_SNAPSHOT_ADDRESS": rules.ros_snapshot(matrix, name, "{day}"),
+        "ROS_CODENAME": matrix.operating_systems[matrix.distributions[name].os].codename or "",
     }
-    if source := system.apt_sources.get(distribution.generation):
-        args["ROS_APT_SOURCE"] = f"{source.version}@{source.digest}"
+    if source := rules.ros_apt_source(matrix, name):
+        args["ROS_APT_SOURCE"] = source
     return args
 
 

@@ -49,6 +49,7 @@ URL = r"^https?://[^\s\"'$%{}\\]+$"
 HOST = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?$"
 FOLDER = r"^[a-z0-9{}][a-z0-9.{}_-]*(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
 APT = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
+DEB = APT.replace("http:", "https?:", 1)
 PLATFORM = r"^linux/[a-z0-9]+(/v[0-9]+)?$"
 RMW = r"^rmw_[a-z0-9]+(_[a-z0-9]+)*$"
 WORD = r"^[A-Za-z0-9_][A-Za-z0-9_.+-]*$"
@@ -92,6 +93,7 @@ Word = Annotated[str, Field(pattern=WORD, max_length=64)]
 Host = Annotated[str, Field(pattern=HOST, max_length=100)]
 Folder = Annotated[str, Field(pattern=FOLDER, max_length=100)]
 AptAddress = Annotated[str, Field(pattern=APT, max_length=200)]
+DebAddress = Annotated[str, Field(pattern=DEB, max_length=200)]
 Rmw = Annotated[str, Field(pattern=RMW, max_length=64)]
 Sentence = Annotated[str, Field(pattern=SENTENCE, max_length=200)]
 Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
@@ -325,6 +327,9 @@ class RosArchive(Facts):
     live: AptAddress = Field(description="today's packages; {generation} is filled in: ros or ros2")
     snapshot: AptAddress = Field(
         description="a state of them; {ros_distro} and {day} are filled in: a date, or final after the end of life"
+    )
+    apt_source: DebAddress = Field(
+        description="the package that sets up the live one; {generation}, {version} and {codename} are filled in"
     )
 
 

@@ -135,6 +135,7 @@ def _archives(matrix: Matrix) -> Iterator[Finding]:
     if ros := matrix.ros_archive:
         yield from _placeholders(("ros_archive", "live"), ros.live, ("generation",))
         yield from _placeholders(("ros_archive", "snapshot"), ros.snapshot, ("ros_distro", "day"))
+        yield from _placeholders(("ros_archive", "apt_source"), ros.apt_source, ("generation", "version", "codename"))
 
 
 def _same_python(matrix: Matrix) -> Iterator[Finding]:
@@ -293,7 +294,7 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
         if distribution.apt and (distribution.apt.channel == "snapshot") != (distribution.apt.date is not None):
             yield (*path, "apt"), "'date' belongs to the channel snapshot, and to it alone"
         if distribution.apt and matrix.ros_archive is None:
-            text = "nothing says where ROS's apt repositories are; add 'ros_archive: {live: …, snapshot: …}'"
+            text = "nothing says where ROS's apt repositories are; add 'ros_archive: {live: …, snapshot: …, apt_source: …}'"
             yield (*path, "apt"), text
         if distribution.rmw and distribution.ros == 1:
             yield (*path, "rmw"), "ROS 1 has no RMW implementations; they are ROS 2's"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rosml.model import FAMILIES, PARTS, Family, Framework, Matrix, Part, Stack
+from rosml.model import FAMILIES, PARTS, Family, Framework, Matrix, Part, RosArchive, Stack
 from rosml.problems import listed
 
 
@@ -36,6 +36,35 @@ def built_for(matrix: Matrix, distribution: str) -> tuple[str, ...]:
     facts = matrix.distributions[distribution]
     system = matrix.operating_systems[facts.os].architectures
     return tuple(name for name in system if not facts.architectures or name in facts.architectures)
+
+
+def ros_live(matrix: Matrix, distribution: str) -> str:
+    """The address of ROS's live apt repository for a distribution that gets its packages from ROS."""
+    return _ros_archive(matrix).live.format(generation=matrix.distributions[distribution].generation)
+
+
+def ros_snapshot(matrix: Matrix, distribution: str, day: str) -> str:
+    """The address of a snapshot of it: of a day, such as 2026-08-07, or `final`."""
+    return _ros_archive(matrix).snapshot.format(
+        ros_distro=matrix.distributions[distribution].ros_distro or distribution, day=day
+    )
+
+
+def ros_apt_source(matrix: Matrix, distribution: str) -> str | None:
+    """The address and digest of the package that sets up the live repository; none where matrix.yaml pins none."""
+    facts = matrix.distributions[distribution]
+    system = matrix.operating_systems[facts.os]
+    if (pinned := system.apt_sources.get(facts.generation)) is None:
+        return None
+    address = _ros_archive(matrix).apt_source.format(
+        generation=facts.generation, version=pinned.version, codename=system.codename
+    )
+    return f"{address}@{pinned.digest}"
+
+
+def _ros_archive(matrix: Matrix) -> RosArchive:
+    assert matrix.ros_archive, "references: a distribution with apt needs it"
+    return matrix.ros_archive
 
 
 def architectures(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from datetime import UTC, date
 from email.utils import parsedate_to_datetime
 from pathlib import Path
 
-from rosml import files, release_file
+from rosml import files, release_file, rules
 from rosml.errors import RosmlError
 from rosml.model import Matrix
 
@@ -73,7 +73,8 @@ def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -
         text = f"{name} gets updates until {distribution.eol or 'further notice'}: it has no final snapshot yet"
         raise RosmlError(text, "take CHANNEL=snapshot and a day", exit_code=2)
     codename = matrix.operating_systems[distribution.os].codename or ""
-    return Source(channel, day, _address(matrix, name, channel, day), codename)
+    address = rules.ros_live(matrix, name) if channel == "live" else rules.ros_snapshot(matrix, name, day or channel)
+    return Source(channel, day, address, codename)
 
 
 def _is_day(text: str) -> bool:
@@ -81,14 +82,6 @@ def _is_day(text: str) -> bool:
         return date.fromisoformat(text).isoformat() == text
     except ValueError:
         return False
-
-
-def _address(matrix: Matrix, name: str, channel: str, day: str) -> str:
-    assert matrix.ros_archive, "references: a distribution with apt needs it"
-    distribution = matrix.distributions[name]
-    if channel == "live":
-        return matrix.ros_archive.live.format(generation=distribution.generation)
-    return matrix.ros_archive.snapshot.format(ros_distro=distribution.ros_distro or name, day=day or channel)
 
 
 def published(source: Source, environ: Mapping[str, str] = os.environ) -> str:

@@ -56,7 +56,8 @@ def _head() -> str:
             f"codename: os{number}, apt_sources: {{ros2: {{version: 1.2.0, digest: 'sha256:{number:064x}'}}}}}}"
         )
     lines.append(
-        "ros_archive: {live: 'http://ros.invalid/{generation}', snapshot: 'http://ros.invalid/{ros_distro}/{day}'}"
+        "ros_archive: {live: 'http://ros.invalid/{generation}', snapshot: 'http://ros.invalid/{ros_distro}/{day}', "
+        "apt_source: 'http://ros.invalid/{generation}-{version}.{codename}.deb'}"
     )
     lines.append("components:")
     for name, below in zip(_COMPONENTS, (None, *_COMPONENTS), strict=False):

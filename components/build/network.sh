@@ -14,12 +14,9 @@ if [[ -n $os_mirror && ! $os_mirror =~ ^https?://[A-Za-z0-9._~:@/-]+$ ]]; then
   exit 1
 fi
 
-# Text with the addresses that this step asks in the place of the archive's.
-for_os() {
-  if [[ -z $os_mirror ]]; then cat; else
-    sed -E "s#https?://((deb|security)\.debian\.org|(archive|security|ports)\.ubuntu\.com)/#${os_mirror%/}/\1/#"
-  fi
-}
+# Reads text and writes it with the addresses that this step asks: below a mirror, each host is a folder.
+#   below MIRROR   if empty, the addresses stay
+below() { if [[ -z $1 ]]; then cat; else sed -E "s#https?://#${1%/}/#g"; fi; }
 
 # apt reads its settings from APT_CONFIG on top of the system's: retries for flaky mirrors, no prompts,
 # nothing that is left in the image. https mirrors are checked against the same CA bundle.
@@ -42,7 +39,7 @@ if [[ -n $os_mirror ]]; then
   for file in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
     if [[ ! -f $file ]]; then continue; fi # a base image may have one or the other
     if [[ $file == /etc/apt/sources.list ]]; then copy=$copies/list; else copy=$copies/parts/${file##*/}; fi
-    for_os <"$file" >"$copy"
+    below "$os_mirror" <"$file" >"$copy"
   done
   printf 'Dir::Etc::%s "%s";\n' SourceList "$copies/list" SourceParts "$copies/parts" >>"$APT_CONFIG"
 fi

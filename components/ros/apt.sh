@@ -19,20 +19,16 @@ mirror=$(cat /run/secrets/ros-apt-mirror 2>/dev/null || true)
 [[ -z $mirror || $mirror =~ ^https?://[A-Za-z0-9._~:@/-]+$ ]] ||
   fail "ROS_APT_MIRROR is not an address" "set it to one such as http://host:3142, or unset it"
 
-# Text with the addresses that this build asks: below a mirror, each host is a folder.
-for_build() {
-  if [[ -z $mirror ]]; then cat; else
-    sed -E "s#https?://((packages|snapshots)\.ros\.org|github\.com)/#${mirror%/}/\1/#"
-  fi | for_os
-}
-
-# Lets apt read copies of the sources that name the mirrors: the image keeps the official addresses.
+# use_mirror ADDRESS: lets apt read copies of the sources that name the mirrors, ROS's own for the source with this address
+# and the operating system's for all others. The image keeps the official addresses.
 use_mirror() {
-  local file parts=$APT_CONFIG.sources/parts
+  local file of parts=$APT_CONFIG.sources/parts
   [[ -n $mirror$os_mirror ]] || return 0
   mkdir -p "$parts"
   for file in /etc/apt/sources.list.d/*; do
-    [[ ! -e $file ]] || for_build <"$file" >"$parts/${file##*/}" # a base image may have none
+    [[ -e $file ]] || continue # a base image may have none
+    if grep -q -x -F "URIs: $1" "$file"; then of=$mirror; else of=$os_mirror; fi
+    below "$of" <"$file" >"$parts/${file##*/}"
   done
   echo "Dir::Etc::SourceParts \"$parts\";" >>"$APT_CONFIG"
 }

@@ -18,11 +18,11 @@ if [[ -n ${ROS_TOOLS:-} ]]; then
   printf 'ros-%s %s\n' distro "${ROS_DISTRO:?}" version "${ROS_VERSION:?}" >/usr/local/share/rosml/versions.d/ros
   if [[ -n ${ROS_CHANNEL:-} ]]; then "$here/source.sh"; fi
 fi
-use_mirror
+source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
+use_mirror "$source"
 
 read -ra packages <<<"${ROS_TOOLS:-} ${ROS_PACKAGES:?}"
 apt_update
-source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
 if [[ -n $source ]]; then require_sync "$source"; fi
 apt_install "${packages[@]}"
 

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Installs ROS's own apt source and asks it for its index once, so that what is wrong with it is said here.
-#   ROS_CHANNEL     live: packages.ros.org, set up by ROS's own package
-#                   snapshot, final: a state of it on snapshots.ros.org, of a day or at the distribution's end of life
-#   ROS_DISTRO      the distribution, for a snapshot
+#   ROS_CHANNEL     live: today's packages, set up by ROS's own package
+#                   snapshot, final: a state of them, of a day or at the distribution's end of life
 #   ROS_SNAPSHOT    day of the snapshot, such as 2026-08-07
+#   ROS_LIVE_ADDRESS, ROS_SNAPSHOT_ADDRESS
+#                   where these are, from matrix.yaml: http://host/ros2/ubuntu, http://host/jazzy/{day}/ubuntu
 #   ROS_VERSION     1 or 2
 #   ROS_CODENAME    suite of the operating system, such as noble
 #   ROS_SYNC_DATE   of when the source has to be, if that is said
-#   ROS_APT_SOURCE  release and digest of ros2-apt-source, for live: 1.2.0@sha256:…
+#   ROS_APT_SOURCE  address and digest of a release of ros2-apt-source, for live: https://host/file.deb@sha256:…
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
@@ -17,19 +18,16 @@ source "$here/apt.sh"
 
 if [[ $ROS_VERSION == 1 ]]; then generation=ros; else generation=ros2; fi
 case ${ROS_CHANNEL:?} in
-  live) address=http://packages.ros.org/$generation/ubuntu ;;
-  # http, as ROS documents it: the certificate does not name the host. Signatures are what counts.
-  # https://docs.ros.org/en/rolling/Get-Started/Installation/Snapshot-Repository.html
-  snapshot) address=http://snapshots.ros.org/$ROS_DISTRO/${ROS_SNAPSHOT:?}/ubuntu ;;
-  final) address=http://snapshots.ros.org/$ROS_DISTRO/final/ubuntu ;;
+  live) address=${ROS_LIVE_ADDRESS:?} ;;
+  snapshot) address=${ROS_SNAPSHOT_ADDRESS//"{day}"/${ROS_SNAPSHOT:?}} ;;
+  final) address=${ROS_SNAPSHOT_ADDRESS//"{day}"/final} ;;
   *) fail "no channel '$ROS_CHANNEL'" "matrix.yaml knows live, snapshot and final" ;;
 esac
 
 # The release file of ros-infrastructure/ros-apt-source, checked against the digest that matrix.yaml pins.
 download() {
-  local version=${ROS_APT_SOURCE%%@*} digest=${ROS_APT_SOURCE##*:} url pause status found
-  url=https://github.com/ros-infrastructure/ros-apt-source/releases/download
-  url=$(for_build <<<"$url/$version/$generation-apt-source_$version.${ROS_CODENAME}_all.deb")
+  local digest=${ROS_APT_SOURCE##*:} url pause status found
+  url=$(below "$mirror" <<<"${ROS_APT_SOURCE%@*}")
   for pause in "${pauses[@]}"; do
     if status=$(curl --silent --show-error --location --fail --connect-timeout 30 --max-time 300 \
       --write-out '%{http_code}' --output "$1" "$url"); then
@@ -53,7 +51,11 @@ key_of() {
   if [[ -n $path ]]; then cat "$path"; else sed -n '/BEGIN PGP/,/END PGP/{s/^Signed-By://;s/^ *//;s/^\.$//;p}' "$1"; fi
 }
 
-sources() { grep --files-with-matches -R -E '(packages|snapshots)\.ros\.org' /etc/apt/sources.list* || true; }
+# The files that name the live repository, or a snapshot of the distribution. Both schemes and both formats count.
+sources() {
+  local snapshots=${ROS_SNAPSHOT_ADDRESS%%"{day}"*}
+  grep --files-with-matches -R -F -e "${ROS_LIVE_ADDRESS#*:}" -e "${snapshots#*:}" /etc/apt/sources.list* || true
+}
 
 codename=$(sed -n 's/^VERSION_CODENAME="\?\([a-z]*\).*/\1/p' /etc/os-release)
 [[ $codename == "${ROS_CODENAME:?}" ]] ||
@@ -84,7 +86,7 @@ done
 
 # The index of this source alone; its Release file says of which suite and of when it is.
 mkdir "$scratch/only"
-for_build <"$file" >"$scratch/only/ros.sources"
+below "$mirror" <"$file" >"$scratch/only/ros.sources"
 printf 'Dir::Etc::%s "%s";\n' SourceList /dev/null SourceParts "$scratch/only" >>"$APT_CONFIG"
 apt_update
 # When it is stands in the image's configuration, and not in its layers, which stay the same while no package changes.

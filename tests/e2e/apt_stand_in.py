@@ -27,10 +27,9 @@ from rosml import ROOT
 from tests.e2e.conftest import Run
 
 ADDRESSES = yaml.safe_load((ROOT / "matrix.yaml").read_text())["ros_archive"]
-LIVE, SNAPSHOT = ADDRESSES["live"], ADDRESSES["snapshot"]
-"""Where ROS's repositories are; components/ros/source.sh has to ask there."""
+LIVE, SNAPSHOT, APT_SOURCE = ADDRESSES["live"], ADDRESSES["snapshot"], ADDRESSES["apt_source"]
+"""Where ROS's repositories are, and the package that sets up the live one; components/ros/source.sh has to ask there."""
 
-GITHUB = "github.com/ros-infrastructure/ros-apt-source/releases/download"
 SYNC = "Fri, 20 Nov 2026 21:14:09 UTC"
 PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 

@@ -18,7 +18,7 @@ import pytest
 
 from rosml import ROOT, bake, expand, sync
 from tests.e2e.apt_stand_in import (
-    GITHUB,
+    APT_SOURCE,
     LIVE,
     SNAPSHOT,
     Image,
@@ -106,11 +106,11 @@ class Row:
         generation = "ros" if self.arguments["ROS_VERSION"] == "1" else "ros2"
         codename = codename or self.repository.codename
         deb = apt_source(self.server.folder, generation, codename, self.keys.armored(key))
-        name = f"{generation}-apt-source_1.2.0.{self.repository.codename}_all.deb"
-        release = self.server.folder / GITHUB / "1.2.0" / name
+        address = APT_SOURCE.format(generation=generation, version="1.2.0", codename=self.repository.codename)
+        release = self.server.folder / address.partition("://")[2]
         release.parent.mkdir(parents=True, exist_ok=True)
         deb.rename(release)
-        self.arguments["ROS_APT_SOURCE"] = f"1.2.0@sha256:{hashlib.sha256(release.read_bytes()).hexdigest()}"
+        self.arguments["ROS_APT_SOURCE"] = f"{address}@sha256:{hashlib.sha256(release.read_bytes()).hexdigest()}"
 
     def pin_keys(self, **files: str) -> None:
         """Puts keys made here into components/ros/keys."""
@@ -206,7 +206,7 @@ def test_all_components_of_a_row(distro: str, row: Callable[[str], Row]) -> None
     for image in components:
         done = made.build(image.component)
         assert done.code == 0, done.out + done.err
-        assert image.component == "core" or not any(path.startswith("github.com") for path in made.server.asked)
+        assert image.component == "core" or not any("-apt-source_" in path for path in made.server.asked)
         made.server.asked.clear()
     assert [path for path in files(made.image.upper) if made.server.url.encode() in path.read_bytes()] == []
     # As a user does: from the official address, here by way of a proxy.
@@ -311,24 +311,25 @@ def test_official_addresses_through_a_proxy(row: Callable[[str], Row]) -> None:
 
 @pytest.mark.parametrize(("distro", "both"), [("jazzy", True), ("iron", False)], ids=["both mirrors", "this one alone"])
 def test_a_mirror_of_the_operating_system(distro: str, both: bool, row: Callable[[str], Row], tmp_path: Path) -> None:
-    """What ROS needs of Ubuntu's own archive comes by way of a mirror, in which ROS's packages are not: nothing of either
-    mirror stays, and apt has the official addresses again."""
+    """What ROS needs of the archive that the base image names, whichever it is, comes by way of a mirror, in which ROS's
+    packages are not: nothing of either mirror stays, and apt has the official addresses again."""
     made = row(distro)
-    archive = Repository(made.server.folder / "archive.ubuntu.com/ubuntu", made.repository.codename, made.keys)
+    archive = Repository(made.server.folder / "archive.test/ubuntu", made.repository.codename, made.keys)
     archive.debs = [package(tmp_path, "python3-of-ubuntu")]
     archive.publish("stranger")
     made.image.write("etc/apt/trusted.gpg.d/ubuntu.asc", made.keys.armored("stranger"))
-    sources = f"deb http://archive.ubuntu.com/ubuntu {archive.codename} main\n"
+    sources = f"deb http://archive.test/ubuntu {archive.codename} main\n"
     made.image.write("etc/apt/sources.list", sources)
     made.repository.debs = [deb for deb in made.repository.debs if "vcstool" not in deb.name]
     made.repository.debs.append(package(tmp_path, "python3-vcstool", "python3-of-ubuntu", version="2"))
     made.repository.publish(made.own_key)
     proxy = {} if both else {"http_proxy": made.server.url, "no_proxy": "127.0.0.1"}
-    done = made.build(mirror=made.server.url if both else "", os_mirror=made.server.url, **proxy)
-    assert done.code == 0, done.out + done.err
-    assert f"{made.server.url}/archive.ubuntu.com/ubuntu" in done.out
     ros = (LIVE if both else SNAPSHOT).removeprefix("http://").partition("/")[0]
-    assert (f"{made.server.url}/{ros}" in done.out) == both
+    for component in ("core", "base"):  # the second finds ROS's source in the image
+        done = made.build(component, made.server.url if both else "", made.server.url, **proxy)
+        assert done.code == 0, done.out + done.err
+        assert f"{made.server.url}/archive.test/ubuntu" in done.out
+        assert (f"{made.server.url}/{ros}" in done.out) == both
     assert "Package: python3-of-ubuntu\n" in made.image.read("var/lib/dpkg/status")
     assert made.image.read("etc/apt/sources.list") == sources
     assert [path for path in files(made.image.upper) if made.server.url.encode() in path.read_bytes()] == []
@@ -364,7 +365,7 @@ def mixed_up(made: Row) -> None:
 
 
 def other_hash(made: Row) -> None:
-    made.arguments["ROS_APT_SOURCE"] = f"1.2.0@sha256:{'0' * 64}"
+    made.arguments["ROS_APT_SOURCE"] = f"{made.arguments['ROS_APT_SOURCE'].partition('@')[0]}@sha256:{'0' * 64}"
 
 
 def other_key_in_the_package(made: Row) -> None:

@@ -111,6 +111,7 @@ archives:
 ros_archive:
   live: http://ros.test/{{generation}}/ubuntu
   snapshot: http://snapshots.ros.test/{{ros_distro}}/{{day}}/ubuntu
+  apt_source: https://git.test/{{version}}/{{generation}}.{{codename}}.deb
 """
 
 SMALLER = SMALL.replace("components: [core, base, desktop]", "components: [core, base]")

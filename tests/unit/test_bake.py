@@ -15,7 +15,7 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse
 from counting import calls
 
-from rosml import bake, command, expand, files, hcl, labels, model, schema, source, synthetic
+from rosml import bake, command, expand, files, hcl, labels, model, schema, source, sync, synthetic
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from scripts import generate_bake
@@ -482,5 +482,9 @@ def test_where_packages_come_from(real: Catalogue) -> None:
             continue
         assert args["ROS_CHANNEL"].fact == distribution.apt.channel
         assert args["ROS_CODENAME"] == real.matrix.operating_systems[distribution.os].codename
-        pinned = re.fullmatch(r"[0-9.]+@sha256:[0-9a-f]{64}", args.get("ROS_APT_SOURCE", ""))
+        live = sync.source(real.matrix, name, {"ROS_CHANNEL": "live"})
+        day = sync.source(real.matrix, name, {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
+        assert live and args["ROS_LIVE_ADDRESS"] == live.address
+        assert day and args["ROS_SNAPSHOT_ADDRESS"].replace("{day}", "2026-08-07") == day.address
+        pinned = re.fullmatch(r"https://[^@{}]+\.deb@sha256:[0-9a-f]{64}", args.get("ROS_APT_SOURCE", ""))
         assert pinned or distribution.apt.channel != "live"

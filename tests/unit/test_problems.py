@@ -375,12 +375,13 @@ WRONG = {
     ),
     "nothing says where ROS's repositories are": (
         "ros_archive:\n  live: http://ros.test/{generation}/ubuntu\n"
-        "  snapshot: http://snapshots.ros.test/{ros_distro}/{day}/ubuntu\n",
+        "  snapshot: http://snapshots.ros.test/{ros_distro}/{day}/ubuntu\n"
+        "  apt_source: https://git.test/{version}/{generation}.{codename}.deb\n",
         "",
         "57:5: distributions.alpha.apt: nothing says where ROS's apt repositories are; "
-        "add 'ros_archive: {live: …, snapshot: …}'\n"
+        "add 'ros_archive: {live: …, snapshot: …, apt_source: …}'\n"
         "64:5: distributions.omega.apt: nothing says where ROS's apt repositories are; "
-        "add 'ros_archive: {live: …, snapshot: …}'",
+        "add 'ros_archive: {live: …, snapshot: …, apt_source: …}'",
     ),
     "a placeholder that is not filled in": (
         "{ros_distro}/{day}/ubuntu",

@@ -20,7 +20,11 @@ SOURCE = sync.Source("live", "", "http://live.test/ros2/ubuntu", "noble")
 @pytest.fixture
 def matrix(real: Catalogue) -> Matrix:
     """Our matrix with ROS's repositories at other addresses."""
-    archive = RosArchive(live="http://live.test/{generation}/ubuntu", snapshot="http://old.test/{ros_distro}/{day}")
+    archive = RosArchive(
+        live="http://live.test/{generation}/ubuntu",
+        snapshot="http://old.test/{ros_distro}/{day}",
+        apt_source="https://git.test/{version}/{generation}.{codename}.deb",
+    )
     return real.matrix.model_copy(update={"ros_archive": archive})
 
 

@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
 # ROS's apt source is there, once, and is the official one: further packages come from where these came from.
 set -euo pipefail
-mapfile -t files < <(grep --files-with-matches -R -E '(packages|snapshots)\.ros\.org' /etc/apt/sources.list*)
+source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
+mapfile -t files < <(
+  {
+    find /etc/apt/sources.list.d/ -name '*ros*'
+    grep --files-with-matches -R -F "${source#*:}" /etc/apt/sources.list*
+  } | sort -u
+)
 [[ ${#files[@]} == 1 && ${files[0]} == /etc/apt/sources.list.d/*ros2* ]] ||
   { echo "apt sources of ROS 2: ${files[*]:-none}" >&2; exit 1; }
-source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
 grep -q -x -F "URIs: $source" "${files[0]}" || { echo "${files[0]} does not name $source" >&2; exit 1; }
 [[ $ROS_SYNC_DATE =~ ^(20[0-9-]{8}T[0-9:]{8}Z)?$ ]] || { echo "ROS_SYNC_DATE=$ROS_SYNC_DATE" >&2; exit 1; }
