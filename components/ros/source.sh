@@ -51,10 +51,10 @@ key_of() {
   if [[ -n $path ]]; then cat "$path"; else sed -n '/BEGIN PGP/,/END PGP/{s/^Signed-By://;s/^ *//;s/^\.$//;p}' "$1"; fi
 }
 
-# The files that name the live repository, or a snapshot of the distribution. Both schemes and both formats count.
+# The files that name the live repository or a snapshot of the distribution, directly or below a mirror.
 sources() {
-  local snapshots=${ROS_SNAPSHOT_ADDRESS%%"{day}"*}
-  grep --files-with-matches -R -F -e "${ROS_LIVE_ADDRESS#*:}" -e "${snapshots#*:}" /etc/apt/sources.list* || true
+  local live=${ROS_LIVE_ADDRESS#*//} snapshots=${ROS_SNAPSHOT_ADDRESS%%"{day}"*}
+  grep --files-with-matches -R -F -e "$live" -e "${snapshots#*//}" /etc/apt/sources.list* || true
 }
 
 codename=$(sed -n 's/^VERSION_CODENAME="\?\([a-z]*\).*/\1/p' /etc/os-release)
@@ -70,7 +70,7 @@ if [[ $ROS_CHANNEL == live ]]; then
   download "$package"
   chmod 755 "$scratch" # apt reads it as another user
   apt_install "$package"
-  file=$(sources)
+  file=$(dpkg --listfiles "$generation-apt-source" | grep '^/etc/apt/sources\.list\.d/')
   [[ $(key_of "$file" | fingerprint) == "$(fingerprint <"$keys/live.asc")" ]] ||
     fail "the pinned $generation-apt-source has another key than components/ros/keys/live.asc" \
       "put the key of that release there"
@@ -81,7 +81,7 @@ else
   printf '%s\n' 'Types: deb' "URIs: $address" "Suites: $ROS_CODENAME" 'Components: main' "Signed-By: $keyring" >"$file"
 fi
 for line in "URIs: $address" "Suites: $ROS_CODENAME"; do
-  grep -q -x -F "$line" "$file" || fail "$file does not say '$line'" "check apt_sources and codename in matrix.yaml"
+  grep -q -x -F "$line" "$file" || fail "$file does not say '$line'" "check ros_archive, apt_sources and codename in matrix.yaml"
 done
 
 # The index of this source alone; its Release file says of which suite and of when it is.

@@ -421,6 +421,16 @@ def second_source(made: Row) -> None:
     made.image.write("etc/apt/sources.list.d/mine.list", f"deb {LIVE.format(generation='ros2')} noble main\n")
 
 
+def mirrored_source(made: Row) -> None:
+    """Of another channel than the build's, as an image of a company may have it."""
+    address = SNAPSHOT.format(ros_distro="jazzy", day="2026-08-07").replace("://", "s://mirror.test/")
+    made.image.write("etc/apt/sources.list.d/mine.sources", f"Types: deb\nURIs: {address}\n")
+
+
+def other_live_address(made: Row) -> None:
+    made.arguments["ROS_LIVE_ADDRESS"] = "http://live.test/ros2/ubuntu"
+
+
 def always_failing(made: Row) -> None:
     made.server.fail("500", 1000)
 
@@ -449,6 +459,18 @@ FAULTS: dict[str, tuple[str, Callable[[Row], None], str, str]] = {
     "changed package": ("jazzy", changed_package, "packages did not arrive, after 5 tries", "ROS_APT_MIRROR"),
     "no such snapshot": ("iron", no_repository, "no such apt repository", "check 'apt' and 'codename'"),
     "a source already there": ("jazzy", second_source, "already (/etc/apt/sources.list.d/mine.list)", "without one"),
+    "a mirror's source already there": (
+        "jazzy",
+        mirrored_source,
+        "already (/etc/apt/sources.list.d/mine.sources)",
+        "without",
+    ),
+    "wrong address in the package": (
+        "jazzy",
+        other_live_address,
+        "not say 'URIs: http://live.test",
+        "check ros_archive",
+    ),
     "always failing, live": ("jazzy", always_failing, "does not answer, after 5 tries", "ROS_APT_MIRROR"),
     "unreachable, final": ("iron", nobody_there, "does not answer, after 5 tries", "ROS_APT_MIRROR"),
 }

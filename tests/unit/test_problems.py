@@ -388,6 +388,11 @@ WRONG = {
         "{ros_distro}/{date}/ubuntu",
         "90:3: ros_archive.snapshot: no placeholder {date}; known: ros_distro, day",
     ),
+    "a placeholder of the package that sets up the source": (
+        "{generation}.{codename}.deb",
+        "{generation}.{suite}.deb",
+        "91:3: ros_archive.apt_source: no placeholder {suite}; known: generation, version, codename",
+    ),
     "packages from nowhere": (
         "    apt: {channel: snapshot, date: 2026-11-01}\n",
         "",

@@ -5,7 +5,7 @@ source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
 mapfile -t files < <(
   {
     find /etc/apt/sources.list.d/ -name '*ros*'
-    grep --files-with-matches -R -F "${source#*:}" /etc/apt/sources.list*
+    grep --files-with-matches -R -F "${source#*//}" /etc/apt/sources.list*
   } | sort -u
 )
 [[ ${#files[@]} == 1 && ${files[0]} == /etc/apt/sources.list.d/*ros2* ]] ||
