@@ -252,6 +252,11 @@ DECISIVE: dict[str, tuple[str, str, Callable[[Catalogue], set[str]]]] = {
     ),
     "day of the snapshot": ("date: 2026-11-01", "date: 2026-11-02", named("omega-")),
     "apt channel": ("channel: snapshot, date: 2026-11-01", "channel: final", named("omega-")),
+    "address of ROS's snapshots": (
+        "http://snapshots.ros.test",
+        "http://old.test",
+        lambda c: {i.target for i in c.images if c.matrix.distributions[i.distribution].apt},
+    ),
     "suite": ("codename: resolute", "codename: questing", named("omega-")),
     "package list": (
         "desktop: {builds_on: robot}",
