@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import textwrap
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ from rosml import ROOT, registry, verify
 from rosml.expand import Catalogue
 from rosml.labels import OCI
 from rosml.services import Services
+from tests.documented import blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, publish, run
 from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, build, push_payload
 
@@ -85,7 +87,7 @@ def test_make_image(published: Publish, services: Services) -> None:
     done = run("make", "image", "TARGET=bookworm-core", cwd=ROOT)
     assert done.code == 0, done.err
     reference = f"{services.registry}/rosml/{image.image.tags[0]}"
-    assert f"FROM {reference}" in done.out + done.err
+    assert re.search(rf"^FROM +{re.escape(reference)}$", done.out, re.MULTILINE), done.out
     assert [layer.digest for layer in registry.layers(services, reference)] == image.layers
 
 
@@ -125,12 +127,14 @@ def test_payloads_are_added_to_an_image_of_ones_own(
     ]
     assert layers == payload_layers(image), "the payload as an image of its own is the same layer"
     shutil.copy(ROOT / "components/build/network.sh", tmp_path)
+    page = ROOT / "docs/payloads.md"
+    (install,) = [command for block in blocks(page) for command in commands(block) if command.startswith("apt-get")]
     copies = [f"COPY --link --from={services.registry}/{NAMESPACE}/payload:{name} / /" for name in image.image.parts]
     (tmp_path / "Dockerfile").write_text(
         textwrap.dedent(f"""\
             FROM {image.result["base"].split()[0]}
             RUN --mount=type=bind,source=network.sh,target=/network.sh --mount=type=secret,id=ca-bundle \\
-                bash -c '. /network.sh && apt-get update && apt-get install --yes python3'
+                bash -c '. /network.sh && apt-get update && {install}'
         """)
         + "\n".join(copies)
         + f"\nRUN python3 -c '{pair.program}'\n"
