@@ -17,9 +17,9 @@ MAKEFILE = Path(__file__).resolve().parent.parent / "Makefile"
 GROUPS = {
     "Images": ("image", "list", "explain"),
     "Change": ("generate", "locks", "diff", "plan", "docs"),
-    "Check": ("lint", "unit", "test", "test-all", "page", "bench"),
+    "Check": ("lint", "unit", "test", "test-all", "page", "test-scanner", "test-signer", "bench"),
     "Publish": ("publish", "standing", "catalogue"),
-    "This machine": ("up", "status", "down", "clean", "emulation", "scanner", "signer", "room"),
+    "This machine": ("up", "client", "status", "down", "clean", "emulation", "scanner", "signer", "room"),
 }
 REST = "More"
 """The group of what is in no other."""
@@ -54,9 +54,9 @@ def lines(found: dict[str, tuple[str, str]], colour: bool) -> Iterator[str]:
         yield f"{bold}{title}{end}"
         for name in names:
             what, example = found[name]
-            yield f"  make {name:<11} {what}"
+            yield f"  make {name:<12} {what}"
             if example:
-                yield f"{'':<19}{dim}{example}{end}"
+                yield f"{'':<20}{dim}{example}{end}"
 
 
 def unknown(name: str, found: dict[str, tuple[str, str]], given: Iterable[str] = ()) -> str:
