@@ -73,6 +73,7 @@ MEANING = {
     HOST: "an archive's address without a path, such as http://archive.example.org (apt compares signatures, not certificates)",
     FOLDER: "a folder below an archive's address, such as debian/dists/{suite}",
     APT: "the address of an apt repository, such as http://packages.example.org/{generation}/ubuntu",
+    DEB: "the address of a Debian package, such as https://packages.example.org/{generation}-source_{version}.deb",
     PLATFORM: "a platform, such as linux/arm64",
     RMW: "an RMW implementation, such as rmw_cyclonedds_cpp",
     WORD: "one word",

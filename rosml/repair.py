@@ -33,6 +33,7 @@ STAND_IN = {
     model.HOST: "http://stand.in",
     model.FOLDER: "stand-in",
     model.APT: "http://stand.in",
+    model.DEB: "https://stand.in",
     model.PLATFORM: "linux/standin",
     model.RMW: "rmw_stand_in",
     model.WORD: "stand-in",

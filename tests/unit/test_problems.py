@@ -8,7 +8,7 @@ import pytest
 from conftest import SMALL, changed, parse
 from counting import calls
 
-from rosml import expand, source
+from rosml import expand, model, repair, source
 from rosml.errors import RosmlError
 from rosml.problems import InputError, Problem, dotted, listed, near
 
@@ -715,3 +715,19 @@ def test_words() -> None:
     assert near("jazy", ["jazzy", "humble"]) == "did you mean 'jazzy'?"
     assert near("x", ["humble"]) == "known: humble"
     assert near("x", []) == ""
+
+
+def patterns(content: object) -> set[str]:
+    """Every pattern of a JSON schema."""
+    if isinstance(content, dict):
+        own = {content["pattern"]} if isinstance(content.get("pattern"), str) else set()
+        return own.union(*map(patterns, content.values()))
+    return set[str]().union(*map(patterns, content)) if isinstance(content, list) else set()
+
+
+def test_every_pattern_has_a_meaning_and_a_value_that_takes_the_place_of_a_wrong_one() -> None:
+    """Without them a wrong value of that kind ends in a traceback."""
+    found = patterns(model.Matrix.model_json_schema())
+    assert len(found) > 10
+    assert found - model.MEANING.keys() == set()
+    assert found - repair.STAND_IN.keys() == set()
