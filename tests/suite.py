@@ -198,9 +198,9 @@ def main(everything: bool, shard: tuple[int, int], wanted: tuple[str, ...], star
     wrong: list[str] = []
     if quick:
         outcomes += [run(phase) for phase in QUICK]
-    wrong += [f"{outcome.name}: failed" for outcome in outcomes if outcome.code]
     if needs := sorted({command for proof in proofs for command in proof.needs}):
         outcomes.append(set_up(needs))
+    wrong += [f"{outcome.name}: failed" for outcome in outcomes if outcome.code]
     for proof in proofs:
         outcomes.append(run(proof_phase(proof)))
         wrong += filter(None, [settle(proof, outcomes[-1])])

@@ -7,7 +7,7 @@ import json
 import os
 import re
 import shlex
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -17,9 +17,7 @@ from rosml import ROOT, registry
 from rosml.services import Services
 from tests.documented import SHELLS, Block, blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, run
-from tests.e2e.images import build
-
-Publish = Callable[[str], Published]
+from tests.e2e.images import Publish, build
 
 TENSORFLOW = "bookworm-core-tensorflow-cpu"
 CPP = ROOT / "docs/cpp.md"
