@@ -74,10 +74,6 @@ BOOTSTRAP := python3 scripts/bootstrap.py
 RUN := uv run --quiet
 # Sets up all that tests need, then runs them; the set-up's time counts.
 SUITE := started=$$(date +%s); $(BOOTSTRAP) suite; $(RUN) python -m tests.suite --started "$$started"
-# A browser for each of two processors.
-PAGE := $(RUN) pytest --numprocesses=2 --dist=worksteal tests/page
-# As many tests at a time as there are processors, which take them from one another in the end.
-BESIDE := --numprocesses=auto --dist=worksteal
 
 .PHONY: help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner test-scanner signer test-signer room publish standing catalogue down clean status docs
 
@@ -99,11 +95,11 @@ lint: .linters ## the linters only
 	@$(RUN) pytest tests/lint
 
 unit: .linters ## the linters and the unit tests: no builder, about four minutes on two cores; COVERAGE=1 fails below 90 % of rosml/
-	@$(RUN) pytest $(BESIDE) $(if $(COVERAGE),--cov=rosml) tests/lint tests/unit
+	@$(if $(COVERAGE),PYTEST_ADDOPTS=--cov=rosml) $(RUN) python -m tests.suite --phase unit
 
 page: ## the catalogue's page in a browser; installs Chromium where there is none
 	@$(BOOTSTRAP) browser
-	@$(PAGE)
+	@$(RUN) python -m tests.suite --phase page
 
 bench: up ## our images beside those with RUN pip install, what more tags cost, and how fast the generator is: make bench TARGET=bookworm-base-torch-cu128
 	@$(RUN) scripts/bench.py --target="$$TARGET"

@@ -32,7 +32,7 @@ ACTIONS = {
     "actions/upload-artifact": UPLOAD,
     "actions/download-artifact": DOWNLOAD,
     "actions/cache": 'echo "$KEY $PATHS" >>"$CACHES"',
-    "docker/login-action": '[ "$PASSED" = "$GITHUB_TOKEN" ]; [ -n "$USER_NAME" ]',
+    "docker/login-action": '[ "$PASSED" = "$RIGHT" ]; [ -n "$USER_NAME" ]',
     "actions/upload-pages-artifact": '[ -d "$PATHS" ]',
     "actions/deploy-pages": ":",
 }
@@ -105,6 +105,7 @@ def play(
     checkout: Path | None = None,
     repository: str = "somebody/images",
     variables: Mapping[str, str] | None = None,
+    secrets: Mapping[str, str] | None = None,
     inputs: Mapping[str, str] | None = None,
     lost: str = "",
 ) -> Played:
@@ -116,6 +117,7 @@ def play(
         programs: shell scripts that take the place of `make` and `uv`, by name; each call is recorded before it.
         event: what starts it. checkout: what jobs check out; nothing if left out.
         repository: owner and name. variables: of the repository. inputs: of a run by hand.
+        secrets: of the repository. With ROSML_PASSWORD, that is what logs in; without, the job's own token.
         lost: artifacts that nobody can download.
 
     Raises:
@@ -144,9 +146,11 @@ def play(
         "CHECKOUT": checkout or folder / "empty",
         "LOST": lost,
         "GITHUB_TOKEN": TOKEN,
+        "RIGHT": (secrets or {}).get("ROSML_PASSWORD", TOKEN),
     }
     argv = [program(), event, "--json", "--verbose", "--no-skip-checkout", "--no-cache-server", "--pull=false"]
     argv += ["--workflows", ".github/workflows/workflow.yml", f"--secret=GITHUB_TOKEN={TOKEN}"]
+    argv += [f"--secret={name}={value}" for name, value in (secrets or {}).items()]
     argv += [f"--platform={machine}=-self-hosted" for machine in ("ubuntu-24.04", "ubuntu-24.04-arm")]
     argv += actions(text, folder / "actions")
     argv += [f"--env={name}={value}" for name, value in given.items()]

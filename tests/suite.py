@@ -57,14 +57,17 @@ def pytest(*arguments: str) -> list[str]:
     return [sys.executable, "-m", "pytest", *arguments]
 
 
-QUICK = (
-    Phase(
-        "linters and unit tests", pytest(*QUIET, "--numprocesses=auto", "--dist=worksteal", "tests/lint", "tests/unit")
-    ),
-    Phase("the catalogue's page", pytest(*QUIET, "--numprocesses=2", "--dist=worksteal", "tests/page")),
-    Phase("real images", pytest(*LANES, "-m", "not full", "tests/e2e")),
-)
-"""What `make test` runs after the set-up."""
+BESIDE = (*QUIET, "--numprocesses=auto", "--dist=worksteal")
+"""As many at a time as there are processors, which take tests from one another in the end."""
+BROWSERS = (*QUIET, "--numprocesses=2", "--dist=worksteal")
+"""A browser for each of two processors."""
+
+QUICK = {
+    "unit": Phase("linters and unit tests", pytest(*BESIDE, "tests/lint", "tests/unit")),
+    "page": Phase("the catalogue's page", pytest(*BROWSERS, "tests/page")),
+    "images": Phase("real images", pytest(*LANES, "-m", "not full", "tests/e2e")),
+}
+"""What `make test` runs after the set-up, by the name of each for --phase."""
 
 
 def proof_phase(proof: Proof) -> Phase:
@@ -187,9 +190,14 @@ class Shard(click.ParamType[tuple[int, int]]):
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.option("--all", "everything", is_flag=True, help="Run every proof as well.")
 @click.option("--shard", type=Shard(), default="1/1", show_default=True, help="What one of several machines runs.")
+@click.option(
+    "--phase", "phases", type=click.Choice(list(QUICK)), multiple=True, help="Run this part of `make test` alone."
+)
 @click.option("--proof", "wanted", type=click.Choice(names()), multiple=True, help="Run this proof alone.")
 @click.option("--started", type=float, help="When the set-up began, in seconds since 1970.")
-def main(everything: bool, shard: tuple[int, int], wanted: tuple[str, ...], started: float | None) -> None:
+def main(
+    everything: bool, shard: tuple[int, int], phases: tuple[str, ...], wanted: tuple[str, ...], started: float | None
+) -> None:
     """Runs the suite; set-up comes first: `make test`, `make test-all`."""
     quick, proofs = not wanted, [Proof.load(name) for name in wanted]
     if everything and not wanted:
@@ -197,7 +205,7 @@ def main(everything: bool, shard: tuple[int, int], wanted: tuple[str, ...], star
     outcomes = [Outcome("set-up", time.time() - started, 0)] if started else []
     wrong: list[str] = []
     if quick:
-        outcomes += [run(phase) for phase in QUICK]
+        outcomes += [run(phase) for name, phase in QUICK.items() if name in (phases or QUICK)]
     if needs := sorted({command for proof in proofs for command in proof.needs}):
         outcomes.append(set_up(needs))
     wrong += [f"{outcome.name}: failed" for outcome in outcomes if outcome.code]

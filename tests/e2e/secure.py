@@ -24,10 +24,12 @@ from urllib.parse import parse_qs, urlsplit
 
 import bcrypt
 import jwt
+import pytest
 import trustme
 
 from machine import network
 from rosml import ROOT
+from rosml.services import Services
 
 NAME, PASSWORD = "robot+ci", "p4ss:wörd/with=odd&letters"
 ISSUER, SERVICE = "a test", "a registry"
@@ -79,6 +81,30 @@ class Secure:
             self.authority.cert_pem.write_to_path(str(place / "ca.crt"))
 
 
+def cosign() -> str:
+    """Path of the real program; the test fails where there is none."""
+    try:
+        found: str = json.loads((ROOT / ".state/signer.json").read_text())["cosign"]
+    except OSError:
+        pytest.fail("cosign is not installed: make signer", pytrace=False)
+    return found
+
+
+def signing_key(prefix: Path) -> dict[str, str]:
+    """Makes a pair of keys with cosign; the environment of a run that signs with it."""
+    environment = {"COSIGN_KEY": f"{prefix}.key", "COSIGN_PASSWORD": "only for this test"}
+    made = subprocess.run(
+        [cosign(), "generate-key-pair", "--output-key-prefix", str(prefix)],
+        env={**os.environ, **environment},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert made.returncode == 0, made.stderr
+    return environment
+
+
 @contextmanager
 def registry(folder: Path, expired: bool = False, users: Mapping[str, str] | None = None) -> Iterator[Secure]:
     """Starts one.
@@ -107,6 +133,29 @@ def registry(folder: Path, expired: bool = False, users: Mapping[str, str] | Non
         token = {"realm": realm, "service": SERVICE, "issuer": ISSUER, "rootcertbundle": str(folder / "authority.pem")}
         with running(folder, found, {"token": token}):
             yield found
+
+
+@contextmanager
+def used(folder: Path, tokens: bool, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[Secure, Services, Path]]:
+    """Starts one and logs in to it, as this process and what it calls see it.
+
+    Args:
+        folder: an empty one. tokens: whether the registry wants tokens; without, it wants the password itself.
+
+    Yields:
+        the registry, services of a machine without a builder, Docker's configuration folder.
+    """
+    docker = folder / "docker"
+    monkeypatch.setenv("DOCKER_CONFIG", str(docker))
+    monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
+    for name in ("no_proxy", "NO_PROXY"):
+        monkeypatch.setenv(name, own_address())
+    root = folder / "checkout"
+    (root / ".state").mkdir(parents=True)
+    services = Services(root, "", (), "", "", None, "", "", "", False)
+    with registry(folder / "registry", users={NAME: "pull,push"} if tokens else None) as found:
+        found.docker_config(docker, {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}})
+        yield found, services, docker
 
 
 @contextmanager

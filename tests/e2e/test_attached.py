@@ -5,20 +5,19 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, agenda, ledger, oci, provenance
+from rosml import agenda, ledger, oci, provenance
 from rosml.agenda import INDEX
 from rosml.ledger import Ledger
 from rosml.pipeline import Pipeline
 from rosml.services import Services
 from rosml.signer import Signer, SignerFailed
 from tests.e2e import mini as minis
+from tests.e2e import secure
 from tests.e2e.conftest import LOG, run
 from tests.e2e.mini import NATIVE, Mini
 
@@ -109,22 +108,8 @@ def test_entries_and_provenance(mini: Mini) -> None:
 @pytest.fixture
 def cosign(tmp_path: Path, mini: Mini) -> dict[str, str]:
     """The environment of a run that signs with a key of its own."""
-    environment = {"COSIGN_KEY": str(tmp_path / "test.key"), "COSIGN_PASSWORD": "only for this test"}
-    note = ROOT / ".state/signer.json"
-    program = json.loads(note.read_text())["cosign"] if note.exists() else shutil.which("cosign")
-    if not program:
-        pytest.fail("cosign is not installed: make signer", pytrace=False)
-    made = subprocess.run(
-        [program, "generate-key-pair", "--output-key-prefix", str(tmp_path / "test")],
-        env={**os.environ, **environment},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert made.returncode == 0, made.stderr
-    (mini.folder / ".state/signer.json").write_text(json.dumps({"cosign": program}))
-    return environment
+    (mini.folder / ".state/signer.json").write_text(json.dumps({"cosign": secure.cosign()}))
+    return secure.signing_key(tmp_path / "test")
 
 
 @pytest.mark.full(proof="signer")

@@ -16,12 +16,11 @@ from rosml.expand import Catalogue
 from rosml.services import Services
 from rosml.turn import turn
 from tests.e2e import engine
-from tests.e2e.conftest import NAMESPACE, Published, Run
+from tests.e2e.conftest import NAMESPACE, Run
+from tests.e2e.images import Publish
 
 TARGET = "bookworm-core"
 WORKSPACE = "/docker-ros/ws"
-
-Publish = Callable[[str], Published]
 
 
 def env(environment: Mapping[str, str]) -> tuple[str, ...]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -12,10 +11,8 @@ import pytest
 from rosml import ROOT, base_images, builder, publish, registry, verify
 from rosml.expand import Catalogue
 from rosml.services import Services
-from tests.e2e.conftest import LOG, NAMESPACE, Published
-from tests.e2e.images import build, build_on
-
-Publish = Callable[[str], Published]
+from tests.e2e.conftest import LOG, NAMESPACE
+from tests.e2e.images import Publish, build, build_on
 
 
 @pytest.mark.full(proof="rebuild")

@@ -93,17 +93,7 @@ class Place:
 
 @pytest.fixture(params=["password", "tokens"])
 def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    docker = tmp_path / "docker"
-    monkeypatch.setenv("DOCKER_CONFIG", str(docker))
-    monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
-    for name in ("no_proxy", "NO_PROXY"):
-        monkeypatch.setenv(name, secure.own_address())
-    users = {NAME: "pull,push"} if request.param == "tokens" else None
-    root = tmp_path / "checkout"
-    (root / ".state").mkdir(parents=True)
-    services = Services(root, "", (), "", "", None, "", "", "", False)
-    with secure.registry(tmp_path / "registry", users=users) as found:
-        found.docker_config(docker, {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}})
+    with secure.used(tmp_path, request.param == "tokens", monkeypatch) as (found, services, docker):
         yield Place(found, services, docker)
 
 

@@ -3,9 +3,6 @@ Needs no builder: the nightly runs it before it relies on cosign. Keyless signin
 
 from __future__ import annotations
 
-import json
-import os
-import subprocess
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,10 +10,9 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT, certificates, oci
-from rosml.services import Services
 from rosml.signer import Signer, SignerFailed
 from tests.e2e import secure
-from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
+from tests.e2e.secure import PASSWORD, Secure
 
 pytestmark = pytest.mark.full(proof="signer")
 
@@ -37,38 +33,10 @@ class Place:
         return Signer.find(ROOT, self.environment)
 
 
-def cosign() -> str:
-    """The real program; the test fails where there is none."""
-    try:
-        found: str = json.loads((ROOT / ".state/signer.json").read_text())["cosign"]
-    except OSError:
-        pytest.fail("cosign is not installed: make signer", pytrace=False)
-    return found
-
-
 @pytest.fixture(params=["password", "tokens"])
 def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    docker = tmp_path / "docker"
-    monkeypatch.setenv("DOCKER_CONFIG", str(docker))
-    monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
-    for name in ("no_proxy", "NO_PROXY"):
-        monkeypatch.setenv(name, secure.own_address())
-    key = {"COSIGN_KEY": str(tmp_path / "test.key"), "COSIGN_PASSWORD": "only for this test"}
-    made = subprocess.run(
-        [cosign(), "generate-key-pair", "--output-key-prefix", str(tmp_path / "test")],
-        env={**os.environ, **key},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert made.returncode == 0, made.stderr
-    root = tmp_path / "checkout"
-    (root / ".state").mkdir(parents=True)
-    services = Services(root, "", (), "", "", None, "", "", "", False)
-    users = {NAME: "pull,push"} if request.param == "tokens" else None
-    with secure.registry(tmp_path / "registry", users=users) as found:
-        found.docker_config(docker, {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}})
+    with secure.used(tmp_path, request.param == "tokens", monkeypatch) as (found, services, _docker):
+        key = secure.signing_key(tmp_path / "test")
         index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []}
         digest = oci.Registry(found.host).put_manifest("images/small", "latest", index, oci.INDEX)
         reference = f"{found.host}/images/small@{digest}"
@@ -86,9 +54,7 @@ def test_it_signs_once_and_knows_its_signature(place: Place) -> None:
 
 def test_another_key_is_not_ours(place: Place, tmp_path: Path) -> None:
     place.signer().ensure(place.reference)
-    other = {**place.environment, "COSIGN_KEY": str(tmp_path / "other.key")}
-    argv = [cosign(), "generate-key-pair", "--output-key-prefix", str(tmp_path / "other")]
-    subprocess.run(argv, env=other, stdin=subprocess.DEVNULL, capture_output=True, check=True)
+    other = {**place.environment, **secure.signing_key(tmp_path / "other")}
     with pytest.raises(SignerFailed, match="has no signature"):
         Signer.find(ROOT, other).verify(place.reference)
 

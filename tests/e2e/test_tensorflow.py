@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,10 +11,8 @@ import pytest
 from rosml import registry
 from rosml.expand import Catalogue
 from rosml.services import Services
-from tests.e2e.conftest import NAMESPACE, Published
-from tests.e2e.images import build, push_payload
-
-Publish = Callable[[str], Published]
+from tests.e2e.conftest import NAMESPACE
+from tests.e2e.images import Publish, build, push_payload
 
 
 @pytest.mark.parametrize(

@@ -1,28 +1,28 @@
-"""The nightly workflow's steps, read from its file and run one after the other against the local registry, each job with
-nothing but the artifacts that it downloads. What GitHub does is played here in a few lines; the scanner is a stand-in."""
+"""The nightly workflow with its real commands, run by act against the local registry, each job in a folder of its own. The
+scanner is a stand-in."""
 
 from __future__ import annotations
 
 import json
 import os
-import re
+import shlex
 import shutil
 import subprocess
 import sys
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
 
-from rosml import ROOT, ci
+from rosml import ROOT
 from rosml.errors import RosmlError
 from rosml.ledger import Ledger
 from rosml.programs import pinned_version
 from rosml.services import Services
+from tests.act import Played, play, workflow
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG
 from tests.e2e.mini import NATIVE, Mini
@@ -72,161 +72,42 @@ def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     return mini
 
 
-JOBS = {
-    "",
-    "${{ needs.plan.outputs.shards != '[]' }}",
-    "${{ !cancelled() && needs.plan.result == 'success' }}",
-    "${{ !cancelled() && needs.promote.result != 'skipped' }}",
-    "${{ !cancelled() && needs.catalogue.result == 'success' && vars.ROSML_PAGES == 'true' }}",
-}
-STEPS = {
-    "",
-    "${{ !cancelled() }}",
-    "${{ !cancelled() && steps.signer.outcome != 'failure' }}",
-    "${{ steps.scan.outcome == 'success' }}",
-    "${{ vars.ROSML_SIGN == 'true' }}",
-}
-"""Conditions that are played here; tests/unit/test_night.py has act evaluate them."""
+MAKE = 'case "$1" in up | client | room | scanner | test-scanner) ;; *) exit 1 ;; esac'
+"""What takes the place of make: the machine is set up."""
+
+UV = """\
+case "$2" in scripts/*.py) ;; *) exit 1 ;; esac
+shift
+code=0
+{python} "$@" || code=$?
+cat "$GITHUB_STEP_SUMMARY" >>"$ARTIFACTS/../summary.md"
+exit $code
+"""
+"""What takes the place of uv: the same script by the Python of the tests; what people see on the run's page is kept."""
 
 
-@dataclass
-class Night:
-    """A run of the workflow.
+def night(mini: Mini, folder: Path, only: str = "", lost: str = "") -> Played:
+    """A run of the workflow, its commands for real."""
+    programs = {"make": MAKE, "uv": UV.format(python=shlex.quote(sys.executable))}
+    host, _, place = mini.registry.partition("/")
+    variables = {"ROSML_REGISTRY": host, "ROSML_NAMESPACE": place, "ROSML_SERVE": NATIVE, "ROSML_SHARDS": "2"}
+    played = play(
+        workflow("nightly"),
+        folder,
+        programs,
+        checkout=mini.folder,
+        variables=variables,
+        secrets={"ROSML_USER": "somebody", "ROSML_PASSWORD": "their password"},
+        inputs={"only": only, "force": "false"},
+        lost=lost,
+    )
+    LOG.info("%s", played.log)
+    return played
 
-    Attributes:
-        mini: the checkout and its place. folder: for artifacts and what CI reads.
-        artifacts: files by the artifact's name. results: of jobs. shards: what `plan` gave.
-        steps: those that ran, by job.
-        only: the workflow's input. lost: artifacts that nobody gets.
-    """
 
-    mini: Mini
-    folder: Path
-    only: str = ""
-    lost: tuple[str, ...] = ()
-    artifacts: dict[str, dict[str, bytes]] = field(default_factory=dict)
-    results: dict[str, str] = field(default_factory=dict)
-    shards: str = ""
-    steps: dict[str, list[str]] = field(default_factory=dict)
-
-    @property
-    def environment(self) -> dict[str, str]:
-        """What stands for GitHub's expressions, and the files that it reads."""
-        found = {
-            "REGISTRY": self.mini.registry,
-            "SERVE": NATIVE,
-            "SHARDS": "2",
-            "ONLY": self.only,
-            "ROSML_FORCE": "",
-            "ROSML_SIGN": "",
-        }
-        files = {name: str(self.folder / name) for name in (ci.SUMMARY, ci.OUTPUT)}
-        return {**os.environ, **found, **files}
-
-    @property
-    def summary(self) -> str:
-        """What people see."""
-        return (self.folder / ci.SUMMARY).read_text()
-
-    def run(self, last: str = "") -> Night:
-        """All jobs in their order, or those up to one."""
-        self.folder.mkdir(exist_ok=True)
-        workflow = yaml.safe_load((ROOT / ".github/workflows/nightly.yml").read_text())
-        for name, job in workflow["jobs"].items():
-            needs = [job["needs"]] if isinstance(job.get("needs"), str) else job.get("needs", [])
-            assert set(needs) <= self.results.keys(), "jobs stand in the order in which they run"
-            self.results[name] = self.job(name, job, needs)
-            if name == last:
-                break
-        return self
-
-    def job(self, name: str, job: dict[str, Any], needs: list[str]) -> str:
-        """A job, for each member of its matrix; its result."""
-        condition = job.get("if", "")
-        assert condition in JOBS, "a condition that is not played here"
-        wanted = re.findall(r"needs\.(\w+)\.result == 'success'", condition) if "!cancelled()" in condition else needs
-        if any(self.results[need] != "success" for need in wanted):
-            return "skipped"
-        if any(self.results[need] == "skipped" for need in re.findall(r"needs\.(\w+)\.result != 'skipped'", condition)):
-            return "skipped"
-        if "needs.plan.outputs.shards != '[]'" in condition and self.shards == "[]":
-            return "skipped"
-        if "vars.ROSML_PAGES == 'true'" in condition:  # which nobody set
-            return "skipped"
-        if "strategy" not in job:
-            return self.steps_of(name, job, {})
-        shards = [shard["name"] for shard in json.loads(self.shards)]
-        results = [self.steps_of(name, job, {"SHARD": shard}) for shard in shards]
-        return "failure" if "failure" in results else "success"
-
-    def steps_of(self, name: str, job: dict[str, Any], extra: dict[str, str]) -> str:
-        """The steps of a job on a machine of its own: files of other jobs are not there."""
-        for left in ("plan.json", "scan.json"):
-            (self.mini.folder / left).unlink(missing_ok=True)
-        for left in ("reports", "public"):
-            shutil.rmtree(self.mini.folder / left, ignore_errors=True)
-        failed, there = False, set()
-        for step in job["steps"]:
-            condition = step.get("if", "")
-            assert condition in STEPS, "a condition that is not played here"
-            wanted = re.search(r"steps\.(\w+)\.outcome == 'success'", condition)
-            if "vars.ROSML_SIGN" in condition:  # the variable is not set
-                continue
-            if (failed and "!cancelled()" not in condition) or (wanted and wanted[1] not in there):
-                continue
-            done = self.action(step) if "uses" in step else self.command(name, step["run"], extra)
-            if done:
-                there.add(step.get("id", ""))
-            failed = failed or not (done or step.get("continue-on-error"))
-        return "failure" if failed else "success"
-
-    def action(self, step: dict[str, Any]) -> bool:
-        """An action; whether it succeeds."""
-        action, options = step["uses"].split("@")[0], step.get("with", {})
-        if action == "actions/upload-artifact":
-            files = [self.mini.folder / path for path in options["path"].split()]
-            found = [
-                path for file in files for path in ([file] if file.is_file() else file.rglob("*")) if path.is_file()
-            ]
-            self.artifacts[options["name"]] = {
-                str(path.relative_to(self.mini.folder)): path.read_bytes() for path in found
-            }
-        elif action == "actions/download-artifact":
-            if options["name"] not in self.artifacts or options["name"] in self.lost:
-                return False
-            for path, content in self.artifacts[options["name"]].items():
-                (self.mini.folder / path).parent.mkdir(exist_ok=True)
-                (self.mini.folder / path).write_bytes(content)
-        else:
-            assert action in ("actions/cache", "actions/checkout", "docker/login-action")
-        return True
-
-    def command(self, job: str, text: str, extra: dict[str, str]) -> bool:
-        """A step's command, as a shell reads it; those that set a machine up are left out."""
-        if text.startswith("make "):
-            assert text.split()[1] in ("up", "client", "room", "scanner", "test-scanner")
-            return True
-        LOG.info("%s: %s", job, text)
-        script, step = text.split()[2:4]
-        self.steps.setdefault(job, []).append("catalogue" if script.endswith("catalogue.py") else step)
-        command = text.replace("uv run scripts/", f"{sys.executable} scripts/")
-        env = {**self.environment, **extra}
-        done = subprocess.run(
-            ["bash", "-euo", "pipefail", "-c", command],
-            cwd=self.mini.folder,
-            env=env,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        LOG.info("%s", done.stdout + (done.stderr if done.returncode else ""))
-        output = self.folder / ci.OUTPUT
-        if job == "plan" and output.exists():
-            (line,) = output.read_text().splitlines()
-            self.shards = line.removeprefix("shards=")
-            output.unlink()
-        return done.returncode == 0
+def steps(played: Played, job: str) -> list[str]:
+    """The steps of the publisher that a job called, in their order."""
+    return [call.split()[3] for call in played.commands.get(job, []) if "scripts/publish.py" in call]
 
 
 @pytest.fixture
@@ -239,33 +120,36 @@ def mini(project: Mini) -> Iterator[Mini]:
 
 def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     """What the scanner found in the first one never arrives: nothing gets a tag. The second one builds nothing again."""
-    first = Night(mini, tmp_path / "first", lost=("scan",)).run(last="promote")
-    assert set(first.results.values()) == {"success"}, first.results
-    assert first.steps["images"] == ["build", "compose", "test"]
-    assert first.steps["promote"] == ["index", "promote", "status"]
+    first = night(mini, tmp_path / "first", lost="scan")
+    assert set(first.results.values()) == {"success", "skipped"} and first.results["pages"] == "skipped", first.results
+    assert steps(first, "images") == ["build", "compose", "test"]
+    assert steps(first, "promote") == ["index", "promote", "status"]
     assert mini.tags() == {}
-    assert {name.partition("/")[0] for name in first.artifacts["scan"]} == {"scan.json", "reports"}
+    scanned = first.artifacts / "scan"
+    assert {path.name for path in scanned.iterdir()} == {"scan.json", "reports"}
     book = Ledger(mini.client(), mini.prefix)
     before = book.read("bookworm-base-tensorflow-cpu", NATIVE)
     assert before and before.digest and not before.scanned, "the scan wrote nothing"
 
     time.sleep(1.1)  # another date
-    second = Night(mini, tmp_path / "second").run()
-    assert (second.shards, second.results.pop("images"), second.results.pop("pages")) == ("[]", "skipped", "skipped")
-    assert set(second.results.values()) == {"success"}, second.results
-    assert second.steps["promote"] == ["record", "index", "promote", "status"]
+    second = night(mini, tmp_path / "second")
+    expected = {**dict.fromkeys(second.results, "success"), "images": "skipped", "pages": "skipped"}
+    assert second.results == expected
+    assert steps(second, "promote") == ["record", "index", "promote", "status"]
     assert {"ros:bookworm-core", "ros:bookworm-base", "ros-tf:bookworm-base-cpu"} <= mini.tags().keys()
     mini.check()
-    date = json.loads(second.artifacts["plan"]["plan.json"])["date"]
+    date = json.loads((second.artifacts / "plan/plan.json").read_text())["date"]
     found = mini.client().manifest(f"{mini.prefix}/ros-tf", "bookworm-base-cpu")
     assert found and found.content["annotations"]["io.rosml.date"] == date
     after = book.read("bookworm-base-tensorflow-cpu", NATIVE)
     assert after and (after.digest, after.scanned) == (before.digest, "clean")
-    assert f"## Plan of {date}" in second.summary
-    assert "| promote | `bookworm-base-tensorflow-cpu` |" in second.summary
-    assert second.steps["catalogue"] == ["catalogue"]
-    assert "public/index.html" in second.artifacts["catalogue"]
-    images = json.loads(second.artifacts["catalogue"]["public/catalogue.json"])["images"]
+    summary = (tmp_path / "second/summary.md").read_text()
+    assert f"## Plan of {date}" in summary
+    assert "| promote | `bookworm-base-tensorflow-cpu` |" in summary
+    assert "uv run scripts/catalogue.py" in " ".join(second.commands["catalogue"])
+    public = second.artifacts / "catalogue/public"
+    assert (public / "index.html").is_file()
+    images = json.loads((public / "catalogue.json").read_text())["images"]
     shown = {image["target"]: image["builds"][0]["digest"] for image in images if image["status"] == "built"}
     assert shown["bookworm-base-tensorflow-cpu"] == found.digest
     (platform,) = next(i for i in images if i["target"] == "bookworm-base-tensorflow-cpu")["builds"][0]["platforms"]
@@ -274,9 +158,9 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
 
 
 def test_no_plan_no_night(mini: Mini, tmp_path: Path) -> None:
-    night = Night(mini, tmp_path / "night", only="bookworm-core no-*").run()
+    played = night(mini, tmp_path / "night", only="bookworm-core no-*")
     others = ("images", "scan", "promote", "prune", "catalogue", "pages")
-    assert night.results == {"plan": "failure", **dict.fromkeys(others, "skipped")}
+    assert played.results == {"plan": "failure", **dict.fromkeys(others, "skipped")}
 
 
 def test_a_pull_request_builds_what_it_changes(mini: Mini) -> None:

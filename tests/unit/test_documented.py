@@ -132,6 +132,11 @@ def test_the_proof_is_there(command: str) -> None:
             assert Proof.load(value).command == command or not command.startswith("make test-all")
         case "needs":
             assert len(value) >= len("a GPU")
+            sources = {path.stem: path.read_text() for path in (ROOT / "tests").glob("*/test_*.py")}
+            for name in re.findall(r"\btest_\w+", value):
+                assert name in sources or any(f"def {name}(" in text for text in sources.values()), (
+                    f"there is no {name}"
+                )
         case _:
             assert kind == "run" and value
 
