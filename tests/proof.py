@@ -103,8 +103,10 @@ class Proof:
         return "sha256:" + hashlib.sha256(json.dumps(found, sort_keys=True).encode()).hexdigest()
 
     def stale(self, root: Path = ROOT) -> str:
-        """Why what was proved does not hold for a checkout any more; empty where it does, or where it was never proved."""
-        if self.proved and self.proved.digest != self.digest(root):
+        """Why nothing proves it for a checkout; empty where something does."""
+        if not self.proved:
+            return f"{self.name} was never proved; run: {self.command}"
+        if self.proved.digest != self.digest(root):
             return f"what {self.name} depends on has changed since {self.proved.date}; run: {self.command}"
         return ""
 

@@ -65,6 +65,12 @@ def test_a_change_of_what_it_depends_on_needs_a_new_proof(checkout: Path) -> Non
         found = prove(checkout)
 
 
+def test_what_was_never_proved_is_not_proved(checkout: Path) -> None:
+    assert Proof.load("thing", checkout / "proofs").stale(checkout) == (
+        "thing was never proved; run: make test-all PROOF=thing"
+    )
+
+
 def test_an_image_of_which_it_depends(tmp_path: Path) -> None:
     """Its lock, its component's scripts, the tests inside: not another image's."""
     target = "bookworm-core-tensorflow-cpu-test"
