@@ -15,6 +15,7 @@ from types import FrameType
 import click
 
 from rosml.colour import plain_where_wanted
+from rosml.environment import program
 from rosml.errors import RosmlError
 from rosml.problems import InputError
 
@@ -53,7 +54,7 @@ def run(
     given = list(sys.argv[1:] if arguments is None else arguments)
     as_json = "--json" in given
     try:
-        with main.make_context(Path(sys.argv[0]).name, given) as context:
+        with main.make_context(program(), given) as context:
             main.invoke(context)
         if sys.stdout:
             sys.stdout.flush()

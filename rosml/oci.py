@@ -326,11 +326,12 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        return self._put_manifest(repository, reference, content, media_type)[0]
+        return self.send_manifest(repository, reference, content, media_type)[0]
 
-    def _put_manifest(
+    def send_manifest(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str
     ) -> tuple[str, httpx.Headers]:
+        """As `put_manifest`, with the headers of the registry's answer. All manifests go this way."""
         data = content if isinstance(content, bytes) else encoded(content)
         digest = digest_of(data)
         answer = self._ask(
@@ -565,7 +566,7 @@ class Registry:
         for data in (EMPTY_BLOB, payload):
             self.put_blob(repository, data)
         data = encoded(artifact(artifact_type, payload, media_type, annotations, subject))
-        digest, headers = self._put_manifest(repository, "", data, IMAGE)
+        digest, headers = self.send_manifest(repository, "", data, IMAGE)
         if headers.get("oci-subject") != subject["digest"]:  # this registry keeps no account of referrers
             noted = {"annotations": dict(annotations)} if annotations else {}
             entry = {**descriptor(IMAGE, data), "artifactType": artifact_type, **noted}

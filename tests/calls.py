@@ -64,10 +64,10 @@ def _collect(file: Path, name: str, seen: dict[tuple[Path, str], str]) -> None:
                 _collect(file, other, seen)
                 if (file, other) not in seen and file.name != "conftest.py":
                     _collect(file.parent / "conftest.py", other, seen)
-        elif isinstance(node, ast.ImportFrom) and node.module == "scripts":  # the script itself, by click
+        elif isinstance(node, ast.ImportFrom) and node.module in ("scripts", "bench"):  # itself, by click
             for alias in node.names:
                 if name == (alias.asname or alias.name):
-                    seen[file, name] = f"{alias.name}.py"
+                    seen[file, name] = f"{alias.name}.py" if node.module == "scripts" else node.module
         elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("tests"):
             for alias in node.names:
                 if name == (alias.asname or alias.name):

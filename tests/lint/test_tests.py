@@ -1,5 +1,6 @@
 """Tests hold what the project does, and not how: no test imports from another one, and none reaches for private names or
-overrides private methods. So code can move without any change of what is asserted."""
+overrides private methods. So code can move without any change of what is asserted. And the product stands on neither tests
+nor measurements."""
 
 from __future__ import annotations
 
@@ -105,6 +106,17 @@ def product() -> dict[str, list[ast.ClassDef]]:
     """The product's classes."""
     files = (file for folder in PRODUCT for file in (ROOT / folder).rglob("*.py"))
     return classes(ast.parse(file.read_text(encoding="utf-8")) for file in files)
+
+
+def test_the_product_does_not_stand_on_what_serves_it() -> None:
+    """Neither on what measures it nor on its tests."""
+    wrong = []
+    for file in (file for folder in PRODUCT for file in sorted((ROOT / folder).rglob("*.py"))):
+        nodes = list(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
+        names = {alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names}
+        names |= {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)}
+        wrong += [f"{file.name}: {name}" for name in sorted(names) if name.partition(".")[0] in ("bench", "tests")]
+    assert wrong == []
 
 
 def test_tests_stand_on_public_names_and_on_no_other_test(product: dict[str, list[ast.ClassDef]]) -> None:

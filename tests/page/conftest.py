@@ -15,8 +15,9 @@ from typing import Any
 import pytest
 from shelf import FIRST, Shelf, shown
 
+from bench import synthetic
 from machine.commands import BROWSERS
-from rosml import ROOT, expand, site, source, synthetic
+from rosml import ROOT, expand, site, source
 from rosml.catalogue import Published
 from rosml.gather import Gatherer
 

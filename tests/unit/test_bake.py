@@ -15,7 +15,8 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse
 from counting import calls
 
-from rosml import bake, command, expand, files, hcl, labels, model, schema, source, sync, synthetic
+from bench import synthetic
+from rosml import bake, command, expand, files, hcl, labels, model, schema, source, sync
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from scripts import generate_bake

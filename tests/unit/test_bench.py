@@ -10,17 +10,17 @@ import pytest
 from conftest import parse
 from counting import calls
 
-from rosml import bake, command, source, synthetic
+from bench import cli, generator, synthetic
+from bench.generator import Measured
+from rosml import bake, command, source
 from rosml.errors import RosmlError
-from scripts import bench
-from scripts.bench import Measured
 
 FINE = [Measured(1_000, 0.2), Measured(10_000, 2.0)]
 
 
 @pytest.mark.parametrize("word", ["-h", "--help"])
 def test_help(word: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(bench.main, arguments=[word]) == 0
+    assert command.run(cli.main, arguments=[word]) == 0
     assert "--generator" in capsys.readouterr().out
 
 
@@ -38,7 +38,7 @@ def test_work_grows_with_the_images_and_not_with_their_square() -> None:
 
 
 def test_within_the_limits() -> None:
-    assert bench.missed(0.49, FINE) == []
+    assert generator.missed(0.49, FINE) == []
 
 
 @pytest.mark.parametrize(
@@ -54,29 +54,29 @@ def test_within_the_limits() -> None:
     ],
 )
 def test_a_limit_is_missed(real: float, sizes: list[Measured], message: str) -> None:
-    (found,) = bench.missed(real, sizes)
+    (found,) = generator.missed(real, sizes)
     assert message in found
 
 
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """A bench of a moment."""
-    monkeypatch.setattr(bench, "REPORT", tmp_path / "report")
-    monkeypatch.setattr(bench, "SIZES", (96, 192))
-    monkeypatch.setattr(bench, "ROUNDS", 1)
-    monkeypatch.setattr(bench, "RUNS", 1)
+    monkeypatch.setattr(cli, "REPORT", tmp_path / "report")
+    monkeypatch.setattr(generator, "SIZES", (96, 192))
+    monkeypatch.setattr(generator, "ROUNDS", 1)
+    monkeypatch.setattr(generator, "RUNS", 1)
     for limit in ("REAL_SECONDS", "LARGEST_SECONDS", "GROWTH", "PLAN_SECONDS", "DIGESTS_SECONDS", "REFUSED_SECONDS"):
-        monkeypatch.setattr(bench, limit, 1_000.0)
+        monkeypatch.setattr(generator, limit, 1_000.0)
 
 
 @pytest.mark.usefixtures("quick")
 def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(bench.main, arguments=["--generator", "--json"]) == 0
+    assert command.run(cli.main, arguments=["--generator", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found.keys() == {"machine", "real_seconds", "sizes", "growth", "limits"}
     assert len(found["limits"]) == 3 and all(item["seconds"] > 0 for item in found["limits"])
     assert [size["images"] for size in found["sizes"]] == [96, 192]
-    assert command.run(bench.main, arguments=["--generator"]) == 0
+    assert command.run(cli.main, arguments=["--generator"]) == 0
     said = capsys.readouterr()
     assert "192 images" in said.out
     assert said.err == f"with charts: {tmp_path / 'report/report.md'}\n"
@@ -85,13 +85,13 @@ def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 @pytest.mark.usefixtures("quick")
 def test_too_slow(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr(bench, "LARGEST_SECONDS", 0.0)
-    assert command.run(bench.main, arguments=["--generator"]) == 0
+    monkeypatch.setattr(generator, "LARGEST_SECONDS", 0.0)
+    assert command.run(cli.main, arguments=["--generator"]) == 0
     first = capsys.readouterr()
     assert "192 images" in first.out
     assert "\n192 images take 0." in first.err
     assert first.err.endswith(" s; the limit of 0.0 s holds for an idle machine\n")
-    assert command.run(bench.main, arguments=["--generator", "--check"]) == 1
+    assert command.run(cli.main, arguments=["--generator", "--check"]) == 1
     done = capsys.readouterr()
     assert "192 images" in done.out
     assert "too slow: 192 images take" in done.err
@@ -110,8 +110,8 @@ def test_too_slow(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
 def test_a_limit_beside_the_generator_is_missed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], limit: str, what: str
 ) -> None:
-    monkeypatch.setattr(bench, limit, 0.0)
-    assert command.run(bench.main, arguments=["--generator", "--check"]) == 1
+    monkeypatch.setattr(generator, limit, 0.0)
+    assert command.run(cli.main, arguments=["--generator", "--check"]) == 1
     assert f"too slow: {what}" in capsys.readouterr().err
     assert f"| {what}" in (tmp_path / "report/report.md").read_text()
 
@@ -119,4 +119,4 @@ def test_a_limit_beside_the_generator_is_missed(
 def test_a_run_that_fails_is_no_measurement(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "executable", "false")
     with pytest.raises(RosmlError, match="--check failed"):
-        bench.whole_run()
+        generator.whole_run()

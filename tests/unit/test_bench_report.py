@@ -10,11 +10,11 @@ from xml.etree import ElementTree
 
 import pytest
 
-from rosml import bench_report
-from rosml.comparison import Comparison, Side
+from bench import report
+from bench.idle_run import IdleRun
+from bench.many_tags import Grown, Growth
+from bench.second_image import Comparison, Side
 from rosml.errors import RosmlError
-from rosml.growth import Grown, Growth
-from rosml.second_run import SecondRun
 
 LIMITS = {"real": 0.5, "largest": 3.0}
 GENERATOR: dict[str, Any] = {
@@ -33,14 +33,14 @@ COMPARED = Comparison(
 )
 GROWN = Grown(
     (Growth(10, 2.5, 70_000, 900.0, 15_000_000_000), Growth(20, 5.0, 140_000, 1_800.0, 30_000_000_000)),
-    SecondRun(843, 2967, 6.5, 0, 0),
+    IdleRun(843, 2967, 6.5, 0, 0),
 )
 WHOLE = {**GENERATOR, "comparison": COMPARED.to_json(), "growth_of_tags": GROWN.to_json()}
 
 
 def test_the_whole_report(tmp_path: Path) -> None:
     """Every picture that the page shows is there, and every number that it shows was measured."""
-    page = bench_report.write(WHOLE, tmp_path / "a/b", LIMITS)
+    page = report.write(WHOLE, tmp_path / "a/b", LIMITS)
     text = page.read_text()
     for name in ("comparison", "growth", "generator"):
         assert f"]({name}.svg)" in text
@@ -57,14 +57,14 @@ def test_the_whole_report(tmp_path: Path) -> None:
 
 
 def test_the_generator_alone(tmp_path: Path) -> None:
-    page = bench_report.write(GENERATOR, tmp_path, LIMITS)
+    page = report.write(GENERATOR, tmp_path, LIMITS)
     assert sorted(file.name for file in tmp_path.iterdir()) == ["generator.svg", "report.json", "report.md"]
     assert "the usual way" not in page.read_text()
 
 
 def test_the_same_numbers_make_the_same_files(tmp_path: Path) -> None:
     for folder in ("one", "two"):
-        bench_report.write(WHOLE, tmp_path / folder, LIMITS)
+        report.write(WHOLE, tmp_path / folder, LIMITS)
     for file in (tmp_path / "one").iterdir():
         assert file.read_bytes() == (tmp_path / "two" / file.name).read_bytes()
 
@@ -72,12 +72,12 @@ def test_the_same_numbers_make_the_same_files(tmp_path: Path) -> None:
 def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     with pytest.raises(RosmlError, match="cannot write") as caught:
-        bench_report.write(GENERATOR, tmp_path / "file", LIMITS)
+        report.write(GENERATOR, tmp_path / "file", LIMITS)
     assert "--output" in str(caught.value.remedy)
 
 
 def test_without_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(RosmlError, match="matplotlib") as caught:
-        bench_report.write(GENERATOR, tmp_path, LIMITS)
+        report.write(GENERATOR, tmp_path, LIMITS)
     assert "make bench" in str(caught.value.remedy)

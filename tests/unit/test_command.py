@@ -20,6 +20,7 @@ from conftest import ROOT
 from stubs import on_a_terminal
 from workflows import accepted
 
+from bench import cli as bench
 from rosml import command, environment
 from rosml.errors import RosmlError
 from rosml.problems import InputError, Problem
@@ -95,14 +96,16 @@ def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> 
     assert capsys.readouterr().err.strip() == "kept"
 
 
-@pytest.mark.parametrize("script", ["bench", "generate_bake", "lock", "publish"])
-def test_outside_of_the_virtual_environment(script: str) -> None:
+@pytest.mark.parametrize(
+    "called", ["python -m bench", *(f"scripts/{name}.py" for name in ("generate_bake", "lock", "publish"))]
+)
+def test_outside_of_the_virtual_environment(called: str) -> None:
     """Without any packages: before the first of them is imported, wherever that is."""
-    argv = [sys.executable, "-S", str(ROOT / f"scripts/{script}.py"), "--help"]
-    done = subprocess.run(argv, capture_output=True, text=True, check=False)
+    argv = [sys.executable, "-S", *called.removeprefix("python ").split(), "--help"]
+    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
     told = (
         f"error: not installed: {', '.join(environment.REQUIRED)}\n"
-        f"remedy: python3 scripts/bootstrap.py tools --python, then uv run scripts/{script}.py\n"
+        f"remedy: python3 scripts/bootstrap.py tools --python, then uv run {called}\n"
     )
     assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
 
@@ -120,7 +123,8 @@ COMMANDS = {
     for file, module in sorted(SCRIPTS.items())
     if file != "bootstrap.py"
     for name, found in all_commands(getattr(module, "cli", None) or module.main, file)
-}
+} | {"python -m bench": bench.main}
+PROGRAMS = [name for name in COMMANDS if name in SCRIPTS or name.startswith("python ")]
 
 
 @pytest.mark.parametrize("name", COMMANDS)
@@ -130,12 +134,13 @@ def test_help_has_an_example(name: str) -> None:
     _, found, examples = told.partition("Example")
     assert found, told
     lines = examples.partition("\n\n")[0].replace("\\\n", " ").splitlines()[1:]
-    shown = [line.strip() for line in lines if ".py" in line]
-    assert shown
-    for line in shown:
-        script, _, rest = line.removeprefix("uv run scripts/").partition(" ")
-        words = shlex.split(re.split(r"  +", rest)[0])
-        accepted(COMMANDS[script], words)
+    shown = [line.strip().removeprefix("uv run ").removeprefix("scripts/") for line in lines]
+    calls = [
+        (program, line.removeprefix(program)) for line in shown for program in PROGRAMS if line.startswith(program)
+    ]
+    assert calls
+    for program, rest in calls:
+        accepted(COMMANDS[program], shlex.split(re.split(r"  +", rest)[0]))
 
 
 @pytest.mark.parametrize("name", [name for name in COMMANDS if isinstance(COMMANDS[name], click.Group)])

@@ -17,17 +17,18 @@ import yaml
 from conftest import ROOT
 from workflows import COMMANDS, accepted
 
+from bench import cli as bench
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from rosml.explain import explain
 from rosml.listing import members
-from scripts import bench, compose, publish
+from scripts import compose, publish
 from tests.calls import lacking
 from tests.documented import blocks, commands, documented, pages
 from tests.proof import Proof
 
 PROOFS: dict[str, dict[str, str]] = yaml.safe_load((ROOT / "tests/documented.yaml").read_text())
-SCRIPTS = {**COMMANDS, "scripts/bench.py": bench.main, "scripts/compose.py": compose.main}
+SCRIPTS = {**COMMANDS, "bench": bench.main, "scripts/compose.py": compose.main}
 MAKEFILE = (ROOT / "Makefile").read_text()
 EXTEND = "docs/extend.md"
 """The page whose examples are not in our own matrix; test_extend.py follows it."""
@@ -301,7 +302,10 @@ def known(variable: str, value: str, catalogue: Catalogue) -> None:
 def ran(given: list[str]) -> None:
     """What `uv run` runs: a script with click's parser, a module that there is, or tests that there are."""
     if given[0] == "python":
-        assert given[1] == "-m" and (ROOT / f"{given[2].replace('.', '/')}.py").is_file()
+        module = ROOT / given[2].replace(".", "/")
+        assert given[1] == "-m" and (module.with_suffix(".py").is_file() or (module / "__main__.py").is_file())
+        if given[2] in SCRIPTS:
+            accepted(SCRIPTS[given[2]], given[3:])
     elif given[0] == "pytest":
         assert (ROOT / given[1]).is_file(), given[1]
         tests = (ROOT / given[1]).read_text()

@@ -24,7 +24,7 @@ CALLS = {
     "explain TARGET=x JSON=1": 'scripts/generate_bake.py --explain "$TARGET" --json',
     "catalogue JSON=1": 'scripts/catalogue.py --only "$ONLY" --registry "$PLACE" --json',
     "catalogue OUTPUT=x": 'scripts/catalogue.py --only "$ONLY" --registry "$PLACE" --output "$OUTPUT"',
-    "bench TARGET=x": 'scripts/bench.py --target="$TARGET"',
+    "bench TARGET=x": 'python -m bench --target="$TARGET"',
     "plan JSON=1": 'scripts/generate_bake.py --shards "8" --json',
     "standing JSON=1": 'scripts/publish.py status --only "$ONLY" --registry "$PLACE" --json',
     "unit": "python -m tests.suite --phase unit",

@@ -20,7 +20,8 @@ from conftest import ROOT, SMALL, changed, parse
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rosml import bake, expand, model, references, schema, source, synthetic
+from bench import synthetic
+from rosml import bake, expand, model, references, schema, source
 from rosml.errors import RosmlError
 from rosml.problems import InputError
 

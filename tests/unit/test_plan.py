@@ -11,7 +11,8 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse, write_locks
 from counting import calls
 
-from rosml import command, forecast, plan, synthetic
+from bench import synthetic
+from rosml import command, forecast, plan
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from scripts import generate_bake

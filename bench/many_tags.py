@@ -2,7 +2,7 @@
 tag is built. And what a run over the whole matrix takes where nothing changed.
 
 Each tag stands on a ROS image of its own, as if so many components had changed overnight: a config of its own over layers
-that are there. What a build of the usual way takes was measured once, by `comparison`; so many tags take so many times that.
+that are there. What a build of the usual way takes was measured once, by `second_image`; so many tags take so many times that.
 """
 
 from __future__ import annotations
@@ -13,16 +13,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rosml import agenda, filelist, oci, second_run
-from rosml.comparison import NAMESPACE, Comparison
+from rich.table import Table
+
+from bench import idle_run
+from bench.idle_run import IdleRun
+from bench.second_image import NAMESPACE, Comparison
+from bench.temporary import Temporary
+from rosml import agenda, filelist, oci
 from rosml.compose import Composer
 from rosml.errors import RosmlError
+from rosml.listing import console, show
 from rosml.maker import Maker
 from rosml.pipeline import Pipeline, now
 from rosml.publish import Publisher
-from rosml.second_run import SecondRun
 from rosml.summary import duration, size
-from rosml.temporary import Temporary
 
 TAGS = (10, 20, 40)
 
@@ -50,7 +54,7 @@ class Grown:
     """All sizes, and a second run over the whole matrix."""
 
     rows: tuple[Growth, ...]
-    again: SecondRun
+    again: IdleRun
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
@@ -77,7 +81,7 @@ def measure(
     client = oci.Registry(services.registry, ca_bundle=services.ca_bundle)
     date = now()
     place = f"{NAMESPACE}/night-{secrets.token_hex(4)}"
-    again = second_run.measure(services, catalogue, place, date, publisher.say)
+    again = idle_run.measure(services, catalogue, place, date, publisher.say)
 
     found = agenda.survey(services, catalogue, client, NAMESPACE, [target], date=date)
     run = Pipeline(found, client, services.registry, NAMESPACE, publisher.say, maker=maker)
@@ -151,10 +155,6 @@ def cells(row: Growth) -> tuple[str, ...]:
 
 def print_table(found: Grown, target: str) -> None:
     """Prints both ways side by side."""
-    from rich.table import Table  # slow to import, and only needed here
-
-    from rosml.listing import console, show
-
     table = Table(box=None, header_style="bold", pad_edge=False)
     table.add_column(f"tags of {target}", no_wrap=True)
     for column in ("composed", "new in registry", "every tag built", "new in registry", "a tag"):
@@ -164,4 +164,4 @@ def print_table(found: Grown, target: str) -> None:
     show(table)
     out = console()
     out.print("every tag built: one build was measured, above, and multiplied", style="dim")
-    out.print(f"{second_run.HEADING}: {second_run.text(found.again)}", style="dim")
+    out.print(f"{idle_run.HEADING}: {idle_run.text(found.again)}", style="dim")

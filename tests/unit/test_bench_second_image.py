@@ -13,13 +13,13 @@ import pytest
 from conftest import write_locks
 from stubs import buildx, calls, executable, services
 
-from rosml import command, comparison, expand, growth
-from rosml.comparison import Comparison, Side
+from bench import cli, generator, many_tags, second_image
+from bench.idle_run import IdleRun
+from bench.many_tags import Grown, Growth
+from bench.second_image import Comparison, Side
+from rosml import command, expand
 from rosml.errors import RosmlError
-from rosml.growth import Grown, Growth
 from rosml.publish import COMPRESSION, Publisher
-from rosml.second_run import SecondRun
-from scripts import bench
 
 TARGET = "alpha-base-torch-cu1"
 REPOSITORY = "/bench/ros-torch@sha256:"
@@ -80,7 +80,7 @@ class Stage:
         write_locks(folder, catalogue)
         regctl = executable(folder / "regctl", REGCTL.format(folder=folder))
         found = services(folder, registry, buildx=buildx(folder, BAKE), regctl=regctl)
-        self.publisher = Publisher(found, catalogue, self.said.append, comparison.NAMESPACE)
+        self.publisher = Publisher(found, catalogue, self.said.append, second_image.NAMESPACE)
 
     def write(self, name: str, text: str) -> None:
         (self.folder / name).write_text(text)
@@ -100,7 +100,7 @@ class Stage:
         )
 
     def compare(self, target: str = TARGET) -> Comparison:
-        return comparison.compare(self.publisher, target)
+        return second_image.compare(self.publisher, target)
 
     def calls(self, start: str) -> list[str]:
         return [call for call in calls(self.folder) if call.startswith(start)]
@@ -151,7 +151,7 @@ def test_assembling_payloads_is_told_apart(stage: Stage) -> None:
     stage.write("progress", step(run))
     found = stage.compare()
     assert found.assembling_seconds == pytest.approx(3.0)
-    assert any("assembled once, 3.0 s of work in this run" in line for line in comparison.notes(found))
+    assert any("assembled once, 3.0 s of work in this run" in line for line in second_image.notes(found))
 
 
 def test_both_ways_are_built_alike(stage: Stage) -> None:
@@ -240,9 +240,9 @@ def test_no_room(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     """torch, cuda and common: 3,300 MB unpacked and 330 MB compressed; the usual image twice, its wheels, and ours."""
     image = stage.catalogue.image(TARGET)
     ours = 2 * 3_300 + 2 * 330
-    alone = comparison.needed_mb(stage.catalogue, image, {image.target, *image.parts})
+    alone = second_image.needed_mb(stage.catalogue, image, {image.target, *image.parts})
     assert alone == 2 * (3_300 + 2 * 330) + 330
-    assert comparison.needed_mb(stage.catalogue, image, {image.target}) == alone + ours
+    assert second_image.needed_mb(stage.catalogue, image, {image.target}) == alone + ours
     free(monkeypatch, alone)
     with pytest.raises(RosmlError, match=f"not enough disk space to build {TARGET} in both ways"):
         stage.compare()
@@ -268,9 +268,9 @@ def test_a_lock_for_another_index(stage: Stage) -> None:
 
 def test_services_that_are_down(tmp_path: Path, small: expand.Catalogue) -> None:
     write_locks(tmp_path, small)
-    publisher = Publisher(services(tmp_path), small, print, comparison.NAMESPACE)
+    publisher = Publisher(services(tmp_path), small, print, second_image.NAMESPACE)
     with pytest.raises(RosmlError, match=r"the local registry at .* does not answer"):
-        comparison.compare(publisher, TARGET)
+        second_image.compare(publisher, TARGET)
 
 
 FOUND = Comparison(
@@ -284,7 +284,7 @@ FOUND = Comparison(
 
 
 def test_table(capsys: pytest.CaptureFixture[str]) -> None:
-    comparison.print_table(FOUND)
+    second_image.print_table(FOUND)
     lines = [line.split("  ") for line in capsys.readouterr().out.splitlines()]
     rows = {line[0]: [word.strip() for word in line[1:] if word.strip()] for line in lines}
     assert rows[TARGET] == ["ours", "RUN pip install", "ratio"]
@@ -295,7 +295,7 @@ def test_table(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_notes() -> None:
-    told = "\n".join(comparison.notes(FOUND))
+    told = "\n".join(second_image.notes(FOUND))
     assert "torch 2.10.0: the same 40 pinned packages both ways, compression=zstd,compression-level=7\n" in told
     assert "installation took 1 min 10 s" in told
     assert "assembled once, before this run" in told
@@ -315,19 +315,19 @@ def test_json_has_everything() -> None:
 
 def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """Both tables, or both as one JSON object."""
-    monkeypatch.setattr(bench, "SIZES", (96, 192))
-    monkeypatch.setattr(bench, "ROUNDS", 1)
-    monkeypatch.setattr(bench, "RUNS", 1)
-    monkeypatch.setattr(bench, "TARGET", TARGET)
-    monkeypatch.setattr(bench, "REPORT", stage.folder / "report")
-    monkeypatch.setattr(bench, "bench_publisher", lambda target: stage.publisher)
+    monkeypatch.setattr(generator, "SIZES", (96, 192))
+    monkeypatch.setattr(generator, "ROUNDS", 1)
+    monkeypatch.setattr(generator, "RUNS", 1)
+    monkeypatch.setattr(cli, "TARGET", TARGET)
+    monkeypatch.setattr(cli, "REPORT", stage.folder / "report")
+    monkeypatch.setattr(cli, "bench_publisher", lambda target: stage.publisher)
 
     def grown(_publisher: object, target: str, usual: Comparison) -> Grown:
         assert target == TARGET and usual.usual.registry_new_bytes
-        return Grown((Growth(10, 2.5, 70_000, 600.0, 10_000_000_000),), SecondRun(843, 2967, 6.5, 0, 0))
+        return Grown((Growth(10, 2.5, 70_000, 600.0, 10_000_000_000),), IdleRun(843, 2967, 6.5, 0, 0))
 
-    monkeypatch.setattr(growth, "measure", grown)
-    assert command.run(bench.main, arguments=["--target="]) == 0
+    monkeypatch.setattr(many_tags, "measure", grown)
+    assert command.run(cli.main, arguments=["--target="]) == 0
     out = capsys.readouterr().out
     assert "192 images" in out
     assert "RUN pip install" in out
@@ -337,7 +337,7 @@ def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pyte
         in " ".join(out.split())
     )
     (stage.folder / "pushed").unlink()
-    assert command.run(bench.main, arguments=["--json"]) == 0
+    assert command.run(cli.main, arguments=["--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found["comparison"]["target"] == TARGET
     assert found["real_seconds"] > 0
@@ -354,5 +354,5 @@ def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pyte
     ],
 )
 def test_wrong_targets(arguments: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(bench.main, arguments=arguments) == 2
+    assert command.run(cli.main, arguments=arguments) == 2
     assert message in capsys.readouterr().err

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from bench.temporary import Temporary
 from rosml import agenda as agendas
 from rosml import oci
 from rosml.agenda import INDEX, Agenda, Item
@@ -26,7 +27,6 @@ from rosml.problems import counted
 from rosml.promote import dated
 from rosml.services import Services
 from rosml.summary import duration, size
-from rosml.temporary import Temporary
 
 LAYER = b"a layer"
 
@@ -34,7 +34,7 @@ HEADING = "a second run over the whole matrix, nothing changed"
 
 
 @dataclass(frozen=True)
-class SecondRun:
+class IdleRun:
     """What a run came to that found everything as it should be.
 
     Attributes:
@@ -54,7 +54,7 @@ class SecondRun:
         return dict(vars(self))
 
 
-def text(found: SecondRun) -> str:
+def text(found: IdleRun) -> str:
     """What was measured, in a sentence's end."""
     return (
         f"{found.items} images and payloads on their architectures, {found.tags} tags, {duration(found.seconds)},"
@@ -63,7 +63,7 @@ def text(found: SecondRun) -> str:
     )
 
 
-def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, say: Callable[[str], None]) -> SecondRun:
+def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, say: Callable[[str], None]) -> IdleRun:
     """Fills a place with the whole matrix, runs all steps once more, and removes everything again.
 
     Args:
@@ -86,7 +86,7 @@ def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, sa
             step()
         seconds, uploaded = time.monotonic() - started, client.uploaded - before
     done = sum(outcome.state != "waits" for outcome in run.outcomes)
-    return SecondRun(len(run.agenda.items), tags, seconds, uploaded, done)
+    return IdleRun(len(run.agenda.items), tags, seconds, uploaded, done)
 
 
 def _survey(services: Services, catalogue: Catalogue, client: oci.Registry, prefix: str, date: str) -> Agenda:

@@ -40,11 +40,11 @@ class Temporary(oci.Registry):
         with suppress(RosmlError):  # a registry that deletes nothing has told so before, or tells it to `prune`
             self.delete(*what)
 
-    def _put_manifest(
+    def send_manifest(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str
     ) -> tuple[str, httpx.Headers]:
         data = content if isinstance(content, bytes) else oci.encoded(content)
         self._manifests.add((repository, oci.digest_of(data)))  # before it is sent: nobody knows where that ends
         if reference and not oci.is_digest(reference):
             self._tags.add((repository, reference))
-        return super()._put_manifest(repository, reference, data, media_type)
+        return super().send_manifest(repository, reference, data, media_type)

@@ -20,9 +20,12 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from rich.table import Table
+
 from rosml import bake, base_images, builder, files, forecast, hcl, lockfile, publish, registry
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
+from rosml.listing import console, show
 from rosml.model import FAMILIES
 from rosml.progress import BuildProgress
 from rosml.publish import COMPRESSION, Publisher, Result, push_by_digest
@@ -433,10 +436,6 @@ class _Bench:
 
 def print_table(found: Comparison) -> None:
     """Prints both ways side by side, and what has to be known to judge them."""
-    from rich.table import Table  # slow to import, and only needed here
-
-    from rosml.listing import console, show
-
     table = Table(box=None, header_style="bold", pad_edge=False)
     table.add_column(found.target, no_wrap=True)
     for column in ("ours", "RUN pip install", "ratio"):

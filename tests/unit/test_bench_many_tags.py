@@ -11,8 +11,9 @@ import pytest
 from registry_stand_in import StandIn, standing_in
 from stubs import services
 
-from rosml import base_images, growth, oci, second_run, upstream
-from rosml.comparison import NAMESPACE, Comparison, Side
+from bench import idle_run, many_tags
+from bench.second_image import NAMESPACE, Comparison, Side
+from rosml import base_images, oci, upstream
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload, repository_of
 from rosml.maker import Checked, Made, Maker
@@ -53,10 +54,10 @@ class Builder(Maker):
         raise AssertionError("the bench tests no image")
 
 
-def measured(publisher: Publisher) -> growth.Grown:
+def measured(publisher: Publisher) -> many_tags.Grown:
     """What `make bench` measures, with few tags."""
     maker = Builder(oci.Registry(publisher.services.registry))
-    return growth.measure(publisher, TARGET, USUAL, (2, 3), maker)
+    return many_tags.measure(publisher, TARGET, USUAL, (2, 3), maker)
 
 
 @pytest.fixture
@@ -108,7 +109,7 @@ def test_what_fails_leaves_nothing_behind_either(publisher: Publisher, registry:
 
 
 def test_a_second_run_finds_nothing_to_do(publisher: Publisher, catalogue: Catalogue, registry: StandIn) -> None:
-    found = second_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+    found = idle_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
     things: list[Image | Payload] = [*catalogue.images, *catalogue.payloads]
     architectures = [name for thing in things for name in thing.architectures]
     assert found.items == len(architectures)
@@ -130,7 +131,7 @@ def test_a_run_that_would_do_something_is_no_measurement(
     days = iter(["monday"] * 2)  # one for each distribution
     monkeypatch.setattr(upstream, "state", lambda *_: next(days, "tuesday"))
     with pytest.raises(RosmlError, match="alpha-core because packages moved from monday to tuesday"):
-        second_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+        idle_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
     assert left(registry, "night") == {}
 
 
@@ -139,6 +140,6 @@ def test_a_place_that_cannot_be_filled_is_empty_again(
 ) -> None:
     registry.fault("PUT", "/v2/bench/night/ros/manifests/alpha-base", 403)
     with pytest.raises(RosmlError, match="403"):
-        second_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+        idle_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
     assert registry.count("^PUT /v2/bench/night/ledger/manifests/") > 20
     assert left(registry, "night") == {}

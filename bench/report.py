@@ -9,9 +9,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosml import comparison, files, growth, second_run
+from bench import idle_run, many_tags, second_image
+from bench.idle_run import IdleRun
+from rosml import files
 from rosml.errors import RosmlError
-from rosml.second_run import SecondRun
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,7 +28,7 @@ def write(data: Mapping[str, Any], folder: Path, limits: Mapping[str, float]) ->
     """Writes the report; what was there is replaced.
 
     Args:
-        data: as `bench.py --json` prints it: `real_seconds`, `sizes`, `limits`, and where images were built `comparison` and
+        data: as `python -m bench --json` prints it: `real_seconds`, `sizes`, `limits`, and where images were built `comparison` and
             `growth_of_tags`.
         folder: where to; it is made if need be.
         limits: of the generator, in seconds: `real` and `largest`.
@@ -90,7 +91,7 @@ def _comparison(data: Mapping[str, Any]) -> list[str]:
     start = found["ours"]["start_seconds"] * 1000
     return [
         f"## A second image: {found['target']}\n",
-        _table((found["target"], "ours", "`RUN pip install`", "ratio"), comparison.cells(found)),
+        _table((found["target"], "ours", "`RUN pip install`", "ratio"), second_image.cells(found)),
         "![Both ways side by side](comparison.svg)\n",
         f"Our entrypoint takes {start:.0f} ms of a container's start, beyond sourcing ROS.\n",
     ]
@@ -100,14 +101,14 @@ def _growth(data: Mapping[str, Any]) -> list[str]:
     found = data.get("growth_of_tags")
     if not found:
         return []
-    rows = [growth.cells(growth.Growth(**row)) for row in found["rows"]]
-    again = second_run.text(SecondRun(**found["again"]))
+    rows = [many_tags.cells(many_tags.Growth(**row)) for row in found["rows"]]
+    again = idle_run.text(IdleRun(**found["again"]))
     return [
         "## So many tags, after a change of ROS\n",
         _table(("tags", "composed", "new in the registry", "every tag built", "new in the registry"), rows),
         "![Time and bytes by the number of tags](growth.svg)\n",
         "Every tag built: one build was measured, above, and multiplied.",
-        f"{second_run.HEADING[0].upper()}{second_run.HEADING[1:]}: {again}.\n",
+        f"{idle_run.HEADING[0].upper()}{idle_run.HEADING[1:]}: {again}.\n",
     ]
 
 
@@ -164,12 +165,14 @@ def _comparison_chart(found: Mapping[str, Any]) -> Figure:
     """Bars on logarithmic axes: seconds left, megabytes right."""
     figure, panels = _figure(2)
     for axes, suffix, unit, scale in zip(panels, ("_seconds", "_bytes"), ("s", "MB"), (1, MEGABYTE), strict=True):
-        rows = {row: title for row, title in comparison.ROWS.items() if row.endswith(suffix)}
+        rows = {row: title for row, title in second_image.ROWS.items() if row.endswith(suffix)}
         places = range(len(rows))
         for shift, way, name, colour in ((-0.2, "ours", "ours", OURS), (0.2, "usual", "RUN pip install", USUAL)):
             values = [found[way][row] / scale for row in rows]
             bars = axes.barh([place + shift for place in places], values, height=0.38, color=colour, label=name)
-            axes.bar_label(bars, labels=[comparison.shown(row)(found[way][row]) for row in rows], padding=2, fontsize=8)
+            axes.bar_label(
+                bars, labels=[second_image.shown(row)(found[way][row]) for row in rows], padding=2, fontsize=8
+            )
         axes.set_yticks(list(places), list(rows.values()), fontsize=8)
         axes.invert_yaxis()
         axes.set_xscale("symlog", linthresh=0.01)
