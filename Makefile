@@ -110,7 +110,7 @@ list: .python ## every image that can be built, or those of groups: make list GR
 explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot; JSON=1
 	@$(RUN) scripts/generate_bake.py --explain "$$TARGET" $(if $(JSON),--json)
 
-generate: .python ## docker-bake.hcl, schemas and the documentation's tables anew, after a change of matrix.yaml or docs/built.json
+generate: .python ## docker-bake.hcl, schemas and the README's tables anew, after a change of matrix.yaml
 	@$(RUN) scripts/generate_bake.py
 
 plan: .python ## who builds what in CI, with time, download and disk: make plan SHARDS=8; JSON=1

@@ -10,17 +10,16 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from rosml import missing, stand_in
+from rosml import missing
 from rosml.expand import Image as Wanted
-from rosml.model import DIGEST, Matrix
-from rosml.problems import some
+from rosml.model import DIGEST
 
 FORMAT = 1
 
-Status = Literal["built", "stand-in", "not built"]
-"""Published here; not that, but its ROS steps ran against stand-ins, and all its payloads were assembled; neither."""
+Status = Literal["built", "not built"]
+"""Published here, or not."""
 
-WORDS: dict[Status, str] = {"built": "built", "stand-in": "verified by stand-in", "not built": "not built yet"}
+WORDS: dict[Status, str] = {"built": "built", "not built": "not built yet"}
 """The same for people."""
 
 Bytes = Annotated[int, Field(ge=0)]
@@ -180,23 +179,8 @@ class Published(Fact):
     sharing: Sharing
 
 
-def status(matrix: Matrix, image: Wanted, built: bool, assembled: stand_in.Assembled) -> tuple[Status, str]:
-    """How far an image got, and why no further.
-
-    Args:
-        matrix: says where a distribution's packages come from.
-        image: one of its images.
-        built: whether it was built, tested and published.
-        assembled: payloads that were assembled somewhere, each with its platform.
-    """
+def status(image: Wanted, built: bool) -> tuple[Status, str]:
+    """Whether an image was built, tested and published, as its `built` says; and if not, why."""
     if built:
         return "built", ""
-    if image.unlocked:
-        return "not built", missing.reason(image)
-    if not matrix.distributions[image.distribution].apt:
-        return "not built", "nobody has built it yet"
-    if lacking := stand_in.lacking(image, assembled):
-        return "not built", f"nobody has built it yet, nor assembled {some(lacking)}"
-    parts = ", its payloads were assembled" if image.parts else ""
-    ran = "the steps that install its ROS packages ran against signed stand-ins of ROS's repositories"
-    return "stand-in", f"{ran}{parts}, and it was not built yet"
+    return "not built", missing.reason(image) if image.unlocked else "nobody has built it yet"

@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
-from rosml import ROOT, bars, built, expand, promote, stand_in
+from rosml import bars, expand, promote
 from rosml.agenda import INDEX, select
 from rosml.catalogue import (
     FORMAT,
@@ -103,7 +103,6 @@ class Gatherer:
     history: int = HISTORY
     remarks: list[str] = field(default_factory=list)
     _current: dict[str, Entry] = field(default_factory=dict)
-    _assembled: stand_in.Assembled = frozenset()
 
     def gather(self, created: str, only: Sequence[str] = ()) -> Published:
         """All that is published of the images that are asked for, their ROS images, and payloads.
@@ -121,7 +120,6 @@ class Gatherer:
         keys = [(thing.target, name) for thing in things for name in (*thing.architectures, INDEX)]
         known = Ledger(self.registry, self.prefix).read_all(keys)
         self._current = {entry.digest: entry for key, entry in known.items() if key[1] != INDEX and entry.digest}
-        self._assembled = self._verified()
         found = self._find(things, known)
         table = _Table(self.catalogue, {thing.target: found[thing.target].indexes for thing in things})
         described = tuple(self._image(image, found[image.target], table) for image in images)
@@ -159,11 +157,6 @@ class Gatherer:
             lts=facts.lts,
             experimental=facts.experimental,
         )
-
-    def _verified(self) -> stand_in.Assembled:
-        """Payloads that were assembled, as this checkout's documentation records."""
-        file = ROOT / stand_in.BUILT
-        return stand_in.assembled(self.catalogue, built.read(file) if file.is_file() else ())
 
     # ---- The registry ------------------------------------------------------------------------------------------------
 
@@ -267,9 +260,7 @@ class Gatherer:
 
     def _image(self, image: expand.Image, found: _Found, table: _Table) -> Image:
         main = found.tags.get(tags_of(image)[0], "")
-        state, reason = status(
-            self.catalogue.matrix, image, main in {index.digest for index in found.indexes}, self._assembled
-        )
+        state, reason = status(image, main in {index.digest for index in found.indexes})
         if main and state != "built":
             reason = f"its tag points at {main}, which cannot be read"
         return Image(

@@ -16,7 +16,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rosml import bake, base_images, builder, files, forecast, missing, names, registry, results, sync, verify
+from rosml import bake, base_images, builder, files, forecast, missing, names, registry, sync, verify
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, tags_of
 from rosml.labels import OCI
@@ -74,7 +74,7 @@ class Result:
     builder: str = ""
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json` and for `.state/results`."""
+        """For `--json`."""
         return asdict(self)
 
 
@@ -241,7 +241,6 @@ class Publisher:
         self.say("index and tags")
         self._tag(image, config, result)
         clock.lap("index and tags")
-        self._remember(result)
         return result
 
     def _bake_file(self, image: Image) -> Path:
@@ -361,11 +360,6 @@ class Publisher:
         result.tags = [f"{repository}:{name}" for name in tags]
         result.reference = result.tags[0]
         result.builder = builder_command(self.services)
-
-    def _remember(self, result: Result) -> None:
-        folder = results.folder(self.services.state, self.namespace)
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / f"{result.target}.json").write_text(json.dumps(result.to_json(), indent=2) + "\n")
 
 
 def builder_command(services: Services) -> str:

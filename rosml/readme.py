@@ -1,17 +1,13 @@
-"""The tables of images in README.md, rendered from the catalogue, and from what was built, between two markers."""
+"""The tables of images in README.md, rendered from the catalogue between two markers."""
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 
-from rosml import missing, rules, stand_in
-from rosml.built import Built
-from rosml.catalogue import WORDS, status
+from rosml import missing, rules
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.problems import listed
-from rosml.summary import size
 
 BEGIN = "<!-- images: written by scripts/generate_bake.py -->"
 END = "<!-- /images -->"
@@ -25,11 +21,8 @@ _CONTENT = {
 }
 
 
-def render(readme: str, catalogue: Catalogue, built: Sequence[Built] = ()) -> str:
+def render(readme: str, catalogue: Catalogue) -> str:
     """The README with the tables of this catalogue.
-
-    Args:
-        built: what was built and tested.
 
     Raises:
         RosmlError: the markers are missing.
@@ -40,18 +33,16 @@ def render(readme: str, catalogue: Catalogue, built: Sequence[Built] = ()) -> st
         raise RosmlError(
             f"README.md: the markers {BEGIN} and {END} are missing", "put them back where the table belongs"
         )
-    return f"{head}{BEGIN}\n{tables(catalogue, built)}{END}{tail}"
+    return f"{head}{BEGIN}\n{tables(catalogue)}{END}{tail}"
 
 
-def tables(catalogue: Catalogue, built: Sequence[Built] = ()) -> str:
+def tables(catalogue: Catalogue) -> str:
     """Images without a lock; distributions with their components; then what images carry, and on which distributions."""
-    known = {item.target: item for item in built}
-    assembled = stand_in.assembled(catalogue, built)
     head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
     lines = [*_unlocked(catalogue), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
-    lines += [*_distributions(catalogue, known, assembled)]
-    head = ["image", "content", "distributions", "platforms", "compressed, where built with today's payloads"]
-    lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(catalogue, known)]
+    lines += [*_distributions(catalogue)]
+    head = ["image", "content", "distributions", "platforms"]
+    lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(catalogue)]
     return "\n".join(lines) + "\n"
 
 
@@ -70,7 +61,7 @@ def _unlocked(catalogue: Catalogue) -> Iterator[str]:
         yield ""
 
 
-def _distributions(catalogue: Catalogue, built: Mapping[str, Built], assembled: stand_in.Assembled) -> Iterator[str]:
+def _distributions(catalogue: Catalogue) -> Iterator[str]:
     matrix = catalogue.matrix
     for name, distribution in matrix.distributions.items():
         python = matrix.operating_systems[distribution.os].python
@@ -80,17 +71,11 @@ def _distributions(catalogue: Catalogue, built: Mapping[str, Built], assembled: 
         notes = [*(["experimental"] if distribution.experimental else []), *([f"{only} only"] if only else [])]
         note = f" ({', '.join(notes)})" if notes else ""
         facts = [f"`{name}`{note}", str(distribution.ros), f"{distribution.os}, {python}", components, eol]
-        yield f"| {' | '.join([*facts, _states(catalogue, name, built, assembled)])} |"
+        number = sum(image.distribution == name for image in catalogue.images)
+        yield f"| {' | '.join([*facts, str(number)])} |"
 
 
-def _states(catalogue: Catalogue, name: str, built: Mapping[str, Built], assembled: stand_in.Assembled) -> str:
-    """How many images of a distribution are in which state."""
-    images = [image for image in catalogue.images if image.distribution == name]
-    counts = Counter(status(catalogue.matrix, image, image.target in built, assembled)[0] for image in images)
-    return ", ".join(f"{counts[state]} {word}" for state, word in WORDS.items() if counts[state])
-
-
-def _contents(catalogue: Catalogue, built: Mapping[str, Built]) -> Iterator[str]:
+def _contents(catalogue: Catalogue) -> Iterator[str]:
     rows: dict[tuple[str, str | None], list[Image]] = {}
     for image in catalogue.images:
         rows.setdefault((image.framework, image.stack), []).append(image)
@@ -107,27 +92,8 @@ def _contents(catalogue: Catalogue, built: Mapping[str, Built]) -> Iterator[str]
                 else f"without a lock yet: {', '.join(others)}"
             )
         platforms = ", ".join(dict.fromkeys(platform for image in images for platform in image.platforms))
-        sizes = _sizes(catalogue, images, built)
-        facts = [f"`{first.repository}:{tag}`", _content(catalogue, first), where, platforms, sizes]
-        yield f"| {' | '.join(facts)} |".replace("|  |", "| |")
-
-
-def _sizes(catalogue: Catalogue, images: Sequence[Image], built: Mapping[str, Built]) -> str:
-    """The smallest and the largest, and of which components they are where not of all; empty where none is known."""
-    sizes: dict[str, list[int]] = {image.component: [] for image in images}
-    for image in images:
-        item = built.get(image.target)
-        if item and item.compressed and not item.outdated:
-            sizes[image.component].append(item.compressed)
-    known = sorted(number for numbers in sizes.values() for number in numbers)
-    if not known:
-        return ""
-    text = size(known[0]) if len(known) == 1 else f"{size(known[0])} to {size(known[-1])}"
-    return (
-        text
-        if all(sizes.values())
-        else f"{text} ({', '.join(name for name in catalogue.matrix.components if sizes.get(name))})"
-    )
+        facts = [f"`{first.repository}:{tag}`", _content(catalogue, first), where, platforms]
+        yield f"| {' | '.join(facts)} |"
 
 
 def _content(catalogue: Catalogue, image: Image) -> str:

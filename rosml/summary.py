@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:  # `publish` needs `results`, which needs the units from here
+if TYPE_CHECKING:
     from rosml.publish import Result
 
 

@@ -41,15 +41,8 @@ from rosml.errors import RosmlError
     show_default=True,
     help="describe so many builds of each image that no tag points at any more; those with a tag are all described",
 )
-@click.option(
-    "--record",
-    is_flag=True,
-    help="write what is published, and was tested, into docs/built.json as well; 'make generate' makes tables of it",
-)
 @click.option("--json", "as_json", is_flag=True, help="print catalogue.json on standard output, and write nothing")
-def main(
-    registry: str, matrix: Path, only: tuple[str, ...], output: Path, history: int, record: bool, as_json: bool
-) -> None:
+def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, history: int, as_json: bool) -> None:
     """Writes the catalogue into a folder that any static host can serve, or that is opened as it is.
 
     Reads manifests, configs and the ledger; pulls no layer, builds nothing, and needs no right to write.
@@ -60,7 +53,7 @@ def main(
       uv run scripts/catalogue.py --registry ghcr.io/me/rosml --output public
       uv run scripts/catalogue.py --only 'bookworm-*' --json
     """
-    from rosml import built, expand, oci, site
+    from rosml import expand, oci, site
     from rosml.gather import Gatherer
     from rosml.pipeline import destination, now
     from rosml.problems import counted
@@ -78,9 +71,6 @@ def main(
         found = gatherer.gather(now(), words)
     for remark in gatherer.remarks:
         click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {remark}", err=True)
-    if record:
-        number = built.record(ROOT / "docs/built.json", built.of_catalogue(found), catalogue)
-        click.echo(f"docs/built.json: {counted(number, 'image')} recorded. Now: make generate", err=True)
     if as_json:
         click.echo(site.text(found), nl=False)
         return

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes docker-bake.hcl (and schemas, and the tables of README.md and docs/built.md) from matrix.yaml; lists, explains and compares
+"""Writes docker-bake.hcl (and schemas, and the tables of README.md) from matrix.yaml; lists, explains and compares
 images, and plans their build in CI.
 
 \b
@@ -102,10 +102,7 @@ def main(
         if check:
             verify(wanted, lost)
             return
-        remark = "" if output else left_out(catalogue)
         write(wanted, lost)
-        if remark:
-            click.echo(remark, err=True)
 
 
 def list_images(catalogue: Catalogue, groups: tuple[str, ...], as_json: bool) -> None:
@@ -161,26 +158,15 @@ def generated(catalogue: Catalogue, output: Path | None) -> dict[Path, str]:
     inputs.Inputs(ROOT, catalogue).check()
     if output:
         return {output: bake.render(catalogue)}
-    from rosml import built, readme, schema
+    from rosml import readme, schema
     from rosml.catalogue import Published
 
-    known = built.merged(built.read(ROOT / "docs/built.json"), (), catalogue)
-    page, front = ((ROOT / name).read_text(encoding="utf-8") for name in ("docs/built.md", "README.md"))
     return {
         ROOT / "docker-bake.hcl": bake.render(catalogue),
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "rosml/catalogue.py", read=True),
-        ROOT / "docs/built.json": built.text(known),
-        ROOT / "docs/built.md": built.render(page, known),
-        ROOT / "README.md": readme.render(front, catalogue, known),
+        ROOT / "README.md": readme.render((ROOT / "README.md").read_text(encoding="utf-8"), catalogue),
     }
-
-
-def left_out(catalogue: Catalogue) -> str:
-    """A remark about records of what was built that writing will lose."""
-    from rosml import built
-
-    return built.left_out(built.read(ROOT / "docs/built.json"), catalogue)
 
 
 def write(wanted: dict[Path, str], lost: RosmlError | None = None) -> None:

@@ -298,42 +298,6 @@ def payload(
 
 
 @cli.command()
-@_options("matrix", "namespace", "json")
-@click.option("--markdown", is_flag=True, help="print the table as Markdown")
-@click.option(
-    "--record",
-    "day",
-    type=click.DateTime(["%Y-%m-%d"]),
-    help="write them into docs/built.json as built on that day; 'make generate' makes the tables of it",
-)
-def results(matrix: Path, namespace: str, as_json: bool, markdown: bool, day: datetime | None) -> None:
-    """Lists what was published from this checkout: sizes, tests, times.
-
-    \b
-    Examples:
-      uv run scripts/publish.py results
-      uv run scripts/publish.py results --json
-      uv run scripts/publish.py results --record 2026-11-22
-    """
-    from rosml import built, expand
-    from rosml import results as found
-
-    if as_json and markdown:
-        raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
-    catalogue = expand.load(matrix, ROOT)
-    records = found.read(ROOT / ".state", namespace, catalogue)
-    if day:
-        number = built.record(ROOT / "docs/built.json", built.of_results(records, day.date()), catalogue)
-        say(f"docs/built.json: {number} of {len(records)} recorded; what failed is not. Now: make generate")
-    if as_json:
-        click.echo(json.dumps(records, indent=2))
-    elif markdown:
-        click.echo(found.markdown(records), nl=False)
-    else:
-        found.print_table(records)
-
-
-@cli.command()
 @click.argument("one")
 @click.argument("other")
 @_options("json")

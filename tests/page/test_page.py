@@ -59,7 +59,7 @@ def test_all_images_are_listed_published_ones_first(window: Windows, published: 
     page = window().open()
     order = [item.target for item in published.images]
     states = {item.target: item.status for item in published.images}
-    rank = ["built", "stand-in", "not built"]
+    rank = ["built", "not built"]
     assert listed(page) == sorted(order, key=lambda target: (rank.index(states[target]), order.index(target)))
     built = sum(state == "built" for state in states.values())
     assert texts(page, ".summary") == [f"All {len(order)} images, {built} published here"]
@@ -226,7 +226,7 @@ def test_an_image_shows_what_is_inside(window: Windows, published: Published) ->
 
 def test_what_is_not_published_says_why(window: Windows, published: Published) -> None:
     page = window().open("#/image/jazzy-base-torch-cu128")
-    assert page.get_by_text("verified by stand-in").is_visible()
+    assert page.get_by_text("not built yet").is_visible()
     assert page.get_by_text(image(published, "jazzy-base-torch-cu128").reason).is_visible()
     assert page.get_by_role("button", name="Copy the FROM line").count() == 0
 

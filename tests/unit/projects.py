@@ -34,9 +34,7 @@ def copy_for_generator(folder: Path) -> Path:
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("matrix.yaml", "matrix.schema.json", "docker-bake.hcl", "Dockerfile", "Makefile", "README.md"):
         shutil.copy(ROOT / name, folder)
-    for name in ("catalogue.schema.json", "docs/built.json", "docs/built.md"):
-        (folder / name).parent.mkdir(exist_ok=True)
-        shutil.copy(ROOT / name, folder / name)
+    shutil.copy(ROOT / "catalogue.schema.json", folder)
     return folder
 
 

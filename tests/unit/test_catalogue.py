@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import ast
 import dataclasses
 import json
 from collections.abc import Iterator
-from datetime import date
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +16,7 @@ from projects import copy
 from shelf import FIRST, SECOND, THIRD, Shelf, shown
 from stubs import services
 
-from rosml import built, expand, ledger, oci, promote, schema, site, stand_in
+from rosml import expand, ledger, oci, promote, schema, site
 from rosml.catalogue import Image, Published, status
 from rosml.catalogue import Tests as Ran
 from rosml.errors import RosmlError
@@ -205,7 +203,7 @@ def test_only_some(shelf: Shelf) -> None:
 
 def test_an_empty_registry(real: Catalogue) -> None:
     found = gather(MemoryRegistry(), real)
-    assert {item.status for item in found.images} == {"stand-in", "not built"}
+    assert {item.status for item in found.images} == {"not built"}
     assert all(item.reason and not item.builds and not item.tags for item in found.images)
     assert (found.sharing.images, found.sharing.apart, found.layers) == (0, 0, ())
 
@@ -312,79 +310,10 @@ def test_an_image_that_was_published_by_itself(real: Catalogue) -> None:
 
 
 def test_status(real: Catalogue) -> None:
-    assembled = stand_in.assembled(real, built.read(ROOT / "docs/built.json"))
-
-    def state(target: str, there: bool = False) -> tuple[str, str]:
-        return status(real.matrix, real.by_target[target], there, assembled)
-
-    assert state("jazzy-base", there=True) == ("built", "")
-    assert state("jazzy-desktop-full")[0] == state("kilted-core")[0] == "stand-in"
-    nobody = "nobody has built it yet"
-    assert state("bookworm-base") == ("not built", nobody)
-    assert state("kilted-base")[0] == "stand-in"
-    assert state("bookworm-base-torch-cpu") == ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
-    assert state("jazzy-base-torch-cu128")[0] == "stand-in"
-    assert state("jazzy-base-torch-cpu") == (
-        "not built",
-        f"{nobody}, nor assembled torch-cpu-py312 for linux/amd64",
-    ), "for arm64 it was"
-    assert state("noetic-core-torch-cu121")[0] == "stand-in"
-    assert state("jazzy-core-torch-cu130")[1].endswith(
-        "torch-cu130-py312 for linux/amd64, torch-cu130-py312 for linux/arm64"
-    )
-
-
-def test_payloads_count_as_assembled_where_they_are_recorded(real: Catalogue, tmp_path: Path) -> None:
-    """In the table of docs/digests.md, and with images that were built with those of today."""
-    rows = [line.split("|") for line in (ROOT / stand_in.DIGESTS).read_text().splitlines() if "| `sha256:" in line]
-    table = {(row[1].strip(" `"), row[2].strip()) for row in rows}
-    assert len(table) > 20
-    assert stand_in.assembled(real, ()) == table
-    assert table <= {(payload.name, platform) for payload in real.payloads for platform in payload.platforms}
-    record = built.Built(target="bookworm-core-torch-cu128", date=date(2026, 11, 22), passed=1)
-    assert stand_in.assembled(real, [record.model_copy(update={"outdated": True})], tmp_path) == frozenset()
-    assert stand_in.assembled(real, [record], tmp_path) == {
-        (name, "linux/amd64") for name in ("cuda-cu128", "common-cu128-py311", "torch-cu128-py311")
-    }
-
-
-@pytest.mark.parametrize(
-    ("content", "says"),
-    [
-        (b"", "lists no payload"),
-        (b"# Digests\n\n| payload | platform | layer | MB | bytecode |\n", "lists no payload"),
-        (b"\xff\xfe", "is not UTF-8"),
-    ],
-)
-def test_a_damaged_table_of_payloads_is_told(real: Catalogue, tmp_path: Path, content: bytes, says: str) -> None:
-    """README.md would lose states in silence. One that is not there is no fault."""
-    assert stand_in.assembled(real, (), tmp_path) == frozenset()
-    (tmp_path / "docs").mkdir()
-    (tmp_path / stand_in.DIGESTS).write_bytes(content)
-    with pytest.raises(RosmlError) as caught:
-        stand_in.assembled(real, (), tmp_path)
-    assert (caught.value.message, caught.value.remedy) == (
-        f"docs/digests.md {says}",
-        "git checkout docs/digests.md",
-    )
-
-
-def rows_of(test: str) -> str:
-    """What a test of ROS's apt source runs for, as it is written there: nothing of it is run."""
-    tree = ast.parse((ROOT / "tests/e2e/test_apt_source.py").read_text())
-    function = next(item for item in tree.body if isinstance(item, ast.FunctionDef) and item.name == test)
-    (decorator,) = (item for item in function.decorator_list if isinstance(item, ast.Call))
-    assert ast.literal_eval(decorator.args[0]) == "distro"
-    return ast.unparse(decorator.args[1])
-
-
-def test_steps_count_as_run_where_a_test_runs_them() -> None:
-    """Of every distribution with an apt source, for all components; for some of them in the proof `apt` alone."""
-    source = (ROOT / "tests/e2e/test_apt_source.py").read_text()
-    assert rows_of("test_all_components_of_a_row").endswith(" for name in ROWS]")
-    assert (
-        "ROWS = [name for name, distribution in CATALOGUE.matrix.distributions.items() if distribution.apt]" in source
-    )
+    assert status(real.image("jazzy-base"), True) == ("built", "")
+    assert status(real.image("jazzy-base"), False) == ("not built", "nobody has built it yet")
+    lacking = ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
+    assert status(real.image("bookworm-base-torch-cpu"), False) == lacking
 
 
 # ---- The format ------------------------------------------------------------------------------------------------------
@@ -477,18 +406,6 @@ def test_the_command_prints_json(tmp_path: Path) -> None:
     done = call("--json", "--only", TORCH, "--output", str(tmp_path / "page"))
     assert json.loads(done.stdout)["images"][0]["target"] == TORCH
     assert not (tmp_path / "page").exists()
-
-
-@pytest.mark.usefixtures("here")
-def test_the_command_records_what_is_published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "docs/built.json").write_text("[]")
-    monkeypatch.setattr(command, "ROOT", tmp_path)
-    done = call("--record", "--only", f"{TORCH} jazzy-core", "--output", str(tmp_path / "page"))
-    assert done.exit_code == 0, done.output
-    assert "docs/built.json: 1 image recorded" in done.stderr
-    (record,) = built.read(tmp_path / "docs/built.json")
-    assert (record.target, str(record.date)) == (TORCH, "2026-11-22")
 
 
 @pytest.mark.usefixtures("here")

@@ -130,7 +130,7 @@ PROGRAMS = [name for name in COMMANDS if name in SCRIPTS or name.startswith("pyt
 @pytest.mark.parametrize("name", COMMANDS)
 def test_help_has_an_example(name: str) -> None:
     """One that the command's own parser reads."""
-    told = COMMANDS[name].get_help(click.Context(COMMANDS[name], info_name=name))
+    told = COMMANDS[name].get_help(click.Context(COMMANDS[name], info_name=name, **COMMANDS[name].context_settings))
     _, found, examples = told.partition("Example")
     assert found, told
     lines = examples.partition("\n\n")[0].replace("\\\n", " ").splitlines()[1:]

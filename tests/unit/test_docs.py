@@ -198,6 +198,13 @@ def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: Catalogue, 
     assert "cannot be built" not in readme.tables(whole)
 
 
+def test_the_readme_counts_the_images(real: Catalogue) -> None:
+    rows = readme.tables(real).partition("\n| distribution |")[2].partition("\n\n")[0].splitlines()[2:]
+    assert [int(row.rstrip("| ").rpartition("| ")[2]) for row in rows] == [
+        sum(image.distribution == name for image in real.images) for name in real.matrix.distributions
+    ]
+
+
 def test_the_readme_says_which_distributions_lack_an_image(real: Catalogue) -> None:
     """Its table of frameworks is for all distributions but those that the sentence below it names."""
     table, _, rest = (ROOT / "README.md").read_text().partition("\nNot for every `<d>`: ")

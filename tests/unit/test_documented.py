@@ -155,7 +155,7 @@ def test_the_proof_is_there(command: str) -> None:
         ("make up", "tests/e2e/test_ros.py::test_a_base_image_is_the_same_wherever_it_is_made", "never skipped"),
         (
             "uv run scripts/publish.py prune --apply",
-            "tests/unit/test_built.py::test_results_of_a_checkout_are_recorded",
+            "tests/unit/test_payloads.py::test_results_for_machines",
             "prune",
         ),
         ("publish.py undo --json", "tests/e2e/test_publisher.py::test_status_says_how_things_stand", "undo"),

@@ -1,4 +1,4 @@
-"""PyTorch's own index, verified by stand-in: a proxy on loopback that answers for whatever index uv asks.
+"""PyTorch's own index, tested against a local replacement: a proxy on loopback that answers for whatever index uv asks.
 
 No index is named anywhere: uv itself knows where the wheels of `--torch-backend cpu` are, and the stand-in serves the
 host that uv asks for, under a certificate of a CA of its own.

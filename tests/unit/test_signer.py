@@ -71,7 +71,7 @@ def test_by_a_key(root: Path) -> None:
 
 
 def test_keyless(root: Path) -> None:
-    """Verified by stand-in: neither the certificate's authority nor the log can be reached from a test."""
+    """Against a local replacement: neither the certificate's authority nor the log can be reached from a test."""
     found = Signer.find(root, {"PATH": "/usr/bin:/bin", **WORKFLOW})
     assert found.identity == "https://forge.example/me/rosml/.github/workflows/nightly.yml@refs/heads/main"
     assert found.ensure("ghcr.io/me/rosml/ros@sha256:1")

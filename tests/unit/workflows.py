@@ -37,7 +37,7 @@ def accepted(command: click.Command, arguments: list[str]) -> None:
     if isinstance(command, click.Group):
         assert arguments[0] in command.commands, f"no command {arguments[0]}"
         return accepted(command.commands[arguments[0]], arguments[1:])
-    context = click.Context(command)
+    context = click.Context(command, **command.context_settings)
     _, rest, _ = command.make_parser(context).parse_args(list(arguments))
     assert not rest, f"unexpected words: {' '.join(rest)}"
     return None
