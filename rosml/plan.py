@@ -9,9 +9,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from itertools import combinations
 from typing import Any
 
 from rosml import forecast, names
@@ -22,9 +21,6 @@ from rosml.problems import counted
 
 FORMAT = 1
 """Version of plan.json's format."""
-
-REFINED = 60
-"""Up to how many units of an architecture shards are compared pair by pair, which takes the square of their number."""
 
 Costs = dict[tuple[str, str], int]
 """Seconds by what is built: its kind and its name. What two units both have, they share."""
@@ -244,8 +240,6 @@ def _shares(units: dict[str, list[Unit]], shards: int) -> dict[str, int]:
 def _dealt(units: list[Unit], share: int) -> list[list[Unit]]:
     """The contents of an architecture's shards, longest first; within a shard in the order of the matrix."""
     shards = _spread(units, share)
-    if len(units) <= REFINED:
-        _refine(shards)
     position = {unit.distribution: index for index, unit in enumerate(units)}
     sort = [sorted(shard, key=lambda unit: position[unit.distribution]) for shard in shards]
     return sorted(sort, key=lambda shard: (-_seconds(shard), position[shard[0].distribution]))
@@ -263,40 +257,6 @@ def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
         known[best] |= unit.costs
         loads[best] += growths[best]
     return shards
-
-
-def _refine(shards: list[list[Unit]]) -> None:
-    """Moves and swaps units between two shards as long as the longer one, or both together, take less time.
-
-    The longest units were dealt out first, to shards of their own. This brings those together that share payloads.
-    """
-    improved = True
-    while improved:
-        improved = False
-        for left, right in combinations(range(len(shards)), 2):
-            before = shards[left], shards[right]
-            after = min(_exchanges(*before), key=_strain, default=before)
-            if _strain(after) < _strain(before):
-                shards[left], shards[right] = after
-                improved = True
-
-
-def _exchanges(left: list[Unit], right: list[Unit]) -> Iterator[tuple[list[Unit], list[Unit]]]:
-    """Two shards after one unit has moved from one to the other, or two have changed places."""
-    for unit in left:
-        yield [other for other in left if other is not unit], [*right, unit]
-        for swapped in right:
-            yield (
-                [swapped if other is unit else other for other in left],
-                [unit if other is swapped else other for other in right],
-            )
-    for unit in right:
-        yield [*left, unit], [other for other in right if other is not unit]
-
-
-def _strain(pair: tuple[list[Unit], list[Unit]]) -> tuple[int, int]:
-    seconds = [_seconds(units) for units in pair]
-    return max(seconds), sum(seconds)
 
 
 def _shard(catalogue: Catalogue, architecture: str, number: int, units: list[Unit]) -> Shard:
