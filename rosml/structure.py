@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import re
+import types
 from collections.abc import Mapping, Sequence
 from datetime import date
 from itertools import islice
-from typing import Any, TypeVar
+from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
 from rosml.model import MEANING, Matrix
 from rosml.problems import SHOWN, InputError, Path, Problem, listed, near, unknown
 from rosml.references import findings
-from rosml.repair import annotation, bare, repaired, trusted
 from rosml.source import Document
-
-EXPLAINED = 500
-"""How many of the model's complaints are explained; of more than that nobody reads all."""
-
 
 Top = TypeVar("Top", bound=BaseModel)
 """The model of a whole file."""
@@ -39,7 +36,8 @@ def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> T
     try:
         found = top.model_validate(document.data)
     except ValidationError as error:
-        details = _first_errors(error.errors(include_url=False)[:EXPLAINED])
+        details = _first_errors(error.errors(include_url=False))
+        # What YAML itself misreads (a key twice, `yes` for true) was explained already.
         explained = {problem.path for problem in problems}
         complaints = [_problem(document, detail, top, meaning) for detail in details]
         raise InputError(
@@ -54,25 +52,10 @@ def validate(document: Document) -> Matrix:
     """The matrix of a document.
 
     Raises:
-        InputError: with every problem of its structure, and of names that do not exist.
+        InputError: with every problem of its structure; or, where that is sound, with every name that does not exist.
     """
-    problems = list(document.problems)
-    stand_ins: set[Path] = set()
-    matrix: Matrix | None
-    try:
-        matrix = Matrix.model_validate(document.data)
-    except ValidationError as error:
-        details = _first_errors(error.errors(include_url=False)[:EXPLAINED])
-        # What YAML itself misreads (a key twice, `yes` for true) was explained already.
-        explained = {problem.path for problem in problems}
-        found = [_problem(document, detail) for detail in details]
-        problems += [problem for problem in found if problem.path not in explained]
-        refused = [(detail["type"], *_path(document, detail["loc"], detail["type"])) for detail in details]
-        matrix, stand_ins = repaired(document.data, refused)
-    if matrix is not None:
-        some = islice(findings(matrix), SHOWN + 1)
-        problems += [document.problem(path, text) for path, text in trusted(some, stand_ins)]
-    if matrix is None or problems:
+    matrix = checked(document, Matrix, MEANING)
+    if problems := [document.problem(path, text) for path, text in islice(findings(matrix), SHOWN + 1)]:
         raise InputError(document.name, problems)
     return matrix
 
@@ -200,5 +183,37 @@ def _purpose(path: Path, top: type[BaseModel]) -> str:
 
 def _model(path: Path, top: type[BaseModel]) -> type[BaseModel] | None:
     """The model that describes what stands at `path`."""
-    kind = bare(annotation(path, top))
+    kind = _bare(_annotation(path, top))
     return kind if isinstance(kind, type) and issubclass(kind, BaseModel) else None
+
+
+def _annotation(path: Path, top: type[BaseModel]) -> Any:
+    """The type, with its annotations, of what stands at `path` below `top`; None where the model has no such place."""
+    kind: Any = top
+    for step in path:
+        kind = _bare(kind)
+        if isinstance(kind, type) and issubclass(kind, BaseModel):
+            field = kind.model_fields.get(str(step))
+            kind = _whole(field) if field else None
+        else:
+            arguments = get_args(kind)
+            kind = arguments[1 if get_origin(kind) is dict else 0] if arguments else None
+    return kind
+
+
+def _bare(kind: Any) -> Any:
+    """A type without annotations and without `| None`; of a union, its first member."""
+    while True:
+        if get_origin(kind) is Annotated:
+            kind = get_args(kind)[0]
+        elif get_origin(kind) in (Union, types.UnionType):
+            kind = next(argument for argument in get_args(kind) if argument is not type(None))
+        else:
+            return kind
+
+
+def _whole(field: FieldInfo) -> Any:
+    """A field's type with the annotations that pydantic keeps apart."""
+    annotated: Any = Annotated
+    arguments = (field.annotation, *field.metadata)
+    return annotated[arguments] if field.metadata else field.annotation

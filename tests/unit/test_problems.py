@@ -8,7 +8,7 @@ import pytest
 from conftest import SMALL, changed, parse
 from counting import calls
 
-from rosml import expand, model, repair, source
+from rosml import expand, model, source
 from rosml.errors import RosmlError
 from rosml.problems import InputError, Problem, dotted, listed, near
 
@@ -60,9 +60,7 @@ WRONG = {
     "number for a key": (
         "    2.20.0: {python",
         "    2.20: {python",
-        '40:5: releases.tensorflow.2.20: YAML reads the key 2.20 as a number; write it in quotes: "2.20"\n'
-        "42:76: stacks.cu1.tensorflow: no release of tensorflow named '2.20.0'; did you mean '2.20'?\n"
-        "46:5: stacks.cpu.tensorflow: no release of tensorflow named '2.20.0'; did you mean '2.20'?",
+        '40:5: releases.tensorflow.2.20: YAML reads the key 2.20 as a number; write it in quotes: "2.20"',
     ),
     "true for a key": (
         "  alpha:",
@@ -145,8 +143,8 @@ WRONG = {
     "two mistakes in one row": (
         "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n",
         "    ros: 3\n    packages: ros-{distro}-{metapackage}\n    components: [core, base]\n",
-        "60:5: distributions.omega.ros: expected 1 or 2, found the number 3\n"
-        "61:5: distributions.omega.packages: no placeholder {distro}; did you mean 'ros_distro'?",
+        # names are looked at once the structure is sound
+        "60:5: distributions.omega.ros: expected 1 or 2, found the number 3",
     ),
     "unpaired brace": (
         "    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n",
@@ -549,7 +547,6 @@ WRONG = {
             "lts: true", "lts: 1", changed("os: ubuntu-24.04", "os: debian", changed("core: {meta", "core: {mata"))
         ),
         "27:10: components.core.matapackage: unknown key 'matapackage'; did you mean 'metapackage'?\n"
-        "50:5: distributions.alpha.os: no operating system named 'debian'; known: ubuntu-24.04, ubuntu-26.04\n"
         "56:5: distributions.alpha.lts: expected true or false, found the number 1",
     ),
 }
@@ -725,9 +722,8 @@ def patterns(content: object) -> set[str]:
     return set[str]().union(*map(patterns, content)) if isinstance(content, list) else set()
 
 
-def test_every_pattern_has_a_meaning_and_a_value_that_takes_the_place_of_a_wrong_one() -> None:
-    """Without them a wrong value of that kind ends in a traceback."""
+def test_every_pattern_has_a_meaning() -> None:
+    """Without it a wrong value of that kind says only that text was expected."""
     found = patterns(model.Matrix.model_json_schema())
     assert len(found) > 10
     assert found - model.MEANING.keys() == set()
-    assert found - repair.STAND_IN.keys() == set()
