@@ -10,14 +10,12 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from rich.table import Table
-
 from bench import synthetic
 from bench.limits import Held
 from rosml import ROOT, bake, expand, plan, readme, source
 from rosml.errors import RosmlError
 from rosml.inputs import Inputs
-from rosml.listing import show
+from rosml.terminal import show, table
 
 RUNS = 5
 """Whole runs on the real matrix, of which the median counts."""
@@ -131,13 +129,11 @@ def missed(real: float, sizes: Sequence[Measured]) -> list[str]:
 
 def print_table(real: float, sizes: Sequence[Measured]) -> None:
     """Prints the numbers beside their limits."""
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    table.add_column("matrix", no_wrap=True)
-    for column in ("seconds", "limit", "µs for an image", "limit"):
-        table.add_column(column, justify="right", no_wrap=True)
-    table.add_row("the real one, with the interpreter's start", f"{real:.2f}", f"{REAL_SECONDS:.2f}", "", "")
+    numbers = ("seconds", "limit", "µs for an image", "limit")
+    made = table("matrix", *numbers, right=numbers)
+    made.add_row("the real one, with the interpreter's start", f"{real:.2f}", f"{REAL_SECONDS:.2f}", "", "")
     for size in sizes:
         largest = size is sizes[-1]
         limits = (f"{LARGEST_SECONDS:.2f}", f"{GROWTH * sizes[0].each:.0f}") if largest else ("", "")
-        table.add_row(f"{size.images} images", f"{size.seconds:.2f}", limits[0], f"{size.each:.0f}", limits[1])
-    show(table)
+        made.add_row(f"{size.images} images", f"{size.seconds:.2f}", limits[0], f"{size.each:.0f}", limits[1])
+    show(made)

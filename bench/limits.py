@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from rich.table import Table
-
-from rosml.listing import show
+from rosml.terminal import show, table
 
 
 @dataclass(frozen=True)
@@ -30,10 +28,8 @@ def missed(held: Iterable[Held]) -> list[str]:
 
 def print_table(held: Iterable[Held]) -> None:
     """Prints medians beside their limits."""
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    table.add_column("median of", no_wrap=True)
-    for column in ("seconds", "limit"):
-        table.add_column(column, justify="right", no_wrap=True)
+    numbers = ("seconds", "limit")
+    made = table("median of", *numbers, right=numbers)
     for item in held:
-        table.add_row(item.what, f"{item.seconds:.3f}", f"{item.limit:.2f}")
-    show(table)
+        made.add_row(item.what, f"{item.seconds:.3f}", f"{item.limit:.2f}")
+    show(made)

@@ -13,8 +13,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rich.table import Table
-
 from bench import idle_run
 from bench.idle_run import IdleRun
 from bench.second_image import NAMESPACE, Comparison
@@ -22,11 +20,11 @@ from bench.temporary import Temporary
 from rosml import agenda, filelist, oci
 from rosml.compose import Composer
 from rosml.errors import RosmlError
-from rosml.listing import console, show
 from rosml.maker import Maker
 from rosml.pipeline import Pipeline, now
 from rosml.publish import Publisher
 from rosml.summary import duration, size
+from rosml.terminal import console, show, table
 
 TAGS = (10, 20, 40)
 
@@ -155,13 +153,11 @@ def cells(row: Growth) -> tuple[str, ...]:
 
 def print_table(found: Grown, target: str) -> None:
     """Prints both ways side by side."""
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    table.add_column(f"tags of {target}", no_wrap=True)
-    for column in ("composed", "new in registry", "every tag built", "new in registry", "a tag"):
-        table.add_column(column, justify="right", no_wrap=True)
+    numbers = ("composed", "new in registry", "every tag built", "new in registry", "a tag")
+    made = table(f"tags of {target}", *numbers, right=numbers)
     for row in found.rows:
-        table.add_row(*cells(row), f"{row.seconds / row.tags:.2f} s")
-    show(table)
+        made.add_row(*cells(row), f"{row.seconds / row.tags:.2f} s")
+    show(made)
     out = console()
     out.print("every tag built: one build was measured, above, and multiplied", style="dim")
     out.print(f"{idle_run.HEADING}: {idle_run.text(found.again)}", style="dim")

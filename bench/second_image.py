@@ -20,16 +20,14 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-
 from rosml import bake, base_images, builder, files, forecast, hcl, lockfile, publish, registry
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
-from rosml.listing import console, show
 from rosml.model import FAMILIES
 from rosml.progress import BuildProgress
 from rosml.publish import COMPRESSION, Publisher, Result, push_by_digest
 from rosml.summary import duration, size
+from rosml.terminal import console, show, table
 
 NAMESPACE = "bench"
 """Namespace in the local registry: nothing of anybody else is in it."""
@@ -436,13 +434,11 @@ class _Bench:
 
 def print_table(found: Comparison) -> None:
     """Prints both ways side by side, and what has to be known to judge them."""
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    table.add_column(found.target, no_wrap=True)
-    for column in ("ours", "RUN pip install", "ratio"):
-        table.add_column(column, justify="right", no_wrap=True)
+    numbers = ("ours", "RUN pip install", "ratio")
+    made = table(found.target, *numbers, right=numbers)
     for row in cells(found.to_json()):
-        table.add_row(*row)
-    show(table)
+        made.add_row(*row)
+    show(made)
     out = console()
     for line in notes(found):
         out.print(line, style="dim")

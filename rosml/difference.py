@@ -14,7 +14,7 @@ from dataclasses import asdict, dataclass, field
 from functools import cache
 from pathlib import Path
 
-from rosml import ci, expand, names, source
+from rosml import ci, expand, names, source, terminal
 from rosml.errors import RosmlError
 from rosml.inputs import TARGET, Inputs
 from rosml.problems import SOME, InputError, counted, some
@@ -193,21 +193,18 @@ def markdown(difference: Difference) -> str:
 
 def print_table(difference: Difference) -> None:
     """Prints it in few lines, whatever the number of images."""
-    from rich.table import Table  # slow to import, and only needed here
-    from rich.text import Text
+    from rich.text import Text  # slow to import, and only needed here
 
-    from rosml.listing import console, show
-
-    table = Table(box=None, header_style="bold", pad_edge=False, padding=(0, 2, 0, 0))
-    for column in ("what", "why", "which"):
-        table.add_column(column, overflow="fold")
+    columns = ("what", "why", "which")
+    table = terminal.table(*columns, wrapped=columns)
+    table.padding = (0, 2, 0, 0)
     for row in rows(difference):
         table.add_row(*map(Text, row))
-    out = console()
+    out = terminal.console()
     if difference.registry:
         out.print(f"registry: {' → '.join(difference.registry)}; all names change")
     if table.row_count:
-        show(table)
+        terminal.show(table)
     counts = [_count(difference, name) for name in ("added", "removed", "changed")]
     out.print(", ".join([*counts, f"{difference.same} same"]), style="dim")
 

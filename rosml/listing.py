@@ -3,21 +3,14 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import click
-
-from rosml import missing
+from rosml import missing, terminal
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.inputs import Inputs
 from rosml.problems import counted, listed, unknown
-
-if TYPE_CHECKING:
-    from rich.console import Console
-    from rich.table import Table
 
 
 def facts(image: Image) -> dict[str, Any]:
@@ -89,46 +82,17 @@ def as_json(inputs: Inputs, images: Sequence[Image]) -> str:
     return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
 
 
-def console() -> Console:
-    """Where tables go: one line for each row, also where nobody watches and the terminal's width is unknown."""
-    from rich.console import Console  # slow to import, and only needed here
-
-    class Output(Console):
-        def on_broken_pipe(self) -> None:
-            """Raises BrokenPipeError, which `command.run` knows: a reader that has seen enough is no failure."""
-            raise BrokenPipeError
-
-    terminal = Output(highlight=False, soft_wrap=True)
-    return terminal if terminal.is_terminal else Output(highlight=False, width=400)
-
-
-def show(table: Table) -> None:
-    """Prints a table, without the spaces that fill its last column up."""
-    out = console()
-    with out.capture() as captured:
-        out.print(table)
-    click.echo(_PADDING.sub(r"\1", captured.get()), nl=False)
-
-
-_PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
-"""Spaces at the end of a line, before codes that end a colour."""
-
-
 def print_table(images: Sequence[Image]) -> None:
     """Prints images, a row each."""
-    from rich.table import Table  # slow to import, and only needed here
-
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    for column in ("target", "versions", "platforms", "main tag", "lock"):
-        table.add_column(column, no_wrap=True)
-    table.add_column("GB unpacked (forecast)", justify="right", no_wrap=True)
+    size = "GB unpacked (forecast)"
+    table = terminal.table("target", "versions", "platforms", "main tag", "lock", size, right=[size])
     for image in images:
         versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
         platforms = ", ".join(image.platforms)
         state = "" if image.locked else "missing"
         table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
-    show(table)
-    out = console()
+    terminal.show(table)
+    out = terminal.console()
     payloads = {name for image in images for name in image.parts}
     out.print(f"{counted(len(images), 'image')}, {counted(len(payloads), 'payload')}", style="dim")
     lost = sum(bool(image.lost) for image in images)

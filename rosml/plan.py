@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from rosml import forecast, names
+from rosml import forecast, names, terminal
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image
 from rosml.model import Rates, Size
@@ -314,21 +314,14 @@ def as_json(plan: Plan) -> str:
 
 def print_table(plan: Plan, left_out: int = 0) -> None:
     """Prints one line for each shard, and what the whole takes. `left_out`: how many images have no lock."""
-    from rich.table import Table  # slow to import, and only needed here
-
-    from rosml.listing import console, show
-
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    for column in ("shard", "runner", "distributions"):
-        table.add_column(column, no_wrap=True)
-    for column in ("images", "payloads", "minutes", "GB download", "GB disk"):
-        table.add_column(column, justify="right", no_wrap=True)
+    numbers = ("images", "payloads", "minutes", "GB download", "GB disk")
+    table = terminal.table("shard", "runner", "distributions", *numbers, right=numbers)
     for shard in plan.shards:
         sizes = (f"{megabytes / 1000:.1f}" for megabytes in (shard.download_mb, shard.disk_mb))
         counts = (str(len(shard.targets)), str(len(shard.payloads)), f"{shard.seconds / 60:.0f}")
         table.add_row(shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes)
-    show(table)
-    out = console()
+    terminal.show(table)
+    out = terminal.console()
     seconds = [shard.seconds for shard in plan.shards]
     total = f"{max(seconds) / 60:.0f} minutes until all is built, {sum(seconds) / 60:.0f} minutes of machines"
     out.print(f"estimates: {total}", style="dim")

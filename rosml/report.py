@@ -8,7 +8,7 @@ from collections import Counter
 from typing import TYPE_CHECKING, Any
 
 from rosml import agenda as agendas
-from rosml import ci, plan
+from rosml import ci, plan, terminal
 from rosml.agenda import Task
 from rosml.pipeline import PLAN_FORMAT
 from rosml.problems import counted, some
@@ -85,24 +85,17 @@ def _changed(pipeline: Pipeline, task: Task, why: bool) -> dict[str, Any]:
 
 def print_plan(pipeline: Pipeline, why: bool) -> None:
     """A line for each item that something is to be done about, and counts of the others."""
-    from rich.table import Table  # slow to import, and only needed here
-
-    from rosml.listing import console, show
-
     found = tasks(pipeline)
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    for column in ("image", "architecture", "to do"):
-        table.add_column(column, no_wrap=True)
-    table.add_column("why")
+    table = terminal.table("image", "architecture", "to do", "why", wrapped=["why"])
     for task in found:
         if task.steps:
             changed = _changed(pipeline, task, why).get("inputs", [])
             reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
             table.add_row(task.item.target, task.item.architecture, ", ".join(task.steps), reason)
-    out = console()
+    out = terminal.console()
     todo = sum(bool(task.steps) for task in found)
     if todo:
-        show(table)
+        terminal.show(table)
     hindered = Counter(task.hindered.partition(":")[0] for task in found if task.hindered)
     rest = "".join(f", {number} {reason}" for reason, number in hindered.items())
     unchanged = len(found) - todo - sum(hindered.values())
@@ -151,24 +144,16 @@ def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
 
 
 def _print_table(outcomes: list[Outcome], effort: str) -> None:
-    from rich.table import Table  # slow to import, and only needed here
-
-    from rosml.listing import console
-    from rosml.listing import show as shown
-
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    for column in ("step", "image", "architecture", "state"):
-        table.add_column(column, no_wrap=True)
-    table.add_column("time", no_wrap=True, justify="right")
-    table.add_column("what")
+    columns = ("step", "image", "architecture", "state", "time", "what")
+    table = terminal.table(*columns, right=["time"], wrapped=["what"])
     colours = {"done": "green", "failed": "red", "waits": "yellow"}
     for outcome in _interesting(outcomes):
         state = f"[{colours[outcome.state]}]{outcome.state}[/]"
         reason = outcome.reason.splitlines()[0] if outcome.reason else ""
         table.add_row(outcome.step, outcome.target, outcome.architecture, state, duration(outcome.seconds), reason)
     if table.row_count:
-        shown(table)
-    out = console()
+        terminal.show(table)
+    out = terminal.console()
     for reason, number in _waiting(outcomes).items():
         out.print(f"waits: {number} times: {reason}", style="yellow", markup=False)
     counts = Counter((outcome.step, outcome.state) for outcome in outcomes)

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rosml import files
+from rosml import files, terminal
 from rosml.problems import counted
 from rosml.scan import Finding, Outcome, Run, Scanned
 
@@ -126,12 +126,9 @@ def rows(findings: Sequence[Finding]) -> Iterator[tuple[str, ...]]:
 
 def table(scanned: Scanned, everything: bool = False) -> Table:
     """An image's findings, the worst first: those that stop it or are ignored, or all of them."""
-    from rich.table import Table  # slow to import, and only needed here
-    from rich.text import Text
+    from rich.text import Text  # slow to import, and only needed here
 
-    made = Table(box=None, header_style="bold", pad_edge=False)
-    for column in COLUMNS:
-        made.add_column(column, no_wrap=True)
+    made = terminal.table(*COLUMNS)
     for severity, *others in rows([it for it in scanned.findings if everything or it.fails or it.ignored]):
         made.add_row(Text(severity, COLOURS.get(severity, "")), *map(Text, others))
     return made
@@ -147,13 +144,11 @@ def print_run(run: Run, everything: bool = False) -> None:
     """Prints a run: each image's line and table, what is wrong with the policy's entries, and the run's outcome."""
     import click
 
-    from rosml.listing import show
-
     said: set[str] = set()
     for image in run.images:
         click.echo(summary(image))
         if any(everything or finding.fails or finding.ignored for finding in image.findings):
-            show(table(image, everything))
+            terminal.show(table(image, everything))
         for note in image.notes:
             if note not in said:
                 click.echo(f"note: {note}")

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
+from rosml import terminal
 from rosml.agenda import ELSEWHERE, INDEX, Agenda
 from rosml.client import Client
 from rosml.expand import Image, Payload, repository_of, tags_of
@@ -167,18 +168,11 @@ def as_json(found: list[Standing]) -> str:
 
 def print_table(found: list[Standing]) -> None:
     """A line for each image, and how many there are of each state."""
-    from rich.table import Table  # slow to import, and only needed here
-
-    from rosml.listing import console, show
-
-    table = Table(box=None, header_style="bold", pad_edge=False)
-    for column in ("image", "state", "age", "platforms"):
-        table.add_column(column, no_wrap=True)
-    table.add_column("why")
+    table = terminal.table("image", "state", "age", "platforms", "why", wrapped=["why"])
     for item in found:
         state = f"[{STATES[item.state]}]{item.state}[/]"
         table.add_row(item.target, state, age(item.age), ", ".join(item.platforms), item.reason)
-    show(table)
+    terminal.show(table)
     counts = Counter(item.state for item in found)
     text = ", ".join(f"{counts[name]} {name}" for name in STATES if counts[name])
-    console().print(f"{counted(len(found), 'image')}: {text}", style="dim")
+    terminal.console().print(f"{counted(len(found), 'image')}: {text}", style="dim")

@@ -19,7 +19,7 @@ import rosml.environment  # noqa: F401 (first: says what to do where the others 
 
 import click
 
-from rosml import ROOT, ci, command, files
+from rosml import ROOT, ci, command, files, terminal
 from rosml.errors import RosmlError
 
 if TYPE_CHECKING:
@@ -191,14 +191,10 @@ def print_moves(moved: Mapping[Move, int]) -> None:
     """A table of old and new versions."""
     if not moved:
         return
-    from rich.table import Table  # slow to import, and only needed here
-
-    from rosml.listing import show
-
-    table = Table("stack", "package", "old", "new", "locks", box=None, header_style="bold", pad_edge=False)
+    table = terminal.table("stack", "package", "old", "new", "locks")
     for move, count in sorted(moved.items()):
         table.add_row(move.stack, move.package, move.old or "-", move.new or "-", str(count))
-    show(table)
+    terminal.show(table)
 
 
 if __name__ == "__main__":
