@@ -86,16 +86,18 @@ image: .python ## build, test, push and tag one image: make image TARGET=bookwor
 	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$$PLATFORM") -- "$$TARGET"
 
 test: ## what every change must pass: linters, unit tests, the catalogue's page, real images; it says where its time went
+	@$(if $(PROOF)$(filter-out 1/1,$(SHARD)),$(error make test has neither PROOF nor SHARD: make test-all has))
 	@$(SUITE)
 
-test-all: ## that, and every proof in tests/proofs: SHARD=1/3 is the part of the first of three machines, PROOF=cuda one proof
+test-all: .python ## that, and every proof in tests/proofs: SHARD=1/3 is the part of the first of three machines, PROOF=cuda one proof
+	@$(RUN) python -m tests.suite --check --all --shard "$$SHARD" $(patsubst %,--proof "%",$(PROOF))
 	@$(SUITE) --all --shard "$$SHARD" $(patsubst %,--proof "%",$(PROOF))
 
 lint: .linters ## the linters only
 	@$(RUN) pytest tests/lint
 
 unit: .linters ## the linters and the unit tests: no builder, about four minutes on two cores; COVERAGE=1 fails below 90 % of rosml/
-	@$(if $(COVERAGE),PYTEST_ADDOPTS=--cov=rosml) $(RUN) python -m tests.suite --phase unit
+	@$(RUN) python -m tests.suite --phase unit $(if $(COVERAGE),--coverage)
 
 page: ## the catalogue's page in a browser; installs Chromium where there is none
 	@$(BOOTSTRAP) browser

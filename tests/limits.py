@@ -17,5 +17,8 @@ def set_limits(items: Sequence[pytest.Item]) -> None:
     """Gives each test the limit of its folder, if it has none of its own."""
     for item in items:
         if item.get_closest_marker("timeout") is None:
-            seconds = PROOF_SECONDS if item.get_closest_marker("full") else SECONDS[item.path.parent.name]
+            folder = item.path.parent.name
+            if folder not in SECONDS:
+                raise pytest.UsageError(f"{item.path}: tests lie in one of tests/{', tests/'.join(SECONDS)}")
+            seconds = PROOF_SECONDS if item.get_closest_marker("full") else SECONDS[folder]
             item.add_marker(pytest.mark.timeout(seconds))

@@ -25,8 +25,7 @@ PROOFS = """
 `make test` has half an hour on two cores; what takes longer runs in `make test-all`. `make test-all SHARD=1/3` runs what the
 first of three machines runs, `make test-all PROOF=cuda` one proof. A proof that passes is recorded in `tests/proofs/`: the day,
 the number of tests, the digest of the log, and a digest of the committed files and the images' inputs that it depends on.
-`make test` fails where these changed since, and names the command that gives the proof again; at its end it names the proofs
-that nobody has given yet. In CI, where `CI` is set, nothing is recorded: the committed proof has to agree.
+`make test` fails where these changed since, or where a proof was never given, and names the command that gives it. In CI, where `CI` is set, nothing is recorded: the committed proof has to agree.
 
 | proof | proves | minutes on two cores, about |
 | --- | --- | ---: |"""
@@ -40,15 +39,13 @@ KINDS = {
     ),
     "page": ("The catalogue's page", "`make page`, and `make test`: the page in a browser."),
 }
-"""Folders below tests/, each with its heading and what runs it; others come after them."""
+"""Folders below tests/, each with its heading and what runs it. No other has tests."""
 
 
 def render() -> str:
     """The page."""
     parts = [HEAD]
-    found = sorted({file.parent.name for file in (ROOT / "tests").rglob("test_*.py")} - KINDS.keys())
-    kinds = {**KINDS, **{folder: (f"Tests in tests/{folder}", "`make test`.") for folder in found}}
-    for folder, (heading, how) in kinds.items():
+    for folder, (heading, how) in KINDS.items():
         rows = [f"| `{file.name}` | {proves(file)} |" for file in sorted((ROOT / "tests" / folder).glob("test_*.py"))]
         parts += [f"\n## {heading}\n\n{how}\n\n| file | proves |\n| --- | --- |", *rows]
     parts.append(PROOFS)

@@ -15,6 +15,8 @@ from pathlib import Path
 import yaml
 
 from rosml import expand
+from rosml.errors import RosmlError
+from rosml.files import write
 from rosml.inputs import Inputs
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -64,17 +66,19 @@ class Proof:
         """Reads a proof's file.
 
         Raises:
-            KeyError, TypeError, ValueError: it is damaged.
+            RosmlError: it is damaged, or depends on nothing.
         """
-        content = yaml.safe_load((folder / f"{name}.yaml").read_text(encoding="utf-8"))
-        depends = content.pop("depends")
-        proved = Proved(**content.pop("proved")) if content.get("proved") else None
-        return cls(
-            name=name,
-            targets=depends.get("targets", ()),
-            files=depends.get("files", ()),
-            **content | {"proved": proved},
-        )
+        file = folder / f"{name}.yaml"
+        try:
+            content = yaml.safe_load(file.read_text(encoding="utf-8"))
+            depends, proved = content.pop("depends"), content.pop("proved", None)
+            found = cls(name=name, **depends, **content, proved=Proved(**proved) if proved else None)
+        except (AttributeError, KeyError, TypeError, yaml.YAMLError) as error:
+            text = f"tests/proofs/{name}.yaml is damaged: {type(error).__name__}: {error}"
+            raise RosmlError(text, f"git checkout tests/proofs/{name}.yaml") from None
+        if isinstance(found.targets, str) or isinstance(found.files, str) or not (found.targets or found.files):
+            raise RosmlError(f"tests/proofs/{name}.yaml depends on nothing", "list files or targets under depends")
+        return found
 
     @property
     def arguments(self) -> list[str]:
@@ -90,10 +94,9 @@ class Proof:
         """Of all that it depends on in a checkout: committed files, and the inputs of images.
 
         Raises:
-            ValueError: a pattern matches no file.
-            RosmlError: there is no such target.
+            RosmlError: a pattern matches no committed file; there is no such target; this is no checkout of git.
         """
-        found: dict[str, object] = {pattern: _files(root, pattern) for pattern in self.files}
+        found: dict[str, object] = {pattern: _files(root, pattern, self.name) for pattern in self.files}
         if self.targets:
             images = expand.load(root / "matrix.yaml", root)
             inputs = Inputs(root, images)
@@ -111,16 +114,24 @@ class Proof:
         return ""
 
     def record(self, proved: Proved, folder: Path = FOLDER) -> None:
-        """Writes an outcome into its file; the rest stays as it is."""
+        """Writes an outcome into its file; the rest stays as it is.
+
+        Raises:
+            RosmlError: the file cannot be written; it is as it was.
+        """
         file = folder / f"{self.name}.yaml"
-        kept = re.sub(r"^proved:.*\Z", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE | re.DOTALL)
-        file.write_text(kept + yaml.safe_dump({"proved": vars(proved)}, sort_keys=False), encoding="utf-8")
+        kept = re.sub(r"^proved:.*\n(?:[ \t].*\n)*", "", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        write(file, kept + yaml.safe_dump({"proved": vars(proved)}, sort_keys=False))
 
 
-def _files(root: Path, pattern: str) -> dict[str, str]:
+def _files(root: Path, pattern: str, proof: str) -> dict[str, str]:
     """The digests of files that git tracks, or would, by path."""
     listed = ["git", "-C", str(root), "ls-files", "--cached", "--others", "--exclude-standard", "-z", "--", pattern]
-    done = subprocess.run(listed, capture_output=True, text=True, check=True)
+    try:
+        done = subprocess.run(listed, capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        said = str(getattr(error, "stderr", "") or error).strip()
+        raise RosmlError(f"git does not list the checkout's files: {said}", "work in a clone, with git") from None
     paths = [root / path for path in sorted(set(filter(None, done.stdout.split("\0"))))]
     found = {
         path.relative_to(root).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
@@ -128,5 +139,5 @@ def _files(root: Path, pattern: str) -> dict[str, str]:
         if path.is_file()
     }
     if not found:
-        raise ValueError(f"no committed file matches {pattern!r}")
+        raise RosmlError(f"tests/proofs/{proof}.yaml: no committed file matches {pattern!r}", "correct its depends")
     return found

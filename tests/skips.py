@@ -58,7 +58,11 @@ Report = TypeVar("Report", pytest.TestReport, pytest.CollectReport)
 
 def _refuse(report: Report) -> Report:
     """Makes a failure of a skip that is not on the list."""
-    if not report.skipped or hasattr(report, "wasxfail") or not isinstance(report.longrepr, tuple):
+    if hasattr(report, "wasxfail"):
+        del report.wasxfail
+        report.outcome, report.longrepr = "failed", f"{report.nodeid}: a test that is expected to fail proves nothing"
+        return report
+    if not report.skipped or not isinstance(report.longrepr, tuple):
         return report
     if said := refusal(report.nodeid, report.longrepr[2], LEAVES):
         report.outcome = "failed"

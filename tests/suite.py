@@ -14,18 +14,24 @@ import sys
 import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
 import click
 
+from rosml import command
 from tests.proof import ROOT, Proof, Proved, names
 
 LOGS = ROOT / ".state" / "log"
 LANES = ("--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder", "--verbose")
+CHANNELS = ("ROS_CHANNEL", "ROS_SNAPSHOT")
+"""Variables that take ROS's packages from elsewhere."""
 QUIET = ("--quiet", "--override-ini=log_cli=false")
 """For thousands of tests that take no time: a point for each of them."""
+CLEANING_SECONDS = 60.0
+"""How long pytest may take to clean up after Ctrl-C."""
 QUICK_MINUTES = 30.0
 """About how long `make test` takes on two cores."""
 
@@ -75,6 +81,11 @@ def proof_phase(proof: Proof) -> Phase:
     return Phase(f"proof: {proof.name}", pytest(*LANES, *proof.arguments), proof.environment)
 
 
+def environment() -> dict[str, str]:
+    """This process' own, without what would have pytest run other tests, or other plugins."""
+    return {name: value for name, value in os.environ.items() if name not in ("PYTEST_ADDOPTS", "PYTEST_PLUGINS")}
+
+
 def run(phase: Phase) -> Outcome:
     """Runs a phase; what it says is on the terminal and in a log."""
     click.secho(f"==> {phase.name}", bold=True, err=True)
@@ -87,7 +98,7 @@ def run(phase: Phase) -> Outcome:
         process = subprocess.Popen(
             [*phase.command, f"--junitxml={counts}"],
             cwd=ROOT,
-            env={**os.environ, **phase.environment},
+            env={**environment(), **phase.environment},
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -99,6 +110,8 @@ def run(phase: Phase) -> Outcome:
                 sys.stdout.buffer.write(data)
                 sys.stdout.flush()
         except BaseException:
+            with suppress(subprocess.TimeoutExpired):  # Ctrl-C reached pytest as well, which stops what it has started
+                process.wait(timeout=CLEANING_SECONDS)
             process.terminate()
             process.wait()
             raise
@@ -110,7 +123,10 @@ def _counts(file: Path) -> tuple[int, int, int]:
     """Tests that passed, failed and were skipped, by a report in JUnit's form; none where there is no report."""
     if not file.is_file():
         return 0, 0, 0
-    suites = list(ElementTree.parse(file).getroot().iter("testsuite"))
+    try:
+        suites = list(ElementTree.parse(file).getroot().iter("testsuite"))
+    except ElementTree.ParseError:
+        return 0, 0, 0
     total, failed, errors, skipped = (
         sum(int(suite.get(name, "0")) for suite in suites) for name in ("tests", "failures", "errors", "skipped")
     )
@@ -131,14 +147,21 @@ def deal(proofs: Sequence[Proof], shard: int, shards: int) -> tuple[bool, list[P
     return shard == 1, sorted(mine, key=lambda proof: proof.name)
 
 
-def settle(proof: Proof, outcome: Outcome) -> str:
+def settle(proof: Proof, outcome: Outcome, before: str) -> str:
     """Records a proof, or says why it is none. In CI nothing is written: the committed proof must agree.
+
+    Args:
+        before: digest of what it depends on, from before it ran.
 
     Returns:
         What is wrong; empty where it was proved.
     """
     if outcome.code or outcome.failed or outcome.skipped or not outcome.passed:
         return f"{proof.name}: {outcome.failed} failed, {outcome.skipped} skipped, {outcome.passed} passed"
+    if proof.digest() != before:
+        return f"what {proof.name} depends on has changed while it ran; run it again: {proof.command}"
+    if other := [name for name in CHANNELS if os.environ.get(name)]:
+        return f"{proof.name} is not recorded: it was given with {' and '.join(other)}"
     if os.environ.get("CI"):
         stale = proof.stale()
         if not stale and proof.proved and proof.proved.passed != outcome.passed:
@@ -149,14 +172,11 @@ def settle(proof: Proof, outcome: Outcome) -> str:
     return ""
 
 
-def set_up(commands: Sequence[str]) -> Outcome:
-    """Runs commands of scripts/bootstrap.py."""
-    started, code = time.monotonic(), 0
-    for command in commands:
-        code = (
-            code or subprocess.run([sys.executable, "scripts/bootstrap.py", command], cwd=ROOT, check=False).returncode
-        )
-    return Outcome("set-up for proofs", time.monotonic() - started, code)
+def set_up(need: str) -> Outcome:
+    """Runs a command of scripts/bootstrap.py."""
+    started = time.monotonic()
+    code = subprocess.run([sys.executable, "scripts/bootstrap.py", need], cwd=ROOT, check=False).returncode
+    return Outcome(f"set-up: {need}", time.monotonic() - started, code)
 
 
 def table(outcomes: Sequence[Outcome]) -> str:
@@ -194,24 +214,41 @@ class Shard(click.ParamType[tuple[int, int]]):
     "--phase", "phases", type=click.Choice(list(QUICK)), multiple=True, help="Run this part of `make test` alone."
 )
 @click.option("--proof", "wanted", type=click.Choice(names()), multiple=True, help="Run this proof alone.")
+@click.option("--check", is_flag=True, help="Only see whether this could run.")
+@click.option("--coverage", is_flag=True, help="Measure what the tests run of rosml/.")
 @click.option("--started", type=float, help="When the set-up began, in seconds since 1970.")
 def main(
-    everything: bool, shard: tuple[int, int], phases: tuple[str, ...], wanted: tuple[str, ...], started: float | None
+    everything: bool,
+    shard: tuple[int, int],
+    phases: tuple[str, ...],
+    wanted: tuple[str, ...],
+    check: bool,
+    coverage: bool,
+    started: float | None,
 ) -> None:
     """Runs the suite; set-up comes first: `make test`, `make test-all`."""
     quick, proofs = not wanted, [Proof.load(name) for name in wanted]
     if everything and not wanted:
         quick, proofs = deal([Proof.load(name) for name in names()], *shard)
+    before = {proof.name: proof.digest() for proof in proofs}
+    if check:
+        return
     outcomes = [Outcome("set-up", time.time() - started, 0)] if started else []
-    wrong: list[str] = []
-    if quick:
-        outcomes += [run(phase) for name, phase in QUICK.items() if name in (phases or QUICK)]
-    if needs := sorted({command for proof in proofs for command in proof.needs}):
-        outcomes.append(set_up(needs))
-    wrong += [f"{outcome.name}: failed" for outcome in outcomes if outcome.code]
+    for name, phase in QUICK.items() if quick else ():
+        if name in (phases or QUICK):
+            measured = replace(phase, command=[*phase.command, "--cov=rosml"]) if coverage else phase
+            outcomes.append(run(measured))
+    wrong = [f"{outcome.name}: failed" for outcome in outcomes if outcome.code]
+    wrong += [f"{outcome.name}: no test ran" for outcome in outcomes if outcome.log.name and not outcome.passed]
+    for need in sorted({need for proof in proofs for need in proof.needs}):
+        outcomes.append(set_up(need))
+        if outcomes[-1].code:
+            lacking = [proof for proof in proofs if need in proof.needs]
+            wrong.append(f"{need} failed, which these need: not run: {', '.join(proof.name for proof in lacking)}")
+            proofs = [proof for proof in proofs if proof not in lacking]
     for proof in proofs:
         outcomes.append(run(proof_phase(proof)))
-        wrong += filter(None, [settle(proof, outcomes[-1])])
+        wrong += filter(None, [settle(proof, outcomes[-1], before[proof.name])])
     click.echo(f"\n{table(outcomes)}")
     for line in wrong:
         click.secho(line, fg="red", err=True)
@@ -219,4 +256,4 @@ def main(
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(command.run(main))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import subprocess
 import sys
 
@@ -28,7 +29,7 @@ CALLS = {
     "plan JSON=1": 'scripts/generate_bake.py --shards "8" --json',
     "standing JSON=1": 'scripts/publish.py status --only "$ONLY" --registry "$PLACE" --json',
     "unit": "python -m tests.suite --phase unit",
-    "unit COVERAGE=1": "PYTEST_ADDOPTS=--cov=rosml python -m tests.suite --phase unit",
+    "unit COVERAGE=1": "python -m tests.suite --phase unit --coverage",
     "page": "python -m tests.suite --phase page",
     "diff JSON=1": 'scripts/generate_bake.py --diff "$REV" --json',
 }
@@ -42,7 +43,7 @@ def test_variables_reach_the_command(call: str) -> None:
 
 
 def test_explain_knows_the_channel() -> None:
-    here = ["BOOTSTRAP=:", f"RUN={sys.executable}"]  # without setting anything up
+    here = ["BOOTSTRAP=:", f"RUN={shlex.quote(sys.executable)}"]  # without setting anything up
     argv = ["make", "--silent", "explain", "TARGET=jazzy-core", "CHANNEL=snapshot", "SNAPSHOT=2026-08-07"]
     told = subprocess.run([*argv, *here], cwd=ROOT, capture_output=True, text=True, check=True).stdout
     assert "this time, packages come from ROS's apt snapshot: of 2026-08-07" in told

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from rosml.errors import RosmlError
 from tests import proof, suite
 from tests.proof import FOLDER, ROOT, Proof, Proved
 from tests.suite import Outcome
@@ -103,7 +104,7 @@ def test_the_rest_of_its_file_stays(checkout: Path) -> None:
 
 def test_a_pattern_that_matches_nothing_is_an_error(checkout: Path) -> None:
     (checkout / "lock.txt").unlink()
-    with pytest.raises(ValueError, match=r"no committed file matches 'lock\.txt'"):
+    with pytest.raises(RosmlError, match=r"thing\.yaml: no committed file matches 'lock\.txt'"):
         Proof.load("thing", checkout / "proofs").digest(checkout)
 
 
@@ -116,17 +117,93 @@ def test_a_pattern_that_matches_nothing_is_an_error(checkout: Path) -> None:
     ],
 )
 def test_what_failed_or_was_skipped_is_no_proof(checkout: Path, outcome: Outcome, wrong: str) -> None:
-    assert suite.settle(prove(checkout), outcome) == wrong
+    assert suite.settle(prove(checkout), outcome, "") == wrong
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "is damaged"),
+        ("proves: [", "is damaged"),
+        ("proves: a\nminutes: 1\n", "is damaged: KeyError: 'depends'"),
+        ("proves: a\nminutes: 1\ndepends: {}\n", "depends on nothing"),
+        ("proves: a\nminutes: 1\ndepends: {files: LICENSE}\n", "depends on nothing"),
+        ("proves: a\nminutes: 1\ndepends: {file: [LICENSE]}\n", "is damaged"),
+        ("proves: a\nminutes: 1\nproved: yes\ndepends: {files: [LICENSE]}\n", "is damaged"),
+    ],
+)
+def test_a_damaged_proof_is_told_in_a_sentence(tmp_path: Path, text: str, said: str) -> None:
+    (tmp_path / "thing.yaml").write_text(text)
+    with pytest.raises(RosmlError, match=rf"tests/proofs/thing\.yaml {re.escape(said)}"):
+        Proof.load("thing", tmp_path)
+
+
+def test_an_outcome_that_stands_first_is_replaced_alone(checkout: Path) -> None:
+    (checkout / "proofs/thing.yaml").write_text("proved: null\n" + PROOF)
+    prove(checkout)
+    text = (checkout / "proofs/thing.yaml").read_text()
+    assert text.startswith(PROOF) and text.count("proved:") == 1
+
+
+def test_without_git_it_says_so(tmp_path: Path) -> None:
+    (tmp_path / "LICENSE").write_text("")
+    with pytest.raises(RosmlError, match="git does not list the checkout"):
+        Proof("thing", "", 1, files=["LICENSE"]).digest(tmp_path)
+
+
+def test_what_changes_while_it_runs_is_not_proved() -> None:
+    found = Proof("thing", "", 1, files=["LICENSE"])
+    said = suite.settle(found, Outcome("thing", 1, 0, passed=7), "sha256:before")
+    assert said == "what thing depends on has changed while it ran; run it again: make test-all PROOF=thing"
+
+
+def test_with_packages_from_elsewhere_it_is_not_recorded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_CHANNEL", "final")
+    found = Proof("thing", "", 1, files=["LICENSE"])
+    said = suite.settle(found, Outcome("thing", 1, 0, passed=7), found.digest())
+    assert said == "thing is not recorded: it was given with ROS_CHANNEL"
+
+
+def test_a_proof_whose_set_up_fails_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The others are; the run fails and names it."""
+    ran: list[str] = []
+
+    def run(phase: suite.Phase) -> Outcome:
+        ran.append(phase.name)
+        return Outcome(phase.name, 1, 1, failed=1)
+
+    monkeypatch.setattr(suite, "set_up", lambda need: Outcome(f"set-up: {need}", 1, 1))
+    monkeypatch.setattr(suite, "run", run)
+    done = CliRunner().invoke(suite.main, ["--proof", "signer", "--proof", "apt"])
+    assert done.exit_code == 1
+    assert ran == ["proof: apt"]
+    assert "signer failed, which these need: not run: signer" in done.output
+
+
+def test_nothing_of_the_environment_chooses_tests(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("PYTEST_ADDOPTS", "--collect-only")
+    monkeypatch.setattr(suite, "LOGS", tmp_path)
+    (tmp_path / "test_one.py").write_text("def test_one() -> None:\n    pass\n")
+    outcome = suite.run(suite.Phase("one", suite.pytest("--rootdir", str(tmp_path), "-c", "/dev/null", str(tmp_path))))
+    assert (outcome.code, outcome.passed) == (0, 1)
+
+
+def test_a_run_without_tests_fails(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(suite, "run", lambda phase: Outcome(phase.name, 1, 0, log=tmp_path / "log"))
+    done = CliRunner().invoke(suite.main, ["--phase", "page"])
+    assert done.exit_code == 1 and "the catalogue's page: no test ran" in done.output
 
 
 def test_in_ci_the_committed_proof_must_agree(checkout: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("CI", "true")
     known = Proof("thing", "", 1, files=["LICENSE"])
     known = Proof("thing", "", 1, files=["LICENSE"], proved=Proved("2026-11-23", known.digest(), 7, ""))
-    assert suite.settle(known, Outcome("thing", 1, 0, passed=7)) == ""
-    assert "8 tests passed, and tests/proofs/thing.yaml says 7" in suite.settle(known, Outcome("thing", 1, 0, passed=8))
+    now = known.digest()
+    assert suite.settle(known, Outcome("thing", 1, 0, passed=7), now) == ""
+    said = suite.settle(known, Outcome("thing", 1, 0, passed=8), now)
+    assert "8 tests passed, and tests/proofs/thing.yaml says 7" in said
     other = Proof("thing", "", 1, files=["README.md"], proved=known.proved)
-    assert "has changed since 2026-11-23" in suite.settle(other, Outcome("thing", 1, 0, passed=7))
+    assert "has changed since 2026-11-23" in suite.settle(other, Outcome("thing", 1, 0, passed=7), other.digest())
 
 
 def test_every_proof_is_dealt_to_one_machine() -> None:
@@ -151,6 +228,20 @@ def test_every_proof_has_tests() -> None:
     marked = set(re.findall(r'full\(proof="([\w-]+)"\)', sources))
     assert marked == {name for name in proof.names() if not Proof.load(name).tests}
     assert all((ROOT / test).is_file() for name in proof.names() for test in Proof.load(name).tests)
+
+
+def test_every_proof_depends_on_its_tests() -> None:
+    for file in (ROOT / "tests").glob("*/test_*.py"):
+        if file != Path(__file__):
+            for name in set(re.findall(r'full\(proof="([\w-]+)"\)', file.read_text())):
+                assert str(file.relative_to(ROOT)) in Proof.load(name).files, f"{name}.yaml does not list {file.name}"
+
+
+def test_all_tests_lie_where_a_run_looks_for_them() -> None:
+    phases = ("lint", "unit", "page", "e2e")
+    elsewhere = [file for file in (ROOT / "tests").rglob("*test*.py") if file.parent.name not in (*phases, "tests")]
+    assert [file for file in elsewhere if re.match(r"tests?_|.*_tests?\.py", file.name)] == []
+    assert not list((ROOT / "tests").glob("test_*.py"))
     assert FOLDER.is_dir()
 
 
