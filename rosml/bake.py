@@ -1,86 +1,52 @@
-"""A catalogue -> the text of docker-bake.hcl."""
+"""A catalogue -> the text of docker-bake.hcl: tables with the facts, and `graph.hcl`, which says what follows from them.
+
+The graph is written by hand, the same for every catalogue. `targets` says what follows in Python.
+"""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
 
-from rosml import labels, missing, names, rules
-from rosml.expand import Catalogue, Image, Payload
-from rosml.hcl import Expression, block, call, template, text
-from rosml.model import PARTS, Apt, Distribution, Matrix
+from rosml import labels, names, rules, targets
+from rosml.expand import FLOATING, Catalogue, Image, Payload, long_tests
+from rosml.hcl import Code, aligned, block, key, literal, pairs, text
+from rosml.model import FOR_ANY_PYTHON, PARTS, UNTESTED, Matrix
 
-EPOCH = "1767225600"
-"""2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
-
-PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
-
-Labels = Mapping[str, "str | Expression"]
-
-Target = tuple[str, Mapping[str, Any]]
-"""Name and attributes of a bake target."""
-
-
-@dataclass(frozen=True)
-class Dependency(Expression):
-    """A context that is another target; its image in the registry, where DIGESTS names it."""
-
-    target: str
-
-
-@dataclass(frozen=True)
-class Overridable(Expression):
-    """A fact of the matrix that a variable may override."""
-
-    fact: str
-
-
-@dataclass(frozen=True)
-class NoInput(Expression):
-    """An expression that holds no fact of the matrix: the caller of the bake file decides its value, or it follows from
-    what is an input anyway."""
+GRAPH = Path(__file__).with_name("graph.hcl")
+"""What is made of the tables."""
 
 
 def render(catalogue: Catalogue) -> str:
     """The bake file. Depends on nothing but the catalogue."""
-    parts = list(_head(catalogue))
-    for title, content in _sections(catalogue):
-        parts += [_title(title), *(block("target", name, attributes) for name, attributes in content)]
-    parts += [_title("Groups"), *_groups(catalogue)]
-    return "\n".join(parts)
+    return "\n".join([*_tables(catalogue), _groups(catalogue), _graph()])
 
 
 def excerpt(catalogue: Catalogue, roots: Iterable[str]) -> str:
-    """The bake file with nothing but some targets and what they stand on, word for word as the whole has it.
+    """The bake file with few targets more than some, and what they stand on: those alike of the components below.
 
     buildx evaluates a whole file, which takes seconds for some hundred images.
+
+    Args:
+        roots: targets of images, of their tests, of payloads; others are in every bake file.
     """
-    every = targets(catalogue)
-    needed: set[str] = set()
-    todo = list(roots)
-    while todo:
-        name = todo.pop()
-        if name not in needed:
-            needed.add(name)
-            todo += [*every[name].get("inherits", ()), *_contexts(every[name].get("contexts", {}))]
-    blocks = [block("target", name, attributes) for name, attributes in every.items() if name in needed]
-    return "\n".join([*_head(catalogue), *blocks])
-
-
-def _contexts(contexts: Mapping[str, str | Expression]) -> Iterator[str]:
-    """The targets among named contexts."""
-    for value in contexts.values():
-        if isinstance(value, Dependency):
-            yield value.target
-        elif isinstance(value, str) and value.startswith("target:"):
-            yield value.removeprefix("target:")
-
-
-def targets(catalogue: Catalogue) -> dict[str, Mapping[str, Any]]:
-    """The attributes of every target by its name: the bake file as data, for whoever asks what a target depends on."""
-    return {name: attributes for _, content in _sections(catalogue) for name, attributes in content}
+    images: set[str] = set()
+    payloads: set[str] = set()
+    for root in roots:
+        image = catalogue.by_target.get(root) or catalogue.by_target.get(root.removesuffix(names.test_target("")))
+        while image:
+            images.add(image.target)
+            payloads.update(image.parts)
+            image = catalogue.by_target.get(image.parent)
+        payloads.add(root.removeprefix(names.payload_target("")))
+    some = replace(
+        catalogue,
+        images=tuple(image for image in catalogue.images if image.target in images),
+        payloads=tuple(payload for payload in catalogue.payloads if payload.name in payloads),
+    )
+    return "\n".join([*_tables(some), _graph()])
 
 
 def variables(matrix: Matrix) -> dict[str, str]:
@@ -88,107 +54,67 @@ def variables(matrix: Matrix) -> dict[str, str]:
     return {name: default for name, default, _ in _variables(matrix)}
 
 
-def _sections(catalogue: Catalogue) -> Iterator[tuple[str, Iterator[Target]]]:
-    yield "What targets have in common", _abstract(catalogue)
-    yield "Operating systems with the essentials", _operating_systems(catalogue)
-    yield "ROS images: a chain of components", _ros_images(catalogue)
-    yield "Payloads: assembled once, joined to many images", _payloads(catalogue)
-    yield "Images with a framework: a ROS image joined with payloads", _joined_images(catalogue)
-    yield "Structure tests, inside the build", _tests(catalogue)
-
-
-def _title(title: str) -> str:
-    return f"# ---- {title} ".ljust(118, "-") + "\n"
+@cache
+def _graph() -> str:
+    return GRAPH.read_text(encoding="utf-8")
 
 
 _HEADER = """\
-# Generated from matrix.yaml by scripts/generate_bake.py: change matrix.yaml, then run
+# Generated from matrix.yaml by scripts/generate_bake.py, with rosml/graph.hcl below it: change one of them, then run
 #   make generate
 #
 #   docker buildx bake {target}          builds an image (and what it stands on)
 #   docker buildx bake {target}-test     runs its structure tests inside the build
 #   docker buildx bake --print <target>       shows what would be built
-"""
-
-_FUNCTIONS = """\
-# The digest of a dependency that is to be taken from the registry; empty if it is to be built here.
-function "digest" {
-  params = [name]
-  result = lookup(jsondecode(DIGESTS == "" ? "{}" : DIGESTS), name, "")
-}
-
-# A dependency: built here, unless DIGESTS names it. The only place that decides.
-function "dependency" {
-  params = [name, repository, target]
-  result = digest(name) == "" ? "target:${target}" : "docker-image://${REGISTRY}/${repository}@${digest(name)}"
-}
-
-function "image" {
-  params = [repository, name]
-  result = dependency(name, repository, name)
-}
-
-# A payload part, and where its files are in that context.
-function "part" {
-  params = [name]
-  result = dependency(name, "payload", "_files-${name}")
-}
-
-function "root" {
-  params = [name]
-  result = digest(name) == "" ? "/out/" : "/"
-}
-
-# The name and the digest of a base image, for labels; no digest, no label.
-function "image_name" {
-  params = [context]
-  result = trimprefix(split("@", context)[0], "docker-image://")
-}
-
-function "image_digest" {
-  params = [context]
-  result = try(split("@", context)[1], null)
-}
-
-function "platforms" {
-  params = [all]
-  result = PLATFORM == "" ? all : [PLATFORM]
-}
-
-# The date of the ROS repository of a distribution, where the caller knows it.
-function "sync_date" {
-  params = [distribution]
-  result = lookup(jsondecode(ROS_SYNC_DATES == "" ? "{}" : ROS_SYNC_DATES), distribution, "")
-}
-
-# A fact of matrix.yaml, unless the caller says otherwise.
-function "overridable" {
-  params = [fact, value]
-  result = value == "" ? fact : value
-}
-
-# A build argument that is left out when it is empty.
-function "given" {
-  params = [value]
-  result = value == "" ? null : value
-}
+#   docker buildx bake --list targets         lists all targets, --list variables what can be set
 """
 
 
-def _head(catalogue: Catalogue) -> Iterator[str]:
-    yield _HEADER.format(target=catalogue.matrix.default.group[0])
-    for variable in _variables(catalogue.matrix):
-        yield _variable(*variable)
-    yield _FUNCTIONS
+def _tables(catalogue: Catalogue) -> Iterator[str]:
+    matrix = catalogue.matrix
+    yield _HEADER.format(target=matrix.default.group[0])
+    for variable, default, description in _variables(matrix):
+        yield block("variable", variable, {"description": description, "default": default})
+    yield "# ---- Tables ".ljust(119, "-") + "\n"
+    yield _table(
+        "systems", "Operating systems.", _tall({name: _system(matrix, name) for name in matrix.operating_systems})
+    )
+    about = "Each component with all that it is built on, the lowest first."
+    yield _table("components", about, aligned({name: rules.chain(matrix, name) for name in matrix.components}))
+    about = "Versions that go together. frameworks: those that can have them, the smallest first."
+    yield _table("stacks", about, _tall({name: _stack(matrix, name) for name in matrix.stacks}))
+    about = (
+        "What images carry. counted: whose versions a tag names. stacks: the platforms that all of it has wheels for."
+    )
+    yield _table("frameworks", about, _tall({name: _framework(matrix, name) for name in matrix.frameworks}))
+    yield "\n".join(aligned(_words(matrix))) + "\n"
+    about = "covered: others with more frameworks run the longest tests. unlocked: what cannot be built yet, and why."
+    yield _table("distributions", about, _tall(_distributions(catalogue)))
+    about = "What is assembled once, on a system, and joined to many images."
+    yield _table("payloads", about, (f"{literal(_payload(payload))}," for payload in catalogue.payloads), "[]")
+
+
+Lines = Sequence[Mapping[str, object]]
+"""A row of a table, in lines."""
+
+
+def _table(name: str, about: str, rows: Iterable[str], brackets: str = "{}") -> str:
+    return "\n".join([f"# {about}", f"{name} = {brackets[0]}", *(f"  {row}" for row in rows), brackets[1]]) + "\n"
+
+
+def _tall(rows: Mapping[str, Lines]) -> Iterator[str]:
+    """Rows that take more than a line."""
+    for name, lines in rows.items():
+        yield "\n".join([f"{key(name)} = {{", *(f"    {', '.join(pairs(line))}" for line in lines), "  }"])
 
 
 def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     """Name, default and description of every variable."""
     yield "REGISTRY", matrix.registry, "where images live, without https://"
-    for os, system in matrix.operating_systems.items():
-        yield names.os_variable(os), f"docker-image://{system.image}@{system.digest}", f"base image of {os}"
+    for os in matrix.operating_systems:
+        yield names.os_variable(os), targets.base_image(matrix, os), f"base image of {os}"
     yield "PLATFORM", "", "build for this platform only, such as linux/amd64; if empty, for all that a target has"
-    yield "SOURCE_DATE_EPOCH", EPOCH, "time of every file, in seconds since 1970"
+    yield "SOURCE_DATE_EPOCH", targets.EPOCH, "time of every file, in seconds since 1970"
     yield "REVISION", "", "commit that is built, for a label"
     yield "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
     yield "ROS_SYNC_DATES", "", 'JSON text: the dates of ROS\'s repositories, {"jazzy": "2026-11-20T21:14:09Z"}'
@@ -199,315 +125,115 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield "ROS_APT_MIRROR", "", mirror
     archive = "mirror of the hosts that base images' apt sources name, such as http://host:3142; never part of an image"
     yield "OS_APT_MIRROR", "", archive
-    for proxy in PROXIES:
+    for proxy in targets.PROXIES:
         yield proxy, "", "for build steps; never part of an image"
 
 
-def _variable(name: str, default: str, description: str) -> str:
-    return f"# {description}\nvariable {text(name)} {{\n  default = {text(default)}\n}}\n"
+def _system(matrix: Matrix, name: str) -> Lines:
+    facts = matrix.operating_systems[name]
+    image, platforms = Code(names.os_variable(name)), _platforms(matrix, facts.architectures)
+    return [
+        {"image": image, "python": facts.python, "numpy": facts.numpy, "platforms": platforms},
+        {"tools": facts.tools},
+    ]
 
 
-def _groups(catalogue: Catalogue) -> Iterator[str]:
-    for name, targets in catalogue.groups.items():
-        yield block("group", name, {"targets": targets})
+def _platforms(matrix: Matrix, architectures: Iterable[str]) -> list[str]:
+    return [matrix.architectures[name].platform for name in architectures]
 
 
-def _abstract(catalogue: Catalogue) -> Iterator[Target]:
-    proxies = {proxy: _no_input("given", Expression(proxy)) for proxy in PROXIES}
-    # Mirrors are secrets like the certificates: an argument would be in the image's history.
-    secret = Expression(
-        'concat(CA_BUNDLE == "" ? [] : ["id=ca-bundle,src=${CA_BUNDLE}"], '
-        'ROS_APT_MIRROR == "" ? [] : ["id=ros-apt-mirror,env=ROS_APT_MIRROR"], '
-        'OS_APT_MIRROR == "" ? [] : ["id=os-apt-mirror,env=OS_APT_MIRROR"])'
-    )
-    epoch = {"SOURCE_DATE_EPOCH": Expression("SOURCE_DATE_EPOCH")}
-    yield "_common", {"context": ".", "secret": secret, "args": epoch | proxies}
-    yield "_base", {"inherits": ["_common"], "target": "base"}
-    yield "_payload", {"inherits": ["_common"]}
-    common: Labels = {
-        "org.opencontainers.image.licenses": "Apache-2.0",
-        **({"org.opencontainers.image.source": catalogue.matrix.source} if catalogue.matrix.source else {}),
-        "org.opencontainers.image.revision": _no_input("given", Expression("REVISION")),
-        "org.opencontainers.image.created": _no_input(
-            "timeadd", "1970-01-01T00:00:00Z", template("${SOURCE_DATE_EPOCH}s")
-        ),
+def _stack(matrix: Matrix, name: str) -> Lines:
+    facts = matrix.stacks[name]
+    versions = {item: version for item in rules.COUNTED if (version := getattr(facts, item))}
+    taking = labels.smallest_first(rules.frameworks(matrix, name))
+    return [{"accelerator": facts.accelerator, "frameworks": taking}, {"versions": versions}]
+
+
+def _framework(matrix: Matrix, name: str) -> Lines:
+    facts = matrix.frameworks[name]
+    releases = rules.families(facts)
+    stacks = [stack for stack in matrix.stacks if facts.parts and name in rules.frameworks(matrix, stack)]
+    parts = [part for part in PARTS if part in facts.parts]
+    return [
+        {"repository": facts.repository, "parts": parts, "releases": releases},
+        {"versions": rules.counted(facts), "counted": releases or ("cuda",)},
+        {"stacks": {stack: _platforms(matrix, rules.joined_for(matrix, name, stack)) for stack in stacks}},
+    ]
+
+
+def _words(matrix: Matrix) -> dict[str, object]:
+    return {
+        "plain": rules.plain(matrix),
+        "assembler": matrix.default.assembler,
+        "source": matrix.source,
+        "short_component": FLOATING,
+        "short_names": names.SHORT,
+        "titles": labels.TITLES,
+        "parts": PARTS,
+        "brings": {part: labels.brought(part) for part in PARTS},
+        "for_any_python": FOR_ANY_PYTHON,
+        "untested": UNTESTED,
     }
-    yield "_image", {"inherits": ["_common"], "labels": common}
-    assembler = Expression(names.os_variable(catalogue.matrix.default.assembler))
-    test = {"inherits": ["_common"], "target": "test", "contexts": {"os": assembler}, "output": ["type=cacheonly"]}
-    yield "_test", test
-    listing = {"inherits": ["_common"], "target": "file-list", "contexts": {"os": assembler}}
-    yield "file-list", {"description": "the files of the image that its context `listed` is", **listing}
 
 
-def _operating_systems(catalogue: Catalogue) -> Iterator[Target]:
-    matrix = catalogue.matrix
-    for os in dict.fromkeys(image.os for image in catalogue.images):
-        system = matrix.operating_systems[os]
-        attributes = {
-            "inherits": ["_base"],
-            "platforms": _platforms(matrix.architectures[name].platform for name in system.architectures),
-            "contexts": {"os": Expression(names.os_variable(os))},
-            "args": {"NUMPY": system.numpy},
-        }
-        yield names.os_target(os), attributes
-
-
-def _ros_images(catalogue: Catalogue) -> Iterator[Target]:
-    matrix = catalogue.matrix
-    images: dict[str, list[Image]] = {name: [] for name in matrix.distributions}
+def _distributions(catalogue: Catalogue) -> dict[str, Lines]:
+    """A row for each distribution that has images."""
+    images: dict[str, list[Image]] = {}
     for image in catalogue.images:
-        if image.stack is None:
-            images[image.distribution].append(image)
-    for name, distribution in matrix.distributions.items():
-        yield _distribution_target(name), _distribution(matrix, name, distribution)
-        yield _ros_target(name), _ros(matrix, name, distribution)
-        for image in images[name]:
-            yield image.target, _ros_image(catalogue, image)
+        images.setdefault(image.distribution, []).append(image)
+    rows = catalogue.matrix.distributions
+    return {name: _distribution(catalogue.matrix, name, images[name]) for name in rows if name in images}
 
 
-def _distribution_target(name: str) -> str:
-    return f"_distribution-{name}"
-
-
-def _ros_target(name: str) -> str:
-    return f"_ros-{name}"
-
-
-def _distribution(matrix: Matrix, name: str, distribution: Distribution) -> dict[str, object]:
-    """What all images of a distribution have in common."""
-    system = matrix.operating_systems[distribution.os]
-    variable = Expression(names.os_variable(distribution.os))
-    common: Labels = {
-        "org.opencontainers.image.base.name": _no_input("image_name", variable),
-        "org.opencontainers.image.base.digest": _no_input("image_digest", variable),
-        "io.rosml.distribution": name,
-        "io.rosml.os": distribution.os,
-        "io.rosml.python": system.python,
-        "io.rosml.ros": str(distribution.ros),
-        **({"io.rosml.ros.sync": _no_input("given", _sync_date(name))} if distribution.apt else {}),
-        **({"io.rosml.experimental": "true"} if distribution.experimental else {}),
-    }
-    platforms = _platforms(matrix.architectures[item].platform for item in rules.built_for(matrix, name))
-    return {"inherits": ["_image"], "platforms": platforms, "labels": common}
-
-
-def _ros(matrix: Matrix, name: str, distribution: Distribution) -> dict[str, object]:
-    """What a distribution's images without a framework have in common."""
-    args: dict[str, str | Expression] = {
-        "ROS_DISTRO": distribution.ros_distro or name,
-        "ROS_VERSION": str(distribution.ros),
-    }
-    if distribution.apt:
-        args |= _apt(matrix, name, distribution.apt)
-        args["ROS_SYNC_DATE"] = _sync_date(name)
-    wheels: dict[str, object] = {}
-    if distribution.wheels:  # the stage takes uv from what assembles payloads, which stands on the system's base image
-        args |= {"ROS_ROW": name, "PYTHON": matrix.operating_systems[distribution.os].python}
-        wheels = {"contexts": {"os": Expression(names.os_variable(distribution.os))}}
-    return {
-        "inherits": [_distribution_target(name)],
-        "target": "ros-wheels" if distribution.wheels else "ros",
-        **wheels,
-        "args": args,
-        "labels": {"io.rosml.framework": rules.plain(matrix)},
-    }
-
-
-def _no_input(function: str, *arguments: str | Expression) -> NoInput:
-    return NoInput(call(function, *arguments).code)
-
-
-def _sync_date(distribution: str) -> NoInput:
-    return _no_input("sync_date", distribution)
-
-
-def _overridable(fact: str, variable: str) -> Overridable:
-    return Overridable(call("overridable", fact, Expression(variable)).code, fact)
-
-
-def _apt(matrix: Matrix, name: str, apt: Apt) -> dict[str, str | Expression]:
-    """Arguments of a distribution whose packages come from ROS's own apt repository."""
-    day = apt.date.isoformat() if apt.date else ""
-    args: dict[str, str | Expression] = {
-        "ROS_CHANNEL": _overridable(apt.channel, "ROS_CHANNEL"),
-        "ROS_SNAPSHOT": _overridable(day, "ROS_SNAPSHOT"),
-        "ROS_LIVE_ADDRESS": rules.ros_live(matrix, name),
-        "ROS_SNAPSHOT_ADDRESS": rules.ros_snapshot(matrix, name, "{day}"),
-        "ROS_CODENAME": matrix.operating_systems[matrix.distributions[name].os].codename or "",
-    }
-    if source := rules.ros_apt_source(matrix, name):
-        args["ROS_APT_SOURCE"] = source
-    return args
-
-
-def _ros_image(catalogue: Catalogue, image: Image) -> dict[str, object]:
-    matrix = catalogue.matrix
-    args = {"ROS_PACKAGES": image.packages} if image.packages else {}
-    parent = catalogue.by_target.get(image.parent)
-    if parent is None:  # the lowest component brings the developers' tools
-        tools = matrix.distributions[image.distribution].tools or matrix.operating_systems[image.os].tools
-        args["ROS_TOOLS"] = " ".join([tools, *_rmw_packages(matrix, image)])
-    return {
-        "description": _unlocked(image),
-        "inherits": [_ros_target(image.distribution)],
-        "tags": _tags(image),
-        "contexts": {"parent": _dependency(parent) if parent else f"target:{image.parent}"},
-        "args": args,
-        "labels": _labels(image),
-    }
-
-
-def _unlocked(image: Image) -> str:
-    """What to say of a target that cannot be built yet; empty, and so left out, where it can be."""
-    return "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}"
-
-
-def _rmw_packages(matrix: Matrix, image: Image) -> Iterator[str]:
-    for name in matrix.distributions[image.distribution].rmw:
-        yield f"ros-{image.ros_distro}-{name.replace('_', '-')}"
-
-
-def _dependency(image: Image) -> Dependency:
-    return Dependency(call("image", image.repository, image.target).code, image.target)
-
-
-def _part(payload: str) -> Dependency:
-    return Dependency(call("part", payload).code, names.files_target(payload))
-
-
-def _platforms(platforms: Iterable[str]) -> Expression:
-    return Expression(f"platforms([{', '.join(text(platform) for platform in platforms)}])")
-
-
-def _tags(image: Image) -> list[Expression]:
-    return [template(f"${{REGISTRY}}/{tag}") for tag in image.tags]
-
-
-def _labels(image: Image) -> Labels:
-    return labels.named(
-        image.distribution, image.component, str(image.ros), image.framework, image.stack, image.versions
-    )
-
-
-def _payloads(catalogue: Catalogue) -> Iterator[Target]:
-    for payload in catalogue.payloads:
-        yield names.files_target(payload.name), _files(catalogue.matrix, payload)
-        published = {
-            "inherits": [names.files_target(payload.name)],
-            "target": "payload",
-            "tags": [template(f"${{REGISTRY}}/payload:{payload.name}")],
-            "labels": _payload_labels(catalogue.matrix, payload),
-        }
-        yield payload.target, published
-
-
-def _payload_labels(matrix: Matrix, payload: Payload) -> Labels:
-    stack = matrix.stacks[payload.stack]
-    versions = {name: version for name in labels.VERSIONS if (version := getattr(stack, name))}
-    taking = {name: parts for name, parts in rules.frameworks(matrix, payload.stack).items() if payload.part in parts}
-    return labels.of_payload(payload.part, payload.stack, payload.python, versions, taking)
-
-
-def _files(matrix: Matrix, payload: Payload) -> dict[str, object]:
-    return {
-        "inherits": ["_payload"],
-        "target": "payload-files",
-        "platforms": _platforms(payload.platforms),
-        "contexts": {"os": Expression(names.os_variable(payload.os))},
-        "args": {
-            "PART": payload.part,
-            "STACK": payload.stack,
-            "PYTHON": payload.python,
-            "WHEEL_PYTHON": matrix.operating_systems[payload.os].python,
-            "ACCELERATOR": matrix.stacks[payload.stack].accelerator,
+def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
+    facts = matrix.distributions[name]
+    alone = [image for image in images if image.stack is None]
+    kinds = {_key(image): image for image in images}
+    platforms = _platforms(matrix, rules.architectures(matrix, name, rules.plain(matrix), None))
+    short = [tag.split(":")[1] for image in alone if image.component == FLOATING for tag in image.tags[1:]]
+    tools, long = targets.tools(matrix, name), set(long_tests(facts))
+    stacks: dict[str, list[str]] = {}
+    for image in kinds.values():
+        if image.stack:
+            stacks.setdefault(image.framework, []).append(image.stack)
+    return [
+        {"os": facts.os, "ros": str(facts.ros), "ros_distro": facts.ros_distro or name, "platforms": platforms},
+        {"default_stack": facts.default_stack, "tags": short, "experimental": facts.experimental},
+        {
+            "rmw": ",".join(facts.rmw),
+            "wheels": targets.wheels(facts.wheels),
+            "tools": "" if tools == matrix.operating_systems[facts.os].tools else tools,
         },
-    }
+        {"packages": {image.component: image.packages for image in alone}},
+        {"apt": targets.apt_arguments(matrix, name, facts.apt) if facts.apt else None},
+        {"stacks": stacks},
+        {"covered": [kind for kind, image in kinds.items() if not long.issubset(image.tests)]},
+        {"unlocked": {kind: targets.unlocked(image) for kind, image in kinds.items() if not image.locked}},
+    ]
 
 
-def _joined_images(catalogue: Catalogue) -> Iterator[Target]:
-    matrix = catalogue.matrix
-    seen: set[str] = set()
-    for image in catalogue.images:
-        if image.stack is None:
-            continue
-        common = names.joined_target(image.framework, image.stack, image.os)
-        if common not in seen:
-            seen.add(common)
-            yield common, _join(matrix, image)
-        ros = catalogue.by_target[image.parent]
-        attributes = {
-            "description": _unlocked(image),
-            "inherits": [_distribution_target(image.distribution), common],
-            **(
-                {"platforms": _platforms(image.platforms)}
-                if matrix.distributions[image.distribution].architectures
-                else {}
-            ),
-            "tags": _tags(image),
-            "contexts": {"ros": _dependency(ros)},
-            "labels": _labels(image),
-        }
-        yield image.target, attributes
+def _key(image: Image) -> str:
+    """What tells images of a distribution and component apart: `torch-cu128`."""
+    return f"{image.framework}-{image.stack}" if image.stack else image.framework
 
 
-def _join(matrix: Matrix, image: Image) -> dict[str, object]:
-    """What images of one framework, stack and operating system have in common, whatever their component."""
-    framework, stack = matrix.frameworks[image.framework], matrix.stacks[image.stack or ""]
-    parts = dict(zip(rules.parts(framework, stack), image.parts, strict=True))
-    everywhere = rules.joined_for(matrix, image.os, image.framework, image.stack)
-    args: dict[str, str | Expression] = {"ACCELERATOR": stack.accelerator}
-    args |= {
-        f"{part.upper().replace('-', '_')}_ROOT": _no_input("root", parts[part]) for part in PARTS if part in parts
-    }
-    args |= {f"{name.upper()}_VERSION": version for name, version in image.versions.items() if name != "nccl"}
+def _payload(payload: Payload) -> dict[str, object]:
     return {
-        "target": image.framework,
-        "platforms": _platforms(matrix.architectures[name].platform for name in everywhere),
-        "contexts": {f"part-{part}": _part(name) for part, name in parts.items()},
-        "args": args,
-        "labels": {
-            "io.rosml.framework": image.framework,
-            "io.rosml.stack": image.stack or "",
-            **{f"io.rosml.{name}": version for name, version in image.versions.items() if name != "nccl"},
-        },
+        "part": payload.part,
+        "stack": payload.stack,
+        "python": payload.python,
+        "os": payload.os,
+        "platforms": payload.platforms,
     }
 
 
-def _tests(catalogue: Catalogue) -> Iterator[Target]:
-    for image in catalogue.images:
-        attributes = {
-            "inherits": ["_test"],
-            "platforms": _platforms(image.platforms),
-            "contexts": {"image": _dependency(image)},
-            "args": {
-                "TESTS": " ".join(image.tests),
-                "EXPECT": " ".join(f"{k}={v}" for k, v in expected(catalogue, image).items()),
-            },
-        }
-        yield image.test_target, attributes
-
-
-def expected(catalogue: Catalogue, image: Image) -> dict[str, str]:
-    """What tags and labels promise, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
-    packages: dict[str, str] = {}
-    distribution = catalogue.matrix.distributions[image.distribution]
-    ros: Image | None = image
-    while ros:
-        if ros.packages:
-            packages[f"packages_{ros.component.replace('-', '_')}"] = ros.packages.replace(" ", ",")
-        ros = catalogue.by_target.get(ros.parent)
-    return {
-        "os": image.os,
-        "python": image.python,
-        "ros": str(image.ros),
-        "ros_distro": image.ros_distro,
-        **({"rmw": ",".join(distribution.rmw)} if distribution.rmw else {}),
-        **(
-            {"wheels": ",".join(re.sub(r"\[.*\]", "", item) for item in distribution.wheels)}
-            if distribution.wheels
-            else {}
-        ),
-        **dict(reversed(packages.items())),
-        **image.versions,
-    }
+def _groups(catalogue: Catalogue) -> str:
+    """The groups of the axes, as far as they have a target: what those have in common, so that a new row adds a line."""
+    present, found = catalogue.groups, {}
+    if "default" in present:
+        found["default"] = literal(present["default"])
+    for axis in ("distributions", "components", "frameworks", "stacks"):
+        for name in getattr(catalogue.matrix, axis):
+            if name in present:
+                found[name] = f"having({text(axis.removesuffix('s'))}, {text(name)})"
+    return "".join(f"group {text(name)} {{ targets = {members} }}\n" for name, members in found.items())

@@ -284,7 +284,7 @@ def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
 
     def alone(image: Image) -> Image:
         """With all tests, since none of the images that cover it can be built."""
-        long = _long_tests(catalogue.matrix.distributions[image.distribution])
+        long = long_tests(catalogue.matrix.distributions[image.distribution])
         return replace(image, tests=tuple(dict.fromkeys((*image.tests, *long))))
 
     images = tuple(alone(image) if image.covered and locked.isdisjoint(image.covered) else image for image in images)
@@ -295,7 +295,7 @@ def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
     return replace(catalogue, images=images, payloads=payloads)
 
 
-def _long_tests(distribution: Distribution) -> tuple[str, ...]:
+def long_tests(distribution: Distribution) -> tuple[str, ...]:
     """What an image is tested with unless another one covers it: a workspace is built, each component's programs run, pip
     installs. ROS from wheels has no messages to build and no components, and is so small that pip is tried in all."""
     ros = f"ros{distribution.ros}"
@@ -377,10 +377,7 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
 
 
 def _versions(framework: Framework, stack: Stack) -> dict[str, str]:
-    wanted: list[str] = list(rules.families(framework))
-    if "cuda" in framework.parts:
-        wanted += ["cuda", "cudnn", "nccl"]
-    return {name: getattr(stack, name) for name in wanted if getattr(stack, name)}
+    return {name: version for name in rules.counted(framework) if (version := getattr(stack, name))}
 
 
 def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
@@ -392,7 +389,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     ros = f"ros{distribution.ros}"
     ml = ["ml"] if len(kind.facts.releases) > 1 else []
     apt = [ros, *(f"{ros}-{link}" for link in chain)]
-    long = _long_tests(distribution) if distribution.wheels or not kind.covering else ()
+    long = long_tests(distribution) if distribution.wheels or not kind.covering else ()
     shared = [payload.part for payload in kind.payloads if payload.part not in UNTESTED]
     wheels = _wheels_of(matrix, name, kind.architectures)
     return Image(
@@ -432,13 +429,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
 
 def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:
     """The components that one is built on, lowest first, itself last; those that the distribution lacks are skipped."""
-    chain: list[str] = []
-    link: str | None = component
-    while link:
-        if link in distribution.present:
-            chain.append(link)
-        link = matrix.components[link].builds_on
-    return tuple(reversed(chain))
+    return tuple(link for link in rules.chain(matrix, component) if link in distribution.present)
 
 
 def _packages(matrix: Matrix, name: str, distribution: Distribution, component: str) -> str:
@@ -547,15 +538,6 @@ def _shared_by_images(catalogue: Catalogue, owners: dict[str, str]) -> Iterator[
             if owners.setdefault(tag, image.target) != image.target:
                 text = f"{image.target} and {owners[tag]} would both have the tag {tag}; rename one"
                 yield ("distributions", image.distribution), text
-    kinds: dict[str, tuple[str, str | None, str]] = {}
-    for image in catalogue.images:
-        kind = (image.framework, image.stack, image.os)
-        common = names.joined_target(*kind)
-        if image.stack and kinds.setdefault(common, kind) != kind:
-            yield (
-                ("stacks", image.stack),
-                f"{image.stack} and {kinds[common][1]} would share the target {common}; rename one",
-            )
 
 
 def _shared_by_payloads(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:

@@ -1,8 +1,8 @@
 """What decides the content of an image or payload, and a digest of it: the same inputs, the same digest, anywhere.
 
-Nothing is listed by hand. The targets and their wiring are those of the bake file (`bake`), stages and the files they
+Nothing is listed by hand. The targets and their wiring are those of the bake file (`targets`), stages and the files they
 use are those of the Dockerfile (`dockerfile`); so an input that is added there counts at once. What the caller decides
-(registry, proxies, the commit of a label) is no input, and declared so (`bake.NoInput`); any other expression is an error.
+(registry, proxies, the commit of a label) is no input, and declared so (`targets.NoInput`); any other value is an error.
 """
 
 from __future__ import annotations
@@ -12,13 +12,12 @@ import json
 from collections.abc import Mapping
 from pathlib import Path
 from string import Template
-from typing import Any
 
-from rosml import bake, dockerfile
+from rosml import dockerfile, targets
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, Image, Payload
-from rosml.hcl import Expression
 from rosml.problems import listed
+from rosml.targets import Dependency, NoInput, Overridable, Value
 
 TARGET = "target "
 """How names of inputs begin whose value is the digest of another target: `target bookworm-core`."""
@@ -36,12 +35,10 @@ class Inputs:
     def __init__(self, root: Path, catalogue: Catalogue) -> None:
         self.root = root
         self.catalogue = catalogue
-        self._targets = bake.targets(catalogue)
-        self._variables = bake.variables(catalogue.matrix)
+        self._targets = targets.of(catalogue)
         file = root / "Dockerfile"
         self._ignored = _rules(root / ".dockerignore")
         self._stages = dockerfile.parse(file.read_text(encoding="utf-8") if file.is_file() else "")
-        self._attributes: dict[str, Mapping[str, Any]] = {}
         self._files: dict[str, dict[str, str]] = {}
         self._known: dict[tuple[str, str], dict[str, str]] = {}
         self._digests: dict[tuple[str, str], str] = {}
@@ -50,19 +47,19 @@ class Inputs:
         """The inputs of a bake target by readable names; `target x` stands for the inputs of the target x."""
         key = (target, architecture)
         if key not in self._known:
-            attributes = self._resolved(target)
-            arguments = self._texts(target, "args")
+            found = self._targets[target]
+            arguments = _facts(found.arguments, f"{target}, argument")
             inputs = {"platform": self.catalogue.matrix.architectures[architecture].platform}
-            if attributes["target"] not in self._stages:
+            if found.stage not in self._stages:
                 raise RosmlError(
-                    f"the Dockerfile has no stage {attributes['target']}, which {target} is built from",
+                    f"the Dockerfile has no stage {found.stage}, which {target} is built from",
                     remedy="write it there as 'FROM … AS name' on one line, or rename the framework in matrix.yaml",
                 )
             inputs["Dockerfile: before the first stage"] = self._stages[""].digest
             inputs[".dockerignore"] = self._ignored
-            inputs |= self._stage(attributes["target"], self._contexts(target), arguments, architecture)
+            inputs |= self._stage(found.stage, self._contexts(target, architecture), arguments, architecture)
             inputs |= {f"argument {name}": value for name, value in arguments.items()}
-            inputs |= {f"label {name}": value for name, value in self._texts(target, "labels").items()}
+            inputs |= {f"label {name}": value for name, value in _facts(found.labels, f"{target}, label").items()}
             self._known[key] = inputs
         return self._known[key]
 
@@ -87,14 +84,11 @@ class Inputs:
 
     def _check_parts(self, image: Image) -> None:
         """Checks that an image's stage takes exactly the contexts that its target gives; raises as `check` does."""
-        attributes, architecture = self._resolved(image.target), image.architectures[0]
+        architecture = image.architectures[0]
         used = self.of(image.target, architecture)
         missing = [name.removeprefix("base image ") for name, value in used.items() if value == UNPINNED]
-        idle = [
-            name
-            for name, value in self._contexts(image.target).items()
-            if not self._context(value, architecture).items() <= used.items()
-        ]
+        contexts = self._contexts(image.target, architecture)
+        idle = [name for name, inputs in contexts.items() if not inputs.items() <= used.items()]
         if missing:
             wrong = f"needs {listed(missing)}, which {image.target} does not have"
         elif idle:
@@ -102,7 +96,7 @@ class Inputs:
         else:
             return
         raise RosmlError(
-            f"the Dockerfile's stage {attributes['target']} {wrong}",
+            f"the Dockerfile's stage {self._targets[image.target].stage} {wrong}",
             f"correct the parts of framework {image.framework} in matrix.yaml, or write a stage for it",
         )
 
@@ -121,51 +115,18 @@ class Inputs:
         """The digest of an image or payload for all of its architectures."""
         return _digest(self.digests(item))
 
-    def _resolved(self, target: str) -> Mapping[str, Any]:
-        """A target's stage, contexts, arguments and labels with those that it inherits; its own ones win, as in bake."""
-        if target not in self._attributes:
-            own = self._targets[target]
-            layers = [*(self._resolved(name) for name in own.get("inherits", ())), own]
-            merged: dict[str, Any] = {"target": "", "contexts": {}, "args": {}, "labels": {}}
-            for layer in layers:
-                merged["target"] = layer.get("target") or merged["target"]
-                for name in ("contexts", "args", "labels"):
-                    merged[name] = merged[name] | layer.get(name, {})
-            self._attributes[target] = merged
-        return self._attributes[target]
-
-    def _texts(self, target: str, kind: str) -> dict[str, str]:
-        """What the catalogue decides of a target's arguments or labels."""
-        every = self._resolved(target)[kind].items()
-        return {name: text for name, value in every if (text := self._text(value, f"{target}, {kind}: {name}"))}
-
-    def _contexts(self, target: str) -> dict[str, str | bake.Dependency]:
-        """A target's named contexts."""
-        every = self._resolved(target)["contexts"].items()
-        return {
-            name: value if isinstance(value, bake.Dependency) else self._text(value, f"{target}, contexts: {name}")
-            for name, value in every
-        }
-
-    def _text(self, value: str | Expression, where: str) -> str:
-        """A value that the catalogue decides: text, a variable's default, a fact; empty for what is no input.
-
-        Raises:
-            RosmlError: nobody says which fact it depends on: taken for no input, it would change an image unseen.
-        """
-        if isinstance(value, str):
-            return value
-        if isinstance(value, bake.Overridable):
-            return value.fact
-        if isinstance(value, bake.NoInput):
-            return ""
-        if value.code in self._variables:
-            return self._variables[value.code]
-        text = f"{where} is {value.code}, and nothing says which fact of matrix.yaml decides it"
-        raise RosmlError(text, "declare it in rosml/bake.py: Overridable with its fact, or NoInput")
+    def _contexts(self, target: str, architecture: str) -> dict[str, dict[str, str]]:
+        """The inputs behind each of a target's named contexts: another target, or a base image."""
+        found: dict[str, dict[str, str]] = {}
+        for name, value in self._targets[target].contexts.items():
+            if isinstance(value, Dependency):
+                found[name] = {TARGET + value.target: self.digest(value.target, architecture)}
+            else:
+                found[name] = _base_image(_fact(value, f"{target}, context {name}").removeprefix("docker-image://"))
+        return found
 
     def _stage(
-        self, name: str, contexts: Mapping[str, str | bake.Dependency], arguments: Mapping[str, str], architecture: str
+        self, name: str, contexts: Mapping[str, Mapping[str, str]], arguments: Mapping[str, str], architecture: str
     ) -> dict[str, str]:
         """The inputs of a stage with what it stands on."""
         stage = self._stages.get(name)
@@ -175,22 +136,13 @@ class Inputs:
         inputs: dict[str, str] = {}
         for used in (_filled(used, values) for used in stage.stages):
             if used in contexts:
-                inputs |= self._context(contexts[used], architecture)
+                inputs |= contexts[used]
             else:
                 inputs |= self._stage(used, contexts, arguments, architecture)
         inputs[f"Dockerfile: stage {name}"] = stage.digest
         for source in stage.sources:
             inputs |= self._source(_filled(source, values))
         return inputs
-
-    def _context(self, value: str | bake.Dependency, architecture: str) -> dict[str, str]:
-        """The inputs behind a named context: another target, or a base image."""
-        if isinstance(value, bake.Dependency):
-            return {TARGET + value.target: self.digest(value.target, architecture)}
-        if value.startswith("target:"):
-            target = value.removeprefix("target:")
-            return {TARGET + target: self.digest(target, architecture)}
-        return _base_image(value.removeprefix("docker-image://"))
 
     def _source(self, source: str) -> dict[str, str]:
         """Digests of a file, of all files in a folder, or of all that a pattern matches."""
@@ -207,6 +159,27 @@ class Inputs:
             digests = {path.relative_to(self.root).as_posix(): _file(path) for path in files}
             self._files[source] = digests or {pattern: MISSING}
         return self._files[source]
+
+
+def _facts(values: Mapping[str, Value], where: str) -> dict[str, str]:
+    """What the catalogue decides of arguments or labels."""
+    return {name: fact for name, value in values.items() if (fact := _fact(value, f"{where} {name}"))}
+
+
+def _fact(value: Value, where: str) -> str:
+    """What the catalogue decides of a value; empty for what is no input.
+
+    Raises:
+        RosmlError: nobody says what decides it: taken for no input, it would change an image unseen.
+    """
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Overridable):
+        return value.fact
+    if isinstance(value, NoInput):
+        return ""
+    text = f"{where} is {value!r}, and nothing says which fact of matrix.yaml decides it"
+    raise RosmlError(text, "declare in rosml/targets.py what it is: Overridable with its fact, or NoInput")
 
 
 def _base_image(reference: str) -> dict[str, str]:

@@ -23,7 +23,8 @@ OCI = "org.opencontainers.image."
 VERSIONS = ("cuda", "cudnn", "torch", "tensorflow")
 """What labels and the environment count, in the order in which the Dockerfile sets it."""
 
-_TITLES = {"torch": "PyTorch", "tensorflow": "TensorFlow", "cuda": "CUDA"}
+TITLES = {"torch": "PyTorch", "tensorflow": "TensorFlow", "cuda": "CUDA"}
+"""How a description calls what an image carries."""
 
 
 def named(
@@ -34,7 +35,7 @@ def named(
     Args:
         versions: of what it carries: `{"torch": "2.10.0", "cuda": "12.8.90"}`.
     """
-    carried = [f"{title} {versions[key]}" for key, title in _TITLES.items() if key in versions]
+    carried = [f"{title} {versions[key]}" for key, title in TITLES.items() if key in versions]
     return {
         TITLE: names.image_target(distribution, component, framework, stack),
         DESCRIPTION: ", ".join([f"ROS {ros} {component} ({distribution})", *carried]),
@@ -52,9 +53,6 @@ def of_payload(
         python: `any` where the part is the same for all.
         versions: of all that the stack has. frameworks: the parts of every framework that takes this one.
     """
-    # Smallest first: the order of the matrix does not count.
-    taking = sorted(frameworks.items(), key=lambda item: (len(item[1]), item[0]))
-    brought = ("cuda", "cudnn") if part == "cuda" else (FAMILY_OF.get(part, ""),)
     pythons = "any Python" if python == ANY_PYTHON else f"Python {python}"
     return {
         TITLE: names.payload_name(part, stack, python),
@@ -62,10 +60,20 @@ def of_payload(
         f"{PREFIX}part": part,
         f"{PREFIX}stack": stack,
         f"{PREFIX}python": python,
-        **{f"{PREFIX}{name}": versions[name] for name in VERSIONS if name in brought and name in versions},
+        **{f"{PREFIX}{name}": versions[name] for name in brought(part) if name in versions},
         f"{PREFIX}parts": ",".join(PARTS),
-        f"{PREFIX}frameworks": " ".join(f"{name}={','.join(parts)}" for name, parts in taking),
+        f"{PREFIX}frameworks": " ".join(f"{name}={','.join(frameworks[name])}" for name in smallest_first(frameworks)),
     }
+
+
+def brought(part: Part) -> tuple[str, ...]:
+    """What a part brings whose version its payloads' labels name."""
+    return ("cuda", "cudnn") if part == "cuda" else (FAMILY_OF[part],) if part in FAMILY_OF else ()
+
+
+def smallest_first(frameworks: Mapping[str, Sequence[str]]) -> list[str]:
+    """Frameworks by the number of their parts, then by name: the order of the matrix does not count."""
+    return sorted(frameworks, key=lambda name: (len(frameworks[name]), name))
 
 
 def frameworks(text: str) -> dict[str, tuple[str, ...]]:

@@ -53,11 +53,6 @@ def os_target(os: str) -> str:
     return f"_os-{os_slug(os)}"
 
 
-def joined_target(framework: str, stack: str | None, os: str) -> str:
-    """The abstract target of images of one framework, stack and operating system."""
-    return f"_join-{framework}-{stack}-{os_slug(os)}"
-
-
 def os_variable(os: str) -> str:
     """The bake variable that holds an operating system's base image."""
     return "OS_" + os_slug(os).replace("-", "_").upper()

@@ -7,6 +7,12 @@ from collections.abc import Iterator, Sequence
 from rosml.model import FAMILIES, PARTS, Family, Framework, Matrix, Part, RosArchive, Stack
 from rosml.problems import listed
 
+NVIDIA = ("cuda", "cudnn", "nccl")
+"""Whose versions the part cuda has."""
+
+COUNTED = (*FAMILIES, *NVIDIA)
+"""All that an image may carry whose versions count."""
+
 
 def component_reason(matrix: Matrix, distribution: str, component: str) -> str | None:
     """Does the distribution have the component?"""
@@ -72,9 +78,9 @@ def architectures(matrix: Matrix, distribution: str, framework: str, stack: str 
     return _with_wheels(matrix, built_for(matrix, distribution), framework, stack)
 
 
-def joined_for(matrix: Matrix, os: str, framework: str, stack: str | None) -> tuple[str, ...]:
-    """Architectures of an operating system for which every release has a wheel, whatever a distribution is built for."""
-    return _with_wheels(matrix, matrix.operating_systems[os].architectures, framework, stack)
+def joined_for(matrix: Matrix, framework: str, stack: str) -> tuple[str, ...]:
+    """Architectures for which every release has a wheel, whatever a distribution is built for."""
+    return _with_wheels(matrix, tuple(matrix.architectures), framework, stack)
 
 
 def _with_wheels(matrix: Matrix, among: Sequence[str], framework: str, stack: str | None) -> tuple[str, ...]:
@@ -130,6 +136,21 @@ def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[Part, ...]]:
 def families(framework: Framework) -> tuple[Family, ...]:
     """The families that a framework has releases of, in a fixed order."""
     return tuple(family for family in FAMILIES if family in framework.releases)
+
+
+def counted(framework: Framework) -> tuple[str, ...]:
+    """What an image of a framework carries whose versions count, in a fixed order."""
+    return (*families(framework), *(NVIDIA if "cuda" in framework.parts else ()))
+
+
+def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
+    """A component with all that it is built on, the lowest first."""
+    links: list[str] = []
+    link: str | None = component
+    while link:
+        links.insert(0, link)
+        link = matrix.components[link].builds_on
+    return tuple(links)
 
 
 def _pairing(name: str, framework: Framework, stack: str | None) -> str | None:

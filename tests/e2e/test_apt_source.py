@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, bake, expand, sync
+from rosml import ROOT, expand, sync, targets
 from tests.e2e.apt_stand_in import (
     APT_SOURCE,
     LIVE,
@@ -35,8 +35,15 @@ TOOLS = ("apt-get", "chroot", "curl", "dpkg-deb", "gpg", "unshare")
 
 CATALOGUE = expand.load(ROOT / "matrix.yaml")
 ROWS = [name for name, distribution in CATALOGUE.matrix.distributions.items() if distribution.apt]
-TARGETS = bake.targets(CATALOGUE)
+TARGETS = targets.of(CATALOGUE)
 STRUCTURE_TEST = ROOT / "tests" / "structure" / "checks" / "apt_source.sh"
+
+
+def arguments_of(target: str) -> dict[str, str]:
+    """A target's arguments, with what a variable may override as matrix.yaml has it. Nobody says of when the repository is."""
+    values = TARGETS[target].arguments.items()
+    facts = {name: value.fact if isinstance(value, targets.Overridable) else value for name, value in values}
+    return {name: fact for name, fact in facts.items() if isinstance(fact, str)}
 
 
 def missing() -> str:
@@ -119,9 +126,9 @@ class Row:
 
     def build(self, component: str = "core", mirror: str | None = None, os_mirror: str = "", **arguments: str) -> Run:
         """The step of the Dockerfile that installs a component, with the arguments of docker-bake.hcl."""
-        own = TARGETS[f"{self.distro}-{component}"]["args"]
+        own = arguments_of(f"{self.distro}-{component}")
         mirror = self.server.url if mirror is None else mirror
-        env = {**self.arguments, **own, "SOURCE_DATE_EPOCH": bake.EPOCH, **arguments}
+        env = {**own, **self.arguments, **arguments}
         return self.image.run("/run/components/ros/install.sh", env=env, ros_apt_mirror=mirror, os_apt_mirror=os_mirror)
 
 
@@ -130,12 +137,8 @@ def row(tmp_path: Path, keys: Keys, debs: Callable[[str], list[Path]]) -> Iterat
     servers: list[Server] = []
 
     def make(distro: str) -> Row:
-        # What a variable may override is as matrix.yaml has it; nobody says of when the repository is.
-        arguments = {
-            name: value.fact if isinstance(value, bake.Overridable) else value
-            for name, value in TARGETS[f"_ros-{distro}"]["args"].items()
-            if isinstance(value, (str, bake.Overridable))
-        }
+        own = ("ROS_PACKAGES", "ROS_TOOLS")  # of a component; the others are the distribution's
+        arguments = {name: fact for name, fact in arguments_of(f"{distro}-core").items() if name not in own}
         codename = arguments["ROS_CODENAME"]
         (tmp_path / "web").mkdir()
         server = Server(tmp_path / "web")
@@ -197,7 +200,7 @@ def test_all_components_of_a_row(distro: str, row: Callable[[str], Row]) -> None
     the topmost one. ROS 1's programs are those of the Debian rows, where they run for real."""
     made = row(distro)
     assert "ubuntu" in made.image.run("getent", "passwd", "1000").out
-    done = made.image.run("/run/components/base/contract.sh", env={"SOURCE_DATE_EPOCH": bake.EPOCH})
+    done = made.image.run("/run/components/base/contract.sh", env={"SOURCE_DATE_EPOCH": targets.EPOCH})
     assert done.code == 0, done.err
     assert made.image.run("getent", "passwd", "1000").code == 2
     assert "ubuntu" not in made.image.read("etc/group") and not (made.image.upper / "home/ubuntu").exists()
@@ -215,7 +218,7 @@ def test_all_components_of_a_row(distro: str, row: Callable[[str], Row]) -> None
     assert done.code == 0, done.out + done.err
     said = made.image.run("/entrypoint.sh", "ros2", "run", "demo_nodes_py", "talker")
     assert "Publishing: Hello World" in said.out, said
-    promised = dict(pair.split("=") for pair in TARGETS[components[-1].test_target]["args"]["EXPECT"].split())
+    promised = dict(pair.split("=") for pair in arguments_of(components[-1].test_target)["EXPECT"].split())
     env = {f"EXPECT_{name.upper()}": text for name, text in promised.items()}
     env |= {"ROS_DISTRO": distro, "ROS_VERSION": made.arguments["ROS_VERSION"], "ROS_SYNC_DATE": ""}
     made.image.put_tests()
@@ -290,7 +293,7 @@ def test_what_a_step_wrote_has_the_time_of_the_epoch(row: Callable[[str], Row]) 
     os.utime(old, (1, 1))
     assert made.build().code == 0
     written = made.image.upper / "usr/local/share/rosml/versions.d/ros"
-    assert (written.stat().st_mtime, old.stat().st_mtime) == (float(bake.EPOCH), 1)
+    assert (written.stat().st_mtime, old.stat().st_mtime) == (float(targets.EPOCH), 1)
 
 
 def test_the_live_channel_needs_a_pinned_package(row: Callable[[str], Row]) -> None:

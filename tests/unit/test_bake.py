@@ -5,18 +5,17 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
 import pytest
+from bakes import printed
 from conftest import ROOT, SMALL, changed, parse
 from counting import calls
 
 from bench import synthetic
-from rosml import bake, command, expand, files, hcl, labels, model, schema, source, sync
+from rosml import bake, command, expand, files, hcl, labels, model, schema, source, sync, targets
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue
 from scripts import generate_bake
@@ -48,19 +47,17 @@ def small_file(tmp_path: Path) -> Path:
 
 
 def test_text_is_never_filled_in() -> None:
-    assert hcl.text('a"${b}%{c}\n') == '"a\\"$${b}%%{c}\\n"'
-    assert hcl.template("${REGISTRY}/x").code == '"${REGISTRY}/x"'
+    assert hcl.literal('a"${b}%{c}\n') == '"a\\"$${b}%%{c}\\n"'
+
+
+def test_plain_data() -> None:
+    data = {"a": None, "b.c": [True, "d"], "_e": {}, "f": (), "g": hcl.Code("H"), "i": {"j": "k"}}
+    assert hcl.literal(data) == '{ a = null, "b.c" = [true, "d"], "_e" = {}, f = [], g = H, i = { j = "k" } }'
 
 
 def test_block() -> None:
-    block = hcl.block("target", "a", {"inherits": ["b"], "empty": [], "args": {"A": "1", "B": hcl.Expression("B")}})
-    assert block == 'target "a" {\n  inherits = ["b"]\n  args = {\n    A = "1"\n    B = B\n  }\n}\n'
-
-
-def test_long_lists_take_a_line_for_each_item() -> None:
-    long, longer = "x" * 70, "y" * 80
-    block = hcl.block("group", "g", {"targets": [long, longer]})
-    assert block == f'group "g" {{\n  targets = [\n    "{long}",\n    "{longer}",\n  ]\n}}\n'
+    block = hcl.block("target", "a", {"inherits": ["b"], "args": {"A": "1", "B": hcl.Code("B")}})
+    assert block == 'target "a" {\n  inherits = ["b"]\n  args     = { A = "1", B = B }\n}\n'
 
 
 # ---- The committed file ----------------------------------------------------------------------------------------------
@@ -69,6 +66,14 @@ def test_long_lists_take_a_line_for_each_item() -> None:
 def test_committed_files_are_up_to_date(real: Catalogue) -> None:
     assert files.difference(ROOT / "docker-bake.hcl", bake.render(real)) == ""
     assert files.difference(ROOT / "matrix.schema.json", schema.render()) == ""
+
+
+def test_people_can_read_it() -> None:
+    """The committed file, and what a new distribution adds to it."""
+    text = (ROOT / "docker-bake.hcl").read_text()
+    assert len(text.splitlines()) < 1_000 and len(text.encode()) < 80_000
+    eight, nine = (bake.render(parse(synthetic.matrix(count * synthetic.IMAGES))).splitlines() for count in (8, 9))
+    assert len(nine) - len(eight) <= 12, "its systems are there already"
 
 
 def test_same_input_same_bytes() -> None:
@@ -96,13 +101,13 @@ def dockerfile() -> str:
 
 def test_every_argument_is_declared(real: Catalogue) -> None:
     declared = {name.split("=")[0] for line in re.findall(r"^ARG (.+)$", dockerfile(), re.M) for name in line.split()}
-    passed = set(re.findall(r"^\s+(?:args\s+= \{ )?([A-Z][A-Z_]+)\s+= ", bake.render(real), re.M))
+    passed = {name for target in targets.of(real).values() for name in target.arguments}
     assert passed - declared - BUILTIN == set()
 
 
 def test_every_stage_and_context_is_there(real: Catalogue) -> None:
     stages = set(re.findall(r"^FROM .* AS ([a-z-]+)$", dockerfile(), re.M))
-    used = set(re.findall(r'^\s+target\s+= "([a-z-]+)"$', bake.render(real), re.M))
+    used = {target.stage for target in targets.of(real).values()}
     assert used - stages == set()
     assert {"base", "ros", "payload-files", "payload", "torch", "tensorflow", "ml", "test"} <= used
 
@@ -140,8 +145,8 @@ def test_check_fails_when_stale(small_file: Path) -> None:
     output.write_text(output.read_text().replace('"ros-alpha-desktop"', '"ros-alpha-desktop-full"'))
     done = generate("--check", "--matrix", small_file, "--output", output)
     assert done.returncode == 1
-    assert '-  args     = { ROS_PACKAGES = "ros-alpha-desktop-full" }' in done.stdout
-    assert '+  args     = { ROS_PACKAGES = "ros-alpha-desktop" }' in done.stdout
+    assert re.search(r'^-    packages = .* desktop = "ros-alpha-desktop-full" }$', done.stdout, re.M)
+    assert re.search(r'^\+    packages = .* desktop = "ros-alpha-desktop" }$', done.stdout, re.M)
     assert "out.hcl: stale" in done.stderr
     assert "make generate" in done.stderr
     assert "desktop-full" in output.read_text(), "--check must not write"
@@ -268,59 +273,12 @@ def test_work_for_an_image_is_bounded() -> None:
 # ---- buildx ----------------------------------------------------------------------------------------------------------
 
 
-def buildx() -> list[str]:
-    """The machine's buildx: the one that the set-up chose, or any other. `--print` needs no builder."""
-    services = ROOT / ".state/services.json"
-    if services.is_file():
-        return [str(word) for word in json.loads(services.read_text())["buildx"]]
-    if found := shutil.which("buildx", path=f"{ROOT}/.state/bin:{os.environ.get('PATH', '')}"):
-        return [found]
-    if shutil.which("docker") and not subprocess.run(["docker", "buildx", "version"], capture_output=True).returncode:
-        return ["docker", "buildx"]
-    pytest.skip("no buildx on this machine; 'make up' installs it")
-
-
 @pytest.fixture
 def small_bake(small: Catalogue, tmp_path: Path) -> Path:
     """The bake file of the small matrix, with every lock."""
     file = tmp_path / "small.hcl"
     file.write_text(bake.render(small))
     return file
-
-
-def printed(*targets: str, file: Path = ROOT / "docker-bake.hcl", **env: str) -> dict[str, Any]:
-    """What buildx makes of the bake file."""
-    shells = {key for key in os.environ if key.upper().endswith("_PROXY")} | {"REGISTRY", "PLATFORM"}  # the user's own
-    clean = {key: value for key, value in os.environ.items() if key not in shells}
-    done = subprocess.run(
-        [*buildx(), "bake", "--print", "--file", str(file), *targets],
-        cwd=ROOT,
-        env={**clean, **env},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
-    if done.returncode:
-        raise RosmlError(done.stderr)
-    result: dict[str, Any] = json.loads(done.stdout)["target"]
-    return result
-
-
-def test_every_target_prints(real: Catalogue) -> None:
-    unlocked = [name for image in real.images if not image.locked for name in (image.target, image.test_target)]
-    payloads = [payload.target for payload in real.payloads]
-    targets = printed("all", "tests", *payloads, *unlocked)
-    for image in real.images:
-        target, test = targets[image.target], targets[image.test_target]
-        assert target["tags"] == [f"{real.matrix.registry}/{tag}" for tag in image.tags]
-        assert tuple(target["platforms"]) == image.platforms
-        assert target["labels"]["io.rosml.distribution"] == image.distribution
-        assert target["labels"]["io.rosml.framework"] == image.framework
-        assert test["contexts"]["image"] == f"target:{image.target}"
-        assert test["args"]["TESTS"].split() == list(image.tests)
-    for payload in real.payloads:
-        assert targets[payload.target]["tags"] == [f"{real.matrix.registry}/payload:{payload.name}"]
 
 
 def test_a_payload_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
@@ -351,8 +309,9 @@ def test_a_payload_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
 
 
 def test_frameworks_that_do_not_go_together_are_not_named(real: Catalogue) -> None:
-    assert "ml=" in bake.targets(real)["payload-common-cpu-py311"]["labels"]["io.rosml.frameworks"]
-    apart = bake.targets(real)["payload-common-cpu38-py38"]["labels"]["io.rosml.frameworks"]
+    found = targets.of(real)
+    assert "ml=" in str(found["payload-common-cpu-py311"].labels["io.rosml.frameworks"])
+    apart = found["payload-common-cpu38-py38"].labels["io.rosml.frameworks"]
     assert apart == "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow"
 
 
@@ -373,14 +332,14 @@ def test_dependencies_are_built_here(small_bake: Path) -> None:
 
 def test_dependencies_are_taken_from_the_registry(small_bake: Path) -> None:
     digests = json.dumps({"cuda-cu1": "sha256:aa", "alpha-core": "sha256:bb"})
-    targets = printed("alpha-core-torch-cu1", file=small_bake, REGISTRY="registry:1/x", DIGESTS=digests)
-    target = targets["alpha-core-torch-cu1"]
+    found = printed("alpha-core-torch-cu1", file=small_bake, REGISTRY="registry:1/x", DIGESTS=digests)
+    target = found["alpha-core-torch-cu1"]
     assert target["contexts"]["part-cuda"] == "docker-image://registry:1/x/payload@sha256:aa"
     assert target["contexts"]["ros"] == "docker-image://registry:1/x/ros@sha256:bb"
     assert target["contexts"]["part-torch"] == "target:_files-torch-cu1-py312"
     assert target["args"]["CUDA_ROOT"] == "/"
     assert target["args"]["TORCH_ROOT"] == "/out/"
-    assert set(targets) == {"alpha-core-torch-cu1", "_files-common-cu1-py312", "_files-torch-cu1-py312"}
+    assert set(found) == {"alpha-core-torch-cu1", "_files-common-cu1-py312", "_files-torch-cu1-py312"}
 
 
 def test_broken_digests_fail(small_bake: Path) -> None:
@@ -391,31 +350,37 @@ def test_broken_digests_fail(small_bake: Path) -> None:
 def test_an_excerpt_prints_as_the_whole(real: Catalogue, tmp_path: Path) -> None:
     """With all that an image and its test stand on."""
     image = real.image(real.matrix.default.target)
+    payload = real.payload_by_name[image.parts[0]].target
     file = tmp_path / "excerpt.hcl"
-    file.write_text(bake.excerpt(real, (image.target, image.test_target)))
-    for target in (image.target, image.test_target):
-        assert printed(target, file=file) == printed(target)
+    file.write_text(bake.excerpt(real, (image.target, image.test_target, payload)))
+    roots = (image.target, image.test_target, payload, targets.FILE_LIST)
+    assert printed(*roots, file=file) == printed(*roots)
 
 
 def test_an_excerpt_holds_little_else() -> None:
+    """Other images of the same components and stack at most."""
     large = parse(synthetic.matrix(400))
-    assert len(bake.excerpt(large, ("d0-base-torch-cu128",))) < len(bake.render(large)) / 20
+    text = bake.excerpt(large, ("d1-base-torch-cu128",))
+    assert re.findall(r"^  (d\d+) = {$", text, re.M) == ["d1"]
+    assert '    stacks = { torch = ["cu128"] }\n' in text and "desktop = " not in text
+    assert text.count('  { part = "') == 3
+    assert not re.search(r"^group \"d", text, re.M)
 
 
 def test_one_platform(small_bake: Path) -> None:
     """PLATFORM restricts a target and all that it stands on."""
-    targets = printed("alpha-base", file=small_bake, PLATFORM="linux/arm64")
-    assert len(targets) > 1
-    assert all(target["platforms"] == ["linux/arm64"] for target in targets.values())
+    found = printed("alpha-base", file=small_bake, PLATFORM="linux/arm64")
+    assert len(found) > 1
+    assert all(target["platforms"] == ["linux/arm64"] for target in found.values())
 
 
 def test_variables(small_bake: Path) -> None:
     base = "docker-image://registry:1/ubuntu@sha256:cc"
     bundle = str(ROOT / "matrix.yaml")  # any file
     settings = {"OS_UBUNTU_24_04": base, "REVISION": "abc", "CA_BUNDLE": bundle, "HTTPS_PROXY": "http://proxy:1"}
-    targets = printed("alpha-core", file=small_bake, **settings)
-    core = targets["alpha-core"]
-    assert targets["_os-ubuntu-24-04"]["contexts"] == {"os": base}
+    found = printed("alpha-core", file=small_bake, **settings)
+    core = found["alpha-core"]
+    assert found["_os-ubuntu-24-04"]["contexts"] == {"os": base}
     assert core["labels"]["org.opencontainers.image.base.name"] == "registry:1/ubuntu"
     assert core["labels"]["org.opencontainers.image.base.digest"] == "sha256:cc"
     assert core["labels"]["org.opencontainers.image.revision"] == "abc"
@@ -452,10 +417,10 @@ def test_another_channel_for_once(small_bake: Path) -> None:
 def test_more_rmw_implementations() -> None:
     """They come with the lowest component, and the tests are told."""
     catalogue = parse(changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp]"))
-    targets = bake.targets(catalogue)
-    assert targets["alpha-core"]["args"]["ROS_TOOLS"].endswith(" ros-alpha-rmw-cyclonedds-cpp")
-    assert "ROS_TOOLS" not in targets["alpha-base"]["args"]
-    assert " rmw=rmw_cyclonedds_cpp " in targets["alpha-base-test"]["args"]["EXPECT"]
+    found = targets.of(catalogue)
+    assert str(found["alpha-core"].arguments["ROS_TOOLS"]).endswith(" ros-alpha-rmw-cyclonedds-cpp")
+    assert "ROS_TOOLS" not in found["alpha-base"].arguments
+    assert " rmw=rmw_cyclonedds_cpp " in str(found["alpha-base-test"].arguments["EXPECT"])
 
 
 def test_a_mirror_is_a_secret(small_bake: Path) -> None:
@@ -467,25 +432,25 @@ def test_a_mirror_is_a_secret(small_bake: Path) -> None:
 
 
 def test_a_matrix_with_every_axis_prints(small: Catalogue, small_bake: Path) -> None:
-    targets = printed("all", "payloads", "tests", file=small_bake)
-    assert {image.target for image in small.images} <= targets.keys()
-    assert targets["omega-core"]["args"]["ROS_SNAPSHOT"] == "2026-11-01"
-    assert targets["alpha-core-cuda-cu1"]["target"] == "cuda"
+    found = printed("all", "payloads", "tests", file=small_bake)
+    assert {image.target for image in small.images} <= found.keys()
+    assert found["omega-core"]["args"]["ROS_SNAPSHOT"] == "2026-11-01"
+    assert found["alpha-core-cuda-cu1"]["target"] == "cuda"
 
 
 def test_where_packages_come_from(real: Catalogue) -> None:
     """Every row with an apt source names its suite; the live ones the pinned package."""
-    targets = bake.targets(real)
+    found = targets.of(real)
     for name, distribution in real.matrix.distributions.items():
-        args = targets[f"_ros-{name}"]["args"]
+        args = found[f"{name}-core"].arguments
         if distribution.apt is None:
             assert "ROS_CHANNEL" not in args
             continue
-        assert args["ROS_CHANNEL"].fact == distribution.apt.channel
+        assert args["ROS_CHANNEL"] == targets.Overridable("ROS_CHANNEL", distribution.apt.channel)
         assert args["ROS_CODENAME"] == real.matrix.operating_systems[distribution.os].codename
         live = sync.source(real.matrix, name, {"ROS_CHANNEL": "live"})
         day = sync.source(real.matrix, name, {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
         assert live and args["ROS_LIVE_ADDRESS"] == live.address
-        assert day and args["ROS_SNAPSHOT_ADDRESS"].replace("{day}", "2026-08-07") == day.address
-        pinned = re.fullmatch(r"https://[^@{}]+\.deb@sha256:[0-9a-f]{64}", args.get("ROS_APT_SOURCE", ""))
+        assert day and str(args["ROS_SNAPSHOT_ADDRESS"]).replace("{day}", "2026-08-07") == day.address
+        pinned = re.fullmatch(r"https://[^@{}]+\.deb@sha256:[0-9a-f]{64}", str(args.get("ROS_APT_SOURCE", "")))
         assert pinned or distribution.apt.channel != "live"

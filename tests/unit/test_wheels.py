@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT, WHEELS, changed, parse, write_locks
 
-from rosml import bake, lock, missing, rules, sync
+from rosml import lock, missing, rules, sync, targets
 from rosml.errors import RosmlError
 from rosml.expand import Catalogue, load, with_locks
 from rosml.explain import explain, why_not
@@ -107,18 +107,26 @@ def test_an_architecture_that_the_system_is_not_built_for() -> None:
 
 
 def test_targets(wheels: Catalogue) -> None:
-    targets = bake.targets(wheels)
-    row = targets["_ros-sigma"]
-    assert (row["target"], row["args"]) == (
+    found = targets.of(wheels)
+    core = found["sigma-core"]
+    told = {name: value for name, value in core.arguments.items() if isinstance(value, str)}
+    assert (core.stage, told) == (
         "ros-wheels",
-        {"ROS_DISTRO": "alpha", "ROS_VERSION": "2", "ROS_ROW": "sigma", "PYTHON": "3.12"},
+        {
+            "ROS_DISTRO": "alpha",
+            "ROS_VERSION": "2",
+            "ROS_ROW": "sigma",
+            "PYTHON": "3.12",
+            "ROS_TOOLS": "colcon python3-numpy",
+        },
     )
-    assert row["contexts"]["os"].code == "OS_UBUNTU_24_04"
-    assert targets["sigma-core"]["args"] == {"ROS_TOOLS": "colcon python3-numpy"}
-    assert targets["_distribution-sigma"]["platforms"].code == 'platforms(["linux/amd64"])'
-    assert targets["_distribution-sigma"]["labels"]["io.rosml.experimental"] == "true"
-    assert "io.rosml.experimental" not in targets["_distribution-alpha"]["labels"]
-    expected = targets["sigma-core-torch-cu1-test"]["args"]["EXPECT"].split()
+    assert core.contexts["os"] == targets.Overridable(
+        "OS_UBUNTU_24_04", f"docker-image://docker.io/library/ubuntu:24.04@sha256:{'1' * 64}"
+    )
+    assert core.platforms == ("linux/amd64",)
+    assert core.labels["io.rosml.experimental"] == "true"
+    assert "io.rosml.experimental" not in found["alpha-core"].labels
+    expected = str(found["sigma-core-torch-cu1-test"].arguments["EXPECT"]).split()
     assert "wheels=ros-alpha-rclpy==7.1.6,ros-std-msgs==5.3.6" in expected
 
 
@@ -128,11 +136,9 @@ def test_images_that_are_joined_alike_may_differ_in_platforms() -> None:
     rows, row = text.split("  alpha:\n    os")[0], text[text.index("  sigma:\n") : text.index("disk:\n")]
     first = rows + row + text[len(rows) :].replace(row, "")
     for catalogue in (parse(text), parse(first)):
-        targets = bake.targets(catalogue)
-        both = 'platforms(["linux/amd64", "linux/arm64"])'
-        assert targets["_join-torch-cpu-ubuntu-24-04"]["platforms"].code == both
-        assert targets["sigma-core-torch-cpu"]["platforms"].code == 'platforms(["linux/amd64"])'
-        assert "platforms" not in targets["alpha-core-torch-cpu"]
+        found = targets.of(catalogue)
+        assert found["sigma-core-torch-cpu"].platforms == ("linux/amd64",)
+        assert found["alpha-core-torch-cpu"].platforms == ("linux/amd64", "linux/arm64")
 
 
 def test_inputs(real: Catalogue) -> None:
@@ -159,8 +165,7 @@ def test_a_missing_lock_is_told_like_others(wheels: Catalogue) -> None:
     assert f"): {LOCK} is missing, or not of the release that matrix.yaml names" in said.message
     assert said.remedy == missing.RESTORE
     assert explain(catalogue, "sigma-core").endswith(f"\n  - {LOCK} is missing; run 'make locks'")
-    ros = bake.targets(catalogue)["sigma-core"]
-    assert ros["description"] == "cannot be built yet: no lock; run 'make locks'"
+    assert targets.of(catalogue)["sigma-core"].description == "cannot be built yet: no lock; run 'make locks'"
     with pytest.raises(RosmlError, match=f"sigma-core cannot be built yet: {LOCK} is missing"):
         require_buildable(catalogue.image("sigma-core"), "amd64")
 

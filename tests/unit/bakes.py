@@ -1,0 +1,52 @@
+"""What buildx makes of a bake file. `--print` needs no builder."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import ROOT
+
+from rosml.errors import RosmlError
+
+
+def buildx() -> list[str]:
+    """The machine's buildx: the one that the set-up chose, or any other."""
+    services = ROOT / ".state/services.json"
+    if services.is_file():
+        return [str(word) for word in json.loads(services.read_text())["buildx"]]
+    if found := shutil.which("buildx", path=f"{ROOT}/.state/bin:{os.environ.get('PATH', '')}"):
+        return [found]
+    if shutil.which("docker") and not subprocess.run(["docker", "buildx", "version"], capture_output=True).returncode:
+        return ["docker", "buildx"]
+    pytest.skip("no buildx on this machine; 'make up' installs it")
+
+
+def evaluated(*names: str, file: Path = ROOT / "docker-bake.hcl", **env: str) -> dict[str, Any]:
+    """What buildx makes of the bake file."""
+    shells = {key for key in os.environ if key.upper().endswith("_PROXY")} | {"REGISTRY", "PLATFORM"}  # the user's own
+    clean = {key: value for key, value in os.environ.items() if key not in shells}
+    done = subprocess.run(
+        [*buildx(), "bake", "--print", "--file", str(file), *names],
+        cwd=ROOT,
+        env={**clean, **env},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    if done.returncode:
+        raise RosmlError(done.stderr)
+    result: dict[str, Any] = json.loads(done.stdout)
+    return result
+
+
+def printed(*names: str, file: Path = ROOT / "docker-bake.hcl", **env: str) -> dict[str, Any]:
+    """What buildx makes of the bake file's targets."""
+    found: dict[str, Any] = evaluated(*names, file=file, **env)["target"]
+    return found
