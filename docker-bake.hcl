@@ -199,6 +199,7 @@ frameworks = {
   }
 }
 
+# What is taken where nothing is named, and how things are called.
 plain           = "none"
 assembler       = "bookworm"
 source          = null
@@ -559,7 +560,8 @@ function "expected" {
     ["os=${row.os}", "python=${image.system.python}", "ros=${row.ros}", "ros_distro=${row.ros_distro}"],
     row.rmw == "" ? [] : ["rmw=${row.rmw}"],
     row.wheels == "" ? [] : ["wheels=${row.wheels}"],
-    [for component in image.chain : "packages_${replace(component, "-", "_")}=${replace(row.packages[component], " ", ",")}"
+    [for component in image.chain :
+      "packages_${replace(component, "-", "_")}=${replace(row.packages[component], " ", ",")}"
     if row.packages[component] != ""],
     [for item in image.versions : "${item.name}=${item.version}"]
   )
@@ -624,7 +626,9 @@ target "_ros" {
   tags        = tags(image)
   labels      = labels(image)
   contexts = merge({
-    parent = image.below == "" ? "target:${os_target(image.row.os)}" : dependency(image.below, image.repository, image.below)
+    parent = (
+      image.below == "" ? "target:${os_target(image.row.os)}" : dependency(image.below, image.repository, image.below)
+    )
   }, image.row.wheels == "" ? {} : { os = image.system.image })
   args = merge(
     { ROS_DISTRO = image.row.ros_distro, ROS_VERSION = image.row.ros, ROS_PACKAGES = given(image.packages) },
@@ -693,11 +697,13 @@ target "_joined" {
   tags        = tags(image)
   labels      = labels(image)
   contexts = merge({ ros = dependency(image.ros, frameworks[plain].repository, image.ros) }, {
-    for payload in image.payloads : "part-${payload.part}" => dependency(payload.name, "payload", "_files-${payload.name}")
+    for payload in image.payloads : "part-${payload.part}" =>
+    dependency(payload.name, "payload", "_files-${payload.name}")
   })
   args = merge(
     { ACCELERATOR = stacks[image.stack].accelerator },
-    { for payload in image.payloads : "${upper(replace(payload.part, "-", "_"))}_ROOT" => can(digests[payload.name]) ? "/" : "/out/" },
+    { for payload in image.payloads : "${upper(replace(payload.part, "-", "_"))}_ROOT" =>
+    can(digests[payload.name]) ? "/" : "/out/" },
     { for item in image.versions : "${upper(item.name)}_VERSION" => item.version if item.name != "nccl" }
   )
 }

@@ -25,7 +25,7 @@ def render(catalogue: Catalogue) -> str:
 
 
 def excerpt(catalogue: Catalogue, roots: Iterable[str]) -> str:
-    """The bake file with few targets more than some, and what they stand on: those alike of the components below.
+    """The bake file with some targets and what they stand on, and no more than others of the same rows.
 
     buildx evaluates a whole file, which takes seconds for some hundred images.
 
@@ -87,7 +87,10 @@ def _tables(catalogue: Catalogue) -> Iterator[str]:
         "What images carry. counted: whose versions a tag names. stacks: the platforms that all of it has wheels for."
     )
     yield _table("frameworks", about, _tall({name: _framework(matrix, name) for name in matrix.frameworks}))
-    yield "\n".join(aligned(_words(matrix))) + "\n"
+    yield (
+        "\n".join(["# What is taken where nothing is named, and how things are called.", *aligned(_words(matrix))])
+        + "\n"
+    )
     about = "covered: others with more frameworks run the longest tests. unlocked: what cannot be built yet, and why."
     yield _table("distributions", about, _tall(_distributions(catalogue)))
     about = "What is assembled once, on a system, and joined to many images."
@@ -162,6 +165,7 @@ def _framework(matrix: Matrix, name: str) -> Lines:
 
 
 def _words(matrix: Matrix) -> dict[str, object]:
+    """What is no row of a table."""
     return {
         "plain": rules.plain(matrix),
         "assembler": matrix.default.assembler,

@@ -10,7 +10,7 @@ from json.encoder import encode_basestring as quoted
 
 @dataclass(frozen=True)
 class Code:
-    """HCL as it is, as opposed to text: a variable, or what is rendered already."""
+    """HCL as it is, as opposed to text: a variable."""
 
     code: str
 
