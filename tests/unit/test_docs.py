@@ -199,7 +199,7 @@ def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: Catalogue, 
 
 
 def test_the_readme_counts_the_images(real: Catalogue) -> None:
-    rows = readme.tables(real).partition("\n| distribution |")[2].partition("\n\n")[0].splitlines()[2:]
+    rows = f"\n{readme.tables(real)}".partition("\n| distribution |")[2].partition("\n\n")[0].splitlines()[2:]
     assert [int(row.rstrip("| ").rpartition("| ")[2]) for row in rows] == [
         sum(image.distribution == name for image in real.images) for name in real.matrix.distributions
     ]
