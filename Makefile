@@ -106,7 +106,7 @@ page: ## the catalogue's page in a browser; installs Chromium where there is non
 bench: up ## our images beside those with RUN pip install, what more tags cost, and how fast the generator is: make bench TARGET=bookworm-base-torch-cu128
 	@$(RUN) python -m bench --target="$$TARGET"
 
-list: .python ## every image that can be built, or those of groups: make list GROUP="jazzy torch"; JSON=1
+list: .python ## every image of the matrix, or those of groups: make list GROUP="jazzy torch"; JSON=1
 	@$(RUN) scripts/generate_bake.py --list $(patsubst %,--group=%,$(GROUP)) $(if $(JSON),--json)
 
 explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot; JSON=1

@@ -78,7 +78,7 @@ def test_commands_are_in_groups() -> None:
     titles = [line for line in told.splitlines() if not line.startswith(" ")]
     assert titles == [*make_help.GROUPS, make_help.REST]
     assert "\x1b" not in told
-    assert "  make list         every image that can be built, or those of groups\n" in told
+    assert "  make list         every image of the matrix, or those of groups\n" in told
     assert '                   make list GROUP="jazzy torch"; JSON=1\n' in told
 
 
