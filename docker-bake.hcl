@@ -1,10 +1,10 @@
 # Generated from matrix.yaml by scripts/generate_bake.py, with rosml/graph.hcl below it: change one of them, then run
 #   make generate
 #
-#   docker buildx bake bookworm-core          builds an image (and what it stands on)
-#   docker buildx bake bookworm-core-test     runs its structure tests inside the build
-#   docker buildx bake --print <target>       shows what would be built
-#   docker buildx bake --list targets         lists all targets, --list variables what can be set
+#   PLATFORM=linux/amd64 docker buildx bake bookworm-core   builds an image, and what it stands on, for one platform
+#   docker buildx bake bookworm-core-test                   runs its structure tests inside the build
+#   docker buildx bake --print <target>                     shows what would be built
+#   docker buildx bake --list targets                       lists all targets, --list variables what can be set
 
 variable "REGISTRY" {
   description = "where images live, without https://"
@@ -174,7 +174,7 @@ stacks = {
 frameworks = {
   none = {
     repository = "ros", parts = [], releases = []
-    versions = [], counted = ["cuda"]
+    versions = [], counted = []
     stacks = {}
   }
   cuda = {
@@ -211,7 +211,7 @@ brings          = { cuda = ["cuda", "cudnn"], common = [], torch = ["torch"], te
 for_any_python  = ["cuda", "tensorflow-cc"]
 untested        = ["common", "tensorflow-cc"]
 
-# covered: others with more frameworks run the longest tests. unlocked: what cannot be built yet, and why.
+# covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
 distributions = {
   noetic = {
     os = "ubuntu-20.04", ros = "1", ros_distro = "noetic", platforms = ["linux/amd64", "linux/arm64"]

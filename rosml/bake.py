@@ -63,10 +63,10 @@ _HEADER = """\
 # Generated from matrix.yaml by scripts/generate_bake.py, with rosml/graph.hcl below it: change one of them, then run
 #   make generate
 #
-#   docker buildx bake {target}          builds an image (and what it stands on)
-#   docker buildx bake {target}-test     runs its structure tests inside the build
-#   docker buildx bake --print <target>       shows what would be built
-#   docker buildx bake --list targets         lists all targets, --list variables what can be set
+#   PLATFORM=linux/amd64 docker buildx bake {target}   builds an image, and what it stands on, for one platform
+#   docker buildx bake {target}-test                   runs its structure tests inside the build
+#   docker buildx bake --print <target>                     shows what would be built
+#   docker buildx bake --list targets                       lists all targets, --list variables what can be set
 """
 
 
@@ -91,7 +91,7 @@ def _tables(catalogue: Catalogue) -> Iterator[str]:
         "\n".join(["# What is taken where nothing is named, and how things are called.", *aligned(_words(matrix))])
         + "\n"
     )
-    about = "covered: others with more frameworks run the longest tests. unlocked: what cannot be built yet, and why."
+    about = "covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why."
     yield _table("distributions", about, _tall(_distributions(catalogue)))
     about = "What is assembled once, on a system, and joined to many images."
     yield _table("payloads", about, (f"{literal(_payload(payload))}," for payload in catalogue.payloads), "[]")
@@ -159,7 +159,7 @@ def _framework(matrix: Matrix, name: str) -> Lines:
     parts = [part for part in PARTS if part in facts.parts]
     return [
         {"repository": facts.repository, "parts": parts, "releases": releases},
-        {"versions": rules.counted(facts), "counted": releases or ("cuda",)},
+        {"versions": rules.counted(facts), "counted": releases or (rules.counted(facts) and ("cuda",))},
         {"stacks": {stack: _platforms(matrix, rules.joined_for(matrix, name, stack)) for stack in stacks}},
     ]
 

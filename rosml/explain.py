@@ -102,6 +102,9 @@ def _reason(catalogue: Catalogue, name: str, wanted: Wanted) -> str | None:
         if reason := rules.stack_reason(matrix, row, wanted.framework, wanted.stack):
             return f"{name} does not exist: {reason}."
         target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
+        if ":" in name and target in catalogue.by_target:
+            stack = matrix.distributions[row].default_stack
+            return f"there is no tag {name}: short ones are for stack {stack} alone; take {catalogue.by_target[target].tags[0]}."
         return f"{name} is called {target}."
     reasons = {stack: rules.stack_reason(matrix, row, wanted.framework, stack) for stack in matrix.stacks}
     image = wanted.distribution, wanted.component, wanted.framework

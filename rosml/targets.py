@@ -1,6 +1,6 @@
 """A catalogue -> its bake targets as plain data, for whoever asks what a target depends on.
 
-`graph.hcl` says the same to buildx; tests/unit/test_bake.py compares what buildx makes of the bake file with this, for
+`graph.hcl` says the same to buildx; tests/unit/test_targets.py compares what buildx makes of the bake file with this, for
 every target and whatever the bake file's variables say.
 """
 

@@ -369,6 +369,8 @@ REASONS = {
     "the Python of ubuntu-26.04.",
     "alpha-torch": "alpha-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
     "alpha-torch-cpu": "alpha-torch-cpu is called alpha-base-torch-cpu.",
+    "ros-torch:alpha-cpu": "there is no tag ros-torch:alpha-cpu: short ones are for stack cu1 alone; "
+    "take ros-torch:alpha-base-cpu.",
     "payload-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
 }
 
