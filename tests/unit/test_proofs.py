@@ -108,6 +108,47 @@ def test_a_pattern_that_matches_nothing_is_an_error(checkout: Path) -> None:
         Proof.load("thing", checkout / "proofs").digest(checkout)
 
 
+TEST = """\
+from rosml import old
+from rosml.here import Failure
+
+
+def test_it() -> None:
+    if old.call("one", old=2):
+        raise Failure("no")
+"""
+
+
+@pytest.mark.parametrize(
+    ("changed", "counts"),
+    [
+        (TEST.replace('("one", old=2)', '(\n        "one",  # a comment\n        old=2\n    )'), False),
+        (
+            TEST.replace("from rosml import client", "from rosml.registry import protocol").replace(
+                "client.", "protocol."
+            ),
+            False,
+        ),
+        (TEST.replace("rosml.here", "rosml.there"), False),
+        (TEST.replace("one", "two"), True),
+        (TEST.replace("old=", "number="), True),
+        (TEST.replace("Failure", "ValueError"), True),
+        (TEST.replace("        raise", "    raise"), True),
+        (TEST.replace(" None:", " None"), True),
+    ],
+    ids=["layout", "module", "place", "text", "name", "class", "block", "broken"],
+)
+def test_of_a_test_counts_what_it_says(checkout: Path, changed: str, counts: bool) -> None:
+    """Neither its layout nor where the product keeps what it calls."""
+    for name in ("old", "place/new"):
+        (checkout / f"rosml/{name}.py").parent.mkdir(parents=True, exist_ok=True)
+        (checkout / f"rosml/{name}.py").touch()
+    (checkout / "scripts/test_it.py").write_text(TEST)
+    found = prove(checkout)
+    (checkout / "scripts/test_it.py").write_text(changed)
+    assert bool(found.stale(checkout)) is counts
+
+
 @pytest.mark.parametrize(
     ("outcome", "wrong"),
     [
