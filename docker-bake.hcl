@@ -408,7 +408,7 @@ group "cpu" { targets = having("stack", "cpu") }
 group "cpu38" { targets = having("stack", "cpu38") }
 
 # ---- What follows from the tables ------------------------------------------------------------------------------------
-# From here on all is written by hand, in rosml/graph.hcl. rosml/targets.py says the same in Python, for whoever asks what
+# From here on all is written by hand, in rosml/graph.hcl. rosml/bake/targets.py says the same in Python, for whoever asks what
 # decides an image, and a test compares the two.
 
 # What the caller says in JSON. An empty text says nothing.

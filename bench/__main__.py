@@ -2,11 +2,11 @@
 
 import sys
 
-import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
 # isort: split
 
 from bench.cli import main
-from rosml import command
+from rosml.cli import command
 
 sys.exit(command.run(main, "interrupted: no tag was made or moved; finished steps are kept"))

@@ -21,10 +21,11 @@ import click
 
 from bench import generator, limits, many_tags, report, second_image
 from bench.limits import Held
-from rosml import ROOT, expand
-from rosml.errors import RosmlError
-from rosml.publish import Publisher
-from rosml.services import Services
+from rosml import ROOT
+from rosml.base.errors import RosmlError
+from rosml.build.publisher import Publisher
+from rosml.images import load
+from rosml.machine.services import Services
 
 TARGET = "bookworm-base-tensorflow-cpu"
 """What is built in both ways: the smallest with a framework. One with CUDA takes several times as long."""
@@ -119,6 +120,6 @@ def bench_publisher(target: str) -> Publisher:
     def say(line: str) -> None:
         click.echo(click.style(f"==> {line}", bold=True), err=True)
 
-    catalogue = expand.load(ROOT / "matrix.yaml", ROOT)
+    catalogue = load.load(ROOT / "matrix.yaml", ROOT)
     second_image.require_comparable(catalogue.image(target), catalogue, ROOT)
     return Publisher(Services.load(ROOT), catalogue, say, second_image.NAMESPACE)

@@ -12,10 +12,15 @@ from dataclasses import dataclass
 
 from bench import synthetic
 from bench.limits import Held
-from rosml import ROOT, bake, expand, plan, readme, source
-from rosml.errors import RosmlError
-from rosml.inputs import Inputs
-from rosml.terminal import show, table
+from rosml import ROOT
+from rosml.bake import bake_file
+from rosml.bake.inputs import Inputs
+from rosml.base.errors import RosmlError
+from rosml.base.terminal import show, table
+from rosml.catalogue import readme
+from rosml.images import load
+from rosml.matrix import source
+from rosml.publish import shards
 
 RUNS = 5
 """Whole runs on the real matrix, of which the median counts."""
@@ -73,11 +78,11 @@ def measured(images: int) -> Measured:
     text = synthetic.matrix(images).encode()
 
     def work() -> None:
-        catalogue = expand.catalogue(source.parse(text))
-        bake.render(catalogue)
+        catalogue = load.catalogue(source.parse(text))
+        bake_file.render(catalogue)
         readme.tables(catalogue)
 
-    return Measured(len(expand.catalogue(source.parse(text)).images), median(work))
+    return Measured(len(load.catalogue(source.parse(text)).images), median(work))
 
 
 def median(work: Callable[[], object]) -> float:
@@ -92,8 +97,8 @@ def median(work: Callable[[], object]) -> float:
 
 def held() -> list[Held]:
     """What is measured beside the generator's own output."""
-    largest = expand.catalogue(source.parse(synthetic.matrix(SIZES[-1]).encode()))
-    real = expand.load(ROOT / "matrix.yaml", ROOT)
+    largest = load.catalogue(source.parse(synthetic.matrix(SIZES[-1]).encode()))
+    real = load.load(ROOT / "matrix.yaml", ROOT)
 
     def digests() -> None:
         inputs = Inputs(ROOT, real)
@@ -102,10 +107,10 @@ def held() -> list[Held]:
 
     def refuse() -> None:
         with contextlib.suppress(RosmlError):
-            expand.catalogue(source.parse(WORST_FILE.encode()))
+            load.catalogue(source.parse(WORST_FILE.encode()))
 
     return [
-        Held("dealing the largest matrix out to 20 machines", median(lambda: plan.plan(largest, 20)), PLAN_SECONDS),
+        Held("dealing the largest matrix out to 20 machines", median(lambda: shards.plan(largest, 20)), PLAN_SECONDS),
         Held("digests of the real images' inputs", median(digests), DIGESTS_SECONDS),
         Held("refusing the worst file", median(refuse), REFUSED_SECONDS),
     ]

@@ -14,19 +14,20 @@ from functools import cached_property
 from typing import Any
 
 from bench.temporary import Temporary
-from rosml import agenda as agendas
-from rosml import oci
-from rosml.agenda import INDEX, Agenda, Item
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image, Payload, repository_of, tags_of
-from rosml.inputs import Inputs
-from rosml.labels import TITLE
-from rosml.ledger import READERS, Entry, Ledger
-from rosml.pipeline import DATE, Pipeline, title
-from rosml.problems import counted
-from rosml.promote import dated
-from rosml.services import Services
-from rosml.summary import duration, size
+from rosml.bake.inputs import Inputs
+from rosml.base.errors import RosmlError
+from rosml.base.problems import counted
+from rosml.base.units import duration, size
+from rosml.images.image_set import Catalogue, Image, Payload, repository_of, tags_of
+from rosml.images.labels import TITLE, title
+from rosml.machine.services import Services
+from rosml.matrix.names import dated
+from rosml.publish import plan as agendas
+from rosml.publish.pipeline import Pipeline
+from rosml.publish.plan import Agenda, Item
+from rosml.publish.promote import Promotion
+from rosml.records.ledger import DATE, INDEX, READERS, Entry, Ledger
+from rosml.registry import oci
 
 LAYER = b"a layer"
 
@@ -82,7 +83,7 @@ def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, sa
         before, started = client.uploaded, time.monotonic()
         run = Pipeline(_survey(services, catalogue, client, prefix, date), client, services.registry, prefix, say)
         _require_idle(run.agenda)
-        for step in (run.build, run.compose, run.test, run.index, run.promote):
+        for step in (run.build, run.compose, run.test, run.index, Promotion(run).run):
             step()
         seconds, uploaded = time.monotonic() - started, client.uploaded - before
     done = sum(outcome.state != "waits" for outcome in run.outcomes)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from rosml.terminal import show, table
+from rosml.base.terminal import show, table
 
 
 @dataclass(frozen=True)

@@ -17,14 +17,17 @@ from bench import idle_run
 from bench.idle_run import IdleRun
 from bench.second_image import NAMESPACE, Comparison
 from bench.temporary import Temporary
-from rosml import agenda, filelist, oci
-from rosml.compose import Composer
-from rosml.errors import RosmlError
-from rosml.maker import Maker
-from rosml.pipeline import Pipeline, now
-from rosml.publish import Publisher
-from rosml.summary import duration, size
-from rosml.terminal import console, show, table
+from rosml.base.clock import now
+from rosml.base.errors import RosmlError
+from rosml.base.terminal import console, show, table
+from rosml.base.units import duration, size
+from rosml.build.maker import Maker
+from rosml.build.publisher import Publisher
+from rosml.join import file_lists
+from rosml.join.composer import Composer
+from rosml.publish import plan
+from rosml.publish.pipeline import Pipeline
+from rosml.registry import oci
 
 TAGS = (10, 20, 40)
 
@@ -81,7 +84,7 @@ def measure(
     place = f"{NAMESPACE}/night-{secrets.token_hex(4)}"
     again = idle_run.measure(services, catalogue, place, date, publisher.say)
 
-    found = agenda.survey(services, catalogue, client, NAMESPACE, [target], date=date)
+    found = plan.survey(services, catalogue, client, NAMESPACE, [target], date=date)
     run = Pipeline(found, client, services.registry, NAMESPACE, publisher.say, maker=maker)
     publisher.say(f"the parts of {target}, by digest")
     run.build()
@@ -133,11 +136,11 @@ class _Made:
         digest = self.client.put_manifest(ros.repository, "", content, oci.IMAGE)
         variant = ros._replace(reference=digest)
         manifest = self.client.manifest(ros.repository, digest)
-        for entry in self.client.referrers(ros.repository, ros.reference, filelist.ARTIFACT)[:1]:
+        for entry in self.client.referrers(ros.repository, ros.reference, file_lists.ARTIFACT)[:1]:
             listed = self.client.manifest(ros.repository, entry["digest"])
             if listed and manifest:
                 names = self.client.blob(ros.repository, listed.content["layers"][0]["digest"])
-                filelist.attach(self.client, ros.repository, manifest, names)
+                file_lists.attach(self.client, ros.repository, manifest, names)
         return variant
 
     def target(self, host: str, index: int) -> str:

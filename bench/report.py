@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from bench import idle_run, many_tags, second_image
 from bench.idle_run import IdleRun
-from rosml import files
-from rosml.errors import RosmlError
+from rosml.base import files
+from rosml.base.errors import RosmlError
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -20,14 +20,19 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rosml import bake, base_images, builder, files, forecast, hcl, lockfile, publish, registry
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image
-from rosml.model import FAMILIES
-from rosml.progress import BuildProgress
-from rosml.publish import COMPRESSION, Publisher, Result, push_by_digest
-from rosml.summary import duration, size
-from rosml.terminal import console, show, table
+from rosml.bake import bake_file, hcl
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.terminal import console, show, table
+from rosml.base.units import duration, size
+from rosml.build import publisher
+from rosml.build.publisher import Publisher, Result
+from rosml.build.push import COMPRESSION, push_by_digest
+from rosml.images import lock_file
+from rosml.images.image_set import Catalogue, Image
+from rosml.machine import base_images, buildx, disk, regctl
+from rosml.machine.progress import BuildProgress
+from rosml.matrix.model import FAMILIES
 
 NAMESPACE = "bench"
 """Namespace in the local registry: nothing of anybody else is in it."""
@@ -184,7 +189,7 @@ def require_comparable(image: Image, catalogue: Catalogue, root: Path) -> None:
     Raises:
         RosmlError: there is no framework to compare, a lock is missing, or pip would need another index (exit code 2).
     """
-    publish.require_buildable(image)
+    publisher.require_buildable(image)
     if not frameworks(image, catalogue):
         raise RosmlError(
             f"{image.target} has no framework: there is nothing to compare",
@@ -217,7 +222,7 @@ def pins(image: Image, catalogue: Catalogue, root: Path) -> dict[str, str]:
     """What is installed in both ways: packages and their versions."""
     found: dict[str, str] = {}
     for path in locks(image, catalogue):
-        found.update(lockfile.versions((root / path).read_text()))
+        found.update(lock_file.versions((root / path).read_text()))
     return found
 
 
@@ -227,7 +232,7 @@ def needed_mb(catalogue: Catalogue, image: Image, built: set[str]) -> int:
     sizes = [catalogue.payload_by_name[name].disk for name in image.parts]
     unpacked, compressed = sum(size.unpacked for size in sizes), sum(size.compressed for size in sizes)
     usual = len(DAYS) * (unpacked + 2 * compressed) + compressed
-    return forecast.needed_mb(catalogue, image, built) + usual
+    return disk.needed_mb(catalogue, image, built) + usual
 
 
 def compare(publisher: Publisher, target: str) -> Comparison:
@@ -245,9 +250,9 @@ def compare(publisher: Publisher, target: str) -> Comparison:
     require_comparable(image, publisher.catalogue, services.root)
     services.require_registry()
     services.require_builder()
-    built = forecast.Built(services.state)
+    built = disk.Built(services.state)
     needed = needed_mb(publisher.catalogue, image, built.names())
-    forecast.require(services.state, needed, f"{image.target} in both ways")
+    disk.require(services.state, needed, f"{image.target} in both ways")
     bench = _Bench(publisher, image, secrets.token_hex(6))
     try:
         found = bench.measure()
@@ -324,7 +329,7 @@ class _Bench:
         left = []
         for reference in self.pushed:
             try:
-                registry.delete(self.publisher.services, reference)
+                regctl.delete(self.publisher.services, reference)
             except RosmlError:
                 left.append(reference)
         self._prune(self._name())
@@ -369,7 +374,7 @@ class _Bench:
             for name, text in dockerfiles.items()
         ]
         self._file.parent.mkdir(parents=True, exist_ok=True)
-        files.write(self._file, "\n".join([bake.excerpt(catalogue, (image.target,)), *blocks]))
+        files.write(self._file, "\n".join([bake_file.excerpt(catalogue, (image.target,)), *blocks]))
 
     def _push(self, target: str, repository: str, ros: str) -> _Pushed:
         """Builds a target on a ROS image, or on the bake file's own, and pushes it by digest."""
@@ -384,9 +389,9 @@ class _Bench:
         self.pushed.append(reference)
         return _Pushed(reference, seconds, progress)
 
-    def _call(self, target: str, sets: Sequence[str]) -> builder.Bake:
+    def _call(self, target: str, sets: Sequence[str]) -> buildx.Bake:
         name = target.replace(f"-{self.run}", "") if self.run in target else f"bench-{target}"
-        return builder.Bake(target, name, self._file, sets, self.variables)
+        return buildx.Bake(target, name, self._file, sets, self.variables)
 
     def _import(self, way: str, number: int, reference: str) -> dict[str, Any]:
         """Seconds and versions of an import in a container that has just been made."""
@@ -394,7 +399,7 @@ class _Bench:
         folder = self.publisher.services.state / "bench" / way
         shutil.rmtree(folder, ignore_errors=True)
         sets = (f"{name}.contexts.image=docker-image://{reference}", f"{name}.output=type=local,dest={folder}")
-        builder.run(self.publisher.services, self._call(name, sets))
+        buildx.run(self.publisher.services, self._call(name, sets))
         try:
             content = json.loads((folder / "result.json").read_text())
             return {**{key: float(content[key]) for key in INSIDE}, "versions": dict(content["versions"])}
@@ -404,10 +409,10 @@ class _Bench:
     def _side(self, images: dict[str, _Pushed], ros: dict[str, str]) -> Side:
         """What a way came to, from its two images."""
         services, today, yesterday = self.publisher.services, images["today"], images["yesterday"]
-        there = {**registry.stored(services, yesterday.reference), **registry.stored(services, ros["today"])}
-        pulled = {layer.digest for layer in registry.layers(services, yesterday.reference)}
-        layers = registry.layers(services, today.reference)
-        stored = registry.stored(services, today.reference)
+        there = {**regctl.stored(services, yesterday.reference), **regctl.stored(services, ros["today"])}
+        pulled = {layer.digest for layer in regctl.layers(services, yesterday.reference)}
+        layers = regctl.layers(services, today.reference)
+        stored = regctl.stored(services, today.reference)
         return Side(
             build_and_push_seconds=today.seconds,
             registry_new_bytes=sum(size for digest, size in stored.items() if digest not in there),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from rosml.model import PARTS
+from rosml.matrix.model import PARTS
 
 _SYSTEMS = 8
 _COMPONENTS = ("core", "base", "robot", "perception", "desktop", "desktop-full")

@@ -9,8 +9,8 @@ from typing import Any
 
 import httpx
 
-from rosml import oci
-from rosml.errors import RosmlError
+from rosml.base.errors import RosmlError
+from rosml.registry import oci
 
 REMOVERS = 16
 """How many manifests are removed at a time."""

@@ -1,9 +1,7 @@
-"""The library behind the commands in `scripts/`: small modules, one noun each.
+"""The library behind the commands: packages with one noun each and one direction of imports, which `lint-imports` holds.
 
-The way of the data: `source` (YAML with places) -> `model` (structure) -> `references` (names that must exist) ->
-`expand` (images and payloads) -> `targets` (what buildx is told of each), `bake`, `listing`, `explain`, `plan` (what people
-and tools read). What decides the content of an image is in `inputs`; `difference` compares it with another version's.
-None of these touches the network, reads the clock, or depends on the machine.
+From the top: cli; publish, catalogue; build, scan; join; records; machine, locks; registry, bake; images; matrix; base. Each
+imports from those below it alone. docs/architecture.md walks through them.
 """
 
 from __future__ import annotations

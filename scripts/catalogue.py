@@ -9,14 +9,15 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
 # isort: split
 
 import click
 
-from rosml import ROOT, command
-from rosml.errors import RosmlError
+from rosml import ROOT
+from rosml.base.errors import RosmlError
+from rosml.cli import command
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -53,13 +54,16 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
       uv run scripts/catalogue.py --registry ghcr.io/me/rosml --output public
       uv run scripts/catalogue.py --only 'bookworm-*' --json
     """
-    from rosml import expand, oci, site
-    from rosml.gather import Gatherer
-    from rosml.pipeline import destination, now
-    from rosml.problems import counted
-    from rosml.services import Services
+    from rosml.base.clock import now
+    from rosml.base.problems import counted
+    from rosml.catalogue import site
+    from rosml.catalogue.read import Gatherer
+    from rosml.images import load
+    from rosml.machine.services import Services
+    from rosml.registry import oci
+    from rosml.registry.repositories import destination
 
-    catalogue = expand.load(matrix, ROOT)
+    catalogue = load.load(matrix, ROOT)
     ca_bundle = os.environ.get("SSL_CERT_FILE", "")
     if not registry:
         services = Services.load(ROOT)

@@ -10,13 +10,14 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
 # isort: split
 
 import click
 
-from rosml import ROOT, command
+from rosml import ROOT
+from rosml.cli import command
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -41,9 +42,9 @@ def main(
       uv run scripts/compose.py ghcr.io/me/rosml/ros:bookworm-core \\
         ghcr.io/me/rosml/payload:{common-cpu-py311,tensorflow-cc-cpu,tensorflow-cpu-py311} --tag ghcr.io/me/mine:latest
     """
-    from rosml import oci
-    from rosml.compose import Composer
-    from rosml.summary import duration, size
+    from rosml.base.units import duration, size
+    from rosml.join.composer import Composer
+    from rosml.registry import oci
 
     def say(line: str) -> None:
         click.echo(line, err=True)

@@ -13,14 +13,16 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
 # isort: split
 
 import click
 
-from rosml import ROOT, command, files
-from rosml.errors import RosmlError
+from rosml import ROOT
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.cli import command
 
 CONFIG = "mkdocs.yml"
 BESIDE = ("README.md", "SECURITY.md", "CONTRIBUTING.md")

@@ -24,17 +24,19 @@ from typing import TYPE_CHECKING
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
 # isort: split
 
 import click
 
-from rosml import ROOT, command, files
-from rosml.errors import RosmlError
+from rosml import ROOT
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.cli import command
 
 if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
-    from rosml.expand import Catalogue
+    from rosml.images.image_set import Catalogue
 
 COMMAND = "make generate"
 
@@ -84,9 +86,9 @@ def main(
         raise click.UsageError("--output belongs to writing, --check and --shards")
     if output and output.exists() and output.resolve() == matrix.resolve():
         raise click.UsageError(f"--output {output} would overwrite the matrix; name another file")
-    from rosml import expand
+    from rosml.images import load
 
-    catalogue = expand.load(matrix, ROOT)
+    catalogue = load.load(matrix, ROOT)
     if list_:
         list_images(catalogue, groups, as_json)
     elif diff is not None:
@@ -96,7 +98,7 @@ def main(
     elif shards is not None:
         deal_out(catalogue, shards, as_json, output)
     else:
-        from rosml import missing
+        from rosml.images import missing
 
         wanted, lost = generated(catalogue, output), missing.lost(catalogue)
         if check:
@@ -107,20 +109,22 @@ def main(
 
 def list_images(catalogue: Catalogue, groups: tuple[str, ...], as_json: bool) -> None:
     """Prints the images that are in all of some groups; all images where none is named."""
-    from rosml import inputs, listing
+    from rosml.bake import inputs
+    from rosml.cli import tables
+    from rosml.images import selection
 
-    images = listing.members(catalogue, groups)
+    images = selection.members(catalogue, groups)
     if not images:
-        click.echo(listing.none_in(catalogue, groups), err=True)
+        click.echo(selection.none_in(catalogue, groups), err=True)
     if as_json:
-        click.echo(listing.as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
+        click.echo(tables.images_as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
     elif images:
-        listing.print_table(images)
+        tables.print_images(images)
 
 
 def say_why(catalogue: Catalogue, name: str, as_json: bool) -> None:
     """Prints why an image exists, or why it does not."""
-    from rosml.explain import explained
+    from rosml.images.explain import explained
 
     found = explained(catalogue, name)
     click.echo(json.dumps(asdict(found), indent=2, ensure_ascii=False) if as_json else found.text)
@@ -128,43 +132,48 @@ def say_why(catalogue: Catalogue, name: str, as_json: bool) -> None:
 
 def compare(catalogue: Catalogue, other: str, as_json: bool) -> None:
     """Prints which images differ from another version: a git revision, or another matrix file."""
-    from rosml import ci, difference, inputs
+    from rosml.bake import diff, inputs
+    from rosml.base import ci
+    from rosml.cli import tables
+    from rosml.machine import revision
 
-    found = difference.since(other, inputs.Inputs(ROOT, catalogue))
-    ci.summary(difference.markdown(found))
+    found = revision.since(other, inputs.Inputs(ROOT, catalogue))
+    ci.summary(diff.markdown(found))
     if as_json:
-        click.echo(difference.as_json(found), nl=False)
+        click.echo(diff.as_json(found), nl=False)
     else:
-        difference.print_table(found)
+        tables.print_difference(found)
 
 
 def deal_out(catalogue: Catalogue, shards: int, as_json: bool, output: Path | None) -> None:
     """Prints which of some machines builds what, or writes it into a file."""
-    from rosml import plan
+    from rosml.cli import tables
+    from rosml.publish import shards as dealing
 
-    planned = plan.plan(catalogue, shards, include=lambda image: image.locked)
+    planned = dealing.plan(catalogue, shards, include=lambda image: image.locked)
     if output:
-        write({output: plan.as_json(planned)})
+        write({output: dealing.as_json(planned)})
     elif as_json:
-        click.echo(plan.as_json(planned), nl=False)
+        click.echo(dealing.as_json(planned), nl=False)
     else:
-        plan.print_table(planned, left_out=sum(not image.locked for image in catalogue.images))
+        tables.print_shards(planned, left_out=sum(not image.locked for image in catalogue.images))
 
 
 def generated(catalogue: Catalogue, output: Path | None) -> dict[Path, str]:
     """Every generated file with its content; nothing but the bake file where that is to be written elsewhere."""
-    from rosml import bake, inputs
+    from rosml.bake import bake_file, inputs
 
     inputs.Inputs(ROOT, catalogue).check()
     if output:
-        return {output: bake.render(catalogue)}
-    from rosml import readme, schema
-    from rosml.catalogue import Published
+        return {output: bake_file.render(catalogue)}
+    from rosml.catalogue import readme
+    from rosml.catalogue.model import Published
+    from rosml.matrix import schema
 
     return {
-        ROOT / "docker-bake.hcl": bake.render(catalogue),
+        ROOT / "docker-bake.hcl": bake_file.render(catalogue),
         ROOT / "matrix.schema.json": schema.render(),
-        ROOT / "catalogue.schema.json": schema.render(Published, "rosml/catalogue.py", read=True),
+        ROOT / "catalogue.schema.json": schema.render(Published, "rosml/catalogue/model.py", read=True),
         ROOT / "README.md": readme.render((ROOT / "README.md").read_text(encoding="utf-8"), catalogue),
     }
 

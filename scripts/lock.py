@@ -13,18 +13,20 @@ from typing import TYPE_CHECKING, Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
 # isort: split
 
 import click
 
-from rosml import ROOT, ci, command, files, terminal
-from rosml.errors import RosmlError
+from rosml import ROOT
+from rosml.base import ci, files, terminal
+from rosml.base.errors import RosmlError
+from rosml.cli import command
 
 if TYPE_CHECKING:
-    from rosml.lock import Move
-    from rosml.pins import Pins
+    from rosml.locks.base_digests import Pins
+    from rosml.locks.resolve import Move
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -64,11 +66,12 @@ def main(
       uv run scripts/lock.py --check --json   what would move, for machines
       uv run scripts/lock.py --bases      take base images that their makers renewed
     """
-    from rosml import expand, names, source
-    from rosml.lock import lock, moves
-    from rosml.problems import unknown
+    from rosml.base.problems import unknown
+    from rosml.images import load, locked
+    from rosml.locks.resolve import lock, moves
+    from rosml.matrix import source
 
-    catalogue = expand.catalogue(source.read(matrix))
+    catalogue = load.catalogue(source.read(matrix))
     if bases and (upgrade or stacks):
         raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
     pinned = base_images(matrix, check, as_json) if bases or (upgrade and not stacks) else None
@@ -79,7 +82,7 @@ def main(
         if name not in (known := [*catalogue.matrix.stacks, *(item.distribution for item in catalogue.wheels)]):
             raise RosmlError(unknown("stack", name, known), exit_code=2)
     locks = lock(catalogue, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
-    there = {path for path in names.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
+    there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
     for path in () if check else stale:
@@ -152,29 +155,32 @@ def to_json(
 
 def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
     """Looks where the tags of base images point, and writes that into the matrix; nothing where it is only checked."""
-    from rosml import expand, oci, pins, source
+    from rosml.images import load
+    from rosml.locks import base_digests
+    from rosml.matrix import source
+    from rosml.registry import oci
 
     document = source.read(matrix)
     with oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
-        found = pins.look(expand.catalogue(document).matrix, registries)
+        found = base_digests.look(load.catalogue(document).matrix, registries)
     if found.moved and not check:
-        files.write(matrix, pins.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))
-    for system, image, old, new in pins.rows(found.moved):
+        files.write(matrix, base_digests.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))
+    for system, image, old, new in base_digests.rows(found.moved):
         click.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}", err=as_json)
-    for line in pins.reasons(found.left_out):
+    for line in base_digests.reasons(found.left_out):
         click.echo(line, err=True)
-    total = len(expand.catalogue(document).matrix.operating_systems)
+    total = len(load.catalogue(document).matrix.operating_systems)
     click.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
     return found
 
 
 def base_table(pinned: Pins) -> str:
     """The base images that moved, and those of which nobody knows: a part of the text of a pull request."""
-    from rosml import pins
+    from rosml.locks import base_digests
 
-    rows = pins.rows(pinned.moved)
+    rows = base_digests.rows(pinned.moved)
     text = ci.table(("system", "base image", "old", "new"), rows) if rows else "No base image moved.\n"
-    lines = "".join(f"- {line}\n" for line in pins.reasons(pinned.left_out))
+    lines = "".join(f"- {line}\n" for line in base_digests.reasons(pinned.left_out))
     return f"\n{text}" + (f"\n{lines}" if lines else "")
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds, tests and publishes images: a thin command over rosml/publish.py."""
+"""Builds, tests and publishes images: a thin command over rosml/build/publisher.py."""
 
 from __future__ import annotations
 
@@ -16,22 +16,23 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
 # isort: split
 
 import click
 
-from rosml import ROOT, command
-from rosml.errors import RosmlError
+from rosml import ROOT
+from rosml.base.errors import RosmlError
+from rosml.cli import command
 
 if TYPE_CHECKING:
-    from rosml import oci
-    from rosml.expand import Catalogue
-    from rosml.pipeline import Pipeline
-    from rosml.publish import Result
-    from rosml.scan import Run
-    from rosml.services import Services
+    from rosml.build.publisher import Result
+    from rosml.images.image_set import Catalogue
+    from rosml.machine.services import Services
+    from rosml.publish.pipeline import Pipeline
+    from rosml.registry import oci
+    from rosml.scan.judge import Run
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -182,18 +183,20 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
       uv run scripts/publish.py image bookworm-core-torch-cu128
       uv run scripts/publish.py image bookworm-base --json
     """
-    from rosml import expand, sync
-    from rosml.base_images import native_architecture
-    from rosml.publish import Publisher, architecture_of, require_buildable
-    from rosml.services import Services
-    from rosml.summary import text
+    from rosml.build.publisher import Publisher, architecture_of, require_buildable
+    from rosml.cli.summary import text
+    from rosml.images import apt_source, explain
+    from rosml.images import load as loading
+    from rosml.machine.base_images import native_architecture
+    from rosml.machine.services import Services
 
-    catalogue = expand.load(matrix, ROOT)
+    catalogue = loading.load(matrix, ROOT)
     target = target or catalogue.matrix.default.target
     # A typo is told before anything else happens.
     architecture = architecture_of(catalogue, platform) if platform else native_architecture()
-    require_buildable(catalogue.image(target), "" if architecture == native_architecture() else architecture)
-    sync.source(catalogue.matrix, catalogue.image(target).distribution)
+    image = explain.image(catalogue, target)
+    require_buildable(image, "" if architecture == native_architecture() else architecture)
+    apt_source.source(catalogue.matrix, image.distribution)
     if check:
         return
     services = Services.load(ROOT)
@@ -206,9 +209,10 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
 
 def _attach_facts(services: Services, catalogue: Catalogue, namespace: str, result: Result, architecture: str) -> None:
     """Attaches what was found out about an image to it, which the catalogue shows."""
-    from rosml import ledger, oci
-    from rosml.inputs import Inputs
-    from rosml.pipeline import now
+    from rosml.bake.inputs import Inputs
+    from rosml.base.clock import now
+    from rosml.records import ledger
+    from rosml.registry import oci
 
     entry = ledger.Entry(
         result.target,
@@ -229,10 +233,11 @@ def _attach_facts(services: Services, catalogue: Catalogue, namespace: str, resu
 
 def _list_files(services: Services, catalogue: Catalogue, repository: str, digest: str) -> None:
     """Attaches the list of its files to what was pushed, which compose.py compares."""
-    from rosml import filelist, oci
+    from rosml.build import file_list
+    from rosml.registry import oci
 
     with oci.Registry(services.registry) as client:
-        filelist.attach_files(services, catalogue, client, repository, digest, say)
+        file_list.attach_files(services, catalogue, client, repository, digest, say)
 
 
 @cli.command()
@@ -260,13 +265,13 @@ def payload(
     Examples:
       uv run scripts/publish.py payload cuda-cu128 common-cu128-py311 torch-cu128-py311
     """
-    from rosml import expand
-    from rosml import payloads as found
-    from rosml.services import Services
+    from rosml.build import part as found
+    from rosml.images import load as loading
+    from rosml.machine.services import Services
 
     if as_json and markdown:
         raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
-    catalogue = expand.load(matrix, ROOT)
+    catalogue = loading.load(matrix, ROOT)
     wanted = [found.find(catalogue, name) for name in dict.fromkeys(payloads)]
     if not wanted:
         if as_json:
@@ -310,8 +315,8 @@ def compare(one: str, other: str, as_json: bool) -> None:
     Examples:
       uv run scripts/publish.py compare localhost:5000/rosml/payload:torch-cu128-py311 ghcr.io/me/payload:torch-cu128-py311
     """
-    from rosml.compare import compare as compared
-    from rosml.services import Services
+    from rosml.build.compare import compare as compared
+    from rosml.machine.services import Services
 
     found = compared(Services.load(ROOT), one, other)
     if as_json:
@@ -349,12 +354,14 @@ class Call:
 
     def changed(self, catalogue: Catalogue) -> tuple[str, ...]:
         """The images to build of those that differ from the revision; ends the command where there are none."""
-        from rosml import changed, ci, difference
-        from rosml.base_images import native_architecture
-        from rosml.inputs import Inputs
+        from rosml.bake import pull_request
+        from rosml.bake.inputs import Inputs
+        from rosml.base import ci
+        from rosml.machine import revision
+        from rosml.machine.base_images import native_architecture
 
-        found = difference.since(self.since, Inputs(ROOT, catalogue))
-        choice = changed.choose(catalogue, found, self.architectures or (native_architecture(),), self.at_most)
+        found = revision.since(self.since, Inputs(ROOT, catalogue))
+        choice = pull_request.choose(catalogue, found, self.architectures or (native_architecture(),), self.at_most)
         say(str(choice))
         ci.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
         if not choice.built:
@@ -367,9 +374,9 @@ class Call:
         """The registry, and the path of its repositories: what commands need that build nothing. The services of this
         checkout are looked up only where the call names no registry.
         """
-        from rosml import oci
-        from rosml.pipeline import destination
-        from rosml.services import Services
+        from rosml.machine.services import Services
+        from rosml.registry import oci
+        from rosml.registry.repositories import destination
 
         ca_bundle = os.environ.get("SSL_CERT_FILE", "")
         if not self.registry:
@@ -388,17 +395,24 @@ class Call:
             reading: nothing will be made. What images stand on is judged for all of its architectures, and with a
                 registry named, no service of this machine is needed.
         """
-        from rosml import agenda, certificates, expand, oci, policy
-        from rosml import pipeline as running
-        from rosml.services import Services
-        from rosml.signer import Signer
+        from rosml.base import clock
+        from rosml.images import load as loading
+        from rosml.images import selection
+        from rosml.machine import trust
+        from rosml.machine.services import Services
+        from rosml.publish import pipeline as running
+        from rosml.publish import plan as planning
+        from rosml.publish import plan_file
+        from rosml.publish.sign import Signer
+        from rosml.registry import oci, repositories
+        from rosml.scan import policy
 
         started = time.monotonic()
-        catalogue = expand.load(self.matrix, ROOT)
+        catalogue = loading.load(self.matrix, ROOT)
         services = Services.load(ROOT, required=not (reading and self.registry))
         upstream: Mapping[str, str] = {}
         if self.plan_file:
-            plan = running.read_plan(self.plan_file, self.shard)
+            plan = plan_file.read_plan(self.plan_file, self.shard)
             self.date, self.registry = self.date or plan.date, self.registry or plan.registry
             self.only = self.only or plan.targets
             self.architectures = self.architectures or plan.architectures
@@ -406,21 +420,19 @@ class Call:
             upstream = plan.upstream
         elif self.shard:
             raise click.UsageError("--shard is one of a plan: add --plan FILE")
-        agenda.require_architectures(catalogue, self.serve)  # with a typo nothing would ever get a tag
+        selection.require_architectures(catalogue, self.serve)  # with a typo nothing would ever get a tag
         if self.since:
             if self.only:
                 raise click.UsageError("--since says which images; leave --only out")
             self.only = self.changed(catalogue)
-        place = running.destination(self.registry or services.place)
-        signer = (
-            Signer.find(ROOT, certificates.trusting(services)) if self.sign else None
-        )  # told before anything is built
+        place = repositories.destination(self.registry or services.place)
+        signer = Signer.find(ROOT, trust.trusting(services)) if self.sign else None  # told before anything is built
         client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
-        date = running.checked_date(self.date) if self.date else running.now()
+        date = clock.checked_date(self.date) if self.date else clock.now()
         if not self.force:
-            running.require_not_ahead(date, running.now())
+            clock.require_not_ahead(date, clock.now())
         scanning = running.policy_digest(policy.load(self.policy)) if self.require_scan else ""
-        found = agenda.survey(
+        found = planning.survey(
             services,
             catalogue,
             client,
@@ -441,7 +453,7 @@ class Call:
 
     def report(self, pipeline: Pipeline) -> None:
         """Prints what was done; ends with 1 where something failed."""
-        from rosml import report
+        from rosml.cli import report
 
         report.show(pipeline, self.as_json)
         if pipeline.failed:
@@ -475,11 +487,13 @@ def plan(everywhere: bool, shards: int, why: bool, output: Path | None, **option
       uv run scripts/publish.py plan --why
       uv run scripts/publish.py plan --only 'bookworm-*' --output plan.json
     """
-    from rosml import expand, files, report
+    from rosml.base import files
+    from rosml.cli import report
+    from rosml.images import load as loading
 
     call = Call(**options)
     if everywhere:
-        call.architectures = call.serve or tuple(expand.load(call.matrix, ROOT).matrix.architectures)
+        call.architectures = call.serve or tuple(loading.load(call.matrix, ROOT).matrix.architectures)
     pipeline = call.pipeline()
     text = report.plan_json(pipeline, shards, why)
     if output:
@@ -503,9 +517,14 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
     )
     @_options(*options)
     def command_of_step(**options: Any) -> None:
+        from rosml.publish import promote
+
         call = Call(**options)
         pipeline = call.pipeline()
-        getattr(pipeline, name)()
+        if name == "promote":
+            promote.Promotion(pipeline).run()
+        else:
+            getattr(pipeline, name)()
         call.report(pipeline)
 
 
@@ -532,6 +551,8 @@ def everything(**options: Any) -> None:
       uv run scripts/publish.py all --only 'bookworm-core*' --serve amd64
       uv run scripts/publish.py all --since origin/main --at-most 2 --serve amd64
     """
+    from rosml.publish import promote
+
     call = Call(**options)
     pipeline = call.pipeline()
     for name in ("build", "compose", "test"):
@@ -539,18 +560,19 @@ def everything(**options: Any) -> None:
     if call.require_scan:
         _scan(call, pipeline, fetch=False, database="", reports=None)
     pipeline.index()
-    pipeline.promote()
+    promote.Promotion(pipeline).run()
     call.report(pipeline)
 
 
 def _scan(call: Call, pipeline: Pipeline, fetch: bool, database: str, reports: Path | None) -> Run:
     """Scans by a call's policy, with the database that is there or is fetched."""
-    from rosml import certificates, policy
-    from rosml.trivy import ScannerFailed, Trivy
+    from rosml.machine import trust
+    from rosml.scan import policy
+    from rosml.scan.trivy import ScannerFailed, Trivy
 
     rules = policy.load(call.policy)
     try:
-        trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=certificates.trusting(pipeline.agenda.services))
+        trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=trust.trusting(pipeline.agenda.services))
         if fetch and isinstance(trivy, Trivy):
             trivy.fetch(rules.policy.database, database, say)
     except ScannerFailed as error:  # every image says so
@@ -580,9 +602,9 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
       uv run scripts/publish.py scan --fetch --only 'bookworm-core*' --reports sarif
       uv run scripts/publish.py scan --plan plan.json --fetch --output scan.json
     """
-    from rosml import report
-    from rosml.handover import Reader
-    from rosml.scan_report import print_run
+    from rosml.cli import report
+    from rosml.cli.tables import print_scan
+    from rosml.publish.scan_results import Reader
 
     call = Call(**options)
     pipeline = call.pipeline()
@@ -593,7 +615,7 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     if output:
         reader.write(output, pipeline.agenda.date)
     if not call.as_json:
-        print_run(run)
+        print_scan(run)
     report.show(pipeline, call.as_json)
     raise SystemExit(run.outcome.exit_code)
 
@@ -607,9 +629,10 @@ def database(policy: Path, as_json: bool) -> None:
     Example:
       uv run scripts/publish.py scan --fetch --database "$(uv run scripts/publish.py database)"
     """
-    from rosml import oci, trivy
-    from rosml.policy import load
-    from rosml.services import Services
+    from rosml.machine.services import Services
+    from rosml.registry import oci
+    from rosml.scan import trivy
+    from rosml.scan.policy import load
 
     def head(reference: str) -> str:
         place = oci.parse(reference)
@@ -630,11 +653,11 @@ def record(file: Path, **options: Any) -> None:
     Example:
       uv run scripts/publish.py record scan.json --plan plan.json
     """
-    from rosml import handover
+    from rosml.publish import scan_results
 
     call = Call(**options)
     pipeline = call.pipeline()
-    handover.record(pipeline, file)
+    scan_results.record(pipeline, file)
     call.report(pipeline)
 
 
@@ -650,8 +673,9 @@ def status(**options: Any) -> None:
       uv run scripts/publish.py status --only 'bookworm-*'
       uv run scripts/publish.py status --registry ghcr.io/me/rosml --json
     """
-    from rosml import standing
-    from rosml.pipeline import now
+    from rosml.base.clock import now
+    from rosml.cli import tables
+    from rosml.publish import status as standing
 
     call = Call(**options)
     pipeline = call.pipeline(reading=True)
@@ -659,7 +683,7 @@ def status(**options: Any) -> None:
     if call.as_json:
         click.echo(standing.as_json(found))
     else:
-        standing.print_table(found)
+        tables.print_status(found)
 
 
 @cli.command()
@@ -676,15 +700,16 @@ def undo(run: str, **options: Any) -> None:
       uv run scripts/publish.py undo
       uv run scripts/publish.py undo 2026-11-22T03:00:00Z --registry ghcr.io/me/rosml
     """
-    from rosml import promote, report
-    from rosml.ledger import Ledger
-    from rosml.pipeline import now
+    from rosml.base.clock import now
+    from rosml.cli import report
+    from rosml.publish import undo as undoing
+    from rosml.records.ledger import Ledger
 
     started, call = time.monotonic(), Call(**options)
     client, prefix = call.client()
     with client:
         date = now()
-        outcomes = promote.undo(Ledger(client, prefix), date, run)
+        outcomes = undoing.undo(Ledger(client, prefix), date, run)
         report.tell_outcomes(outcomes, date, client.uploaded, started, call.as_json)
     if any(outcome.state == "failed" for outcome in outcomes):
         raise SystemExit(1)
@@ -719,11 +744,12 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
       uv run scripts/publish.py prune --apply
     """
 
-    from rosml import expand, source
-    from rosml.prune import STAYS, Pruner
+    from rosml.images import load as loading
+    from rosml.matrix import source
+    from rosml.publish.prune import STAYS, Pruner
 
     call = Call(**options)
-    catalogue = expand.catalogue(source.read(call.matrix))  # without its locks: it names repositories
+    catalogue = loading.catalogue(source.read(call.matrix))  # without its locks: it names repositories
     client, prefix = call.client()
     with client:
         pruner = Pruner(client, prefix, catalogue, datetime.now(UTC).date(), days, newest)

@@ -13,14 +13,15 @@ from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import rosml.environment  # noqa: F401 (first: says what to do where the others are missing)
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
 # isort: split
 
 import click
 
-from rosml import ROOT, command
-from rosml.errors import RosmlError
+from rosml import ROOT
+from rosml.base.errors import RosmlError
+from rosml.cli import command
 
 FILES: dict[str, tuple[str, ...]] = {"app": (), "dev": ("dev",), "page": ("dev", "page")}
 """Groups of pyproject.toml that a file has, beside the packages of the commands."""

@@ -18,10 +18,10 @@ from pathlib import Path
 
 import yaml
 
-from rosml import expand
-from rosml.errors import RosmlError
-from rosml.files import write
-from rosml.inputs import Inputs
+from rosml.bake.inputs import Inputs
+from rosml.base.errors import RosmlError
+from rosml.base.files import write
+from rosml.images import load
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "tests" / "proofs"
@@ -102,7 +102,7 @@ class Proof:
         """
         found: dict[str, object] = {pattern: _files(root, pattern, self.name) for pattern in self.files}
         if self.targets:
-            images = expand.load(root / "matrix.yaml", root)
+            images = load.load(root / "matrix.yaml", root)
             inputs = Inputs(root, images)
             for target in self.targets:
                 for architecture in images.image(target.removesuffix("-test")).architectures:

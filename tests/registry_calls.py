@@ -10,9 +10,9 @@ from collections.abc import Callable
 
 import pytest
 
-from rosml import oci
-from rosml.client import Client
-from rosml.errors import RosmlError
+from rosml.base.errors import RosmlError
+from rosml.registry import oci
+from rosml.registry.protocol import Client
 
 KIND, OTHER = "application/vnd.example.one", "application/vnd.example.two"
 NOWHERE = f"sha256:{'0' * 64}"

@@ -21,7 +21,7 @@ from pathlib import Path
 
 import click
 
-from rosml import command
+from rosml.cli import command
 from tests.proof import ROOT, Proof, Proved, names
 
 LOGS = ROOT / ".state" / "log"

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from machine import services as setup
 from rosml import ROOT
-from rosml.services import Services
+from rosml.machine.services import Services
 
 
 @dataclass

@@ -21,11 +21,13 @@ from typing import Any
 
 import pytest
 
-from rosml import ROOT, expand, registry
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image
-from rosml.services import Services
-from rosml.turn import turn
+from rosml import ROOT
+from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
+from rosml.images import load
+from rosml.images.image_set import Catalogue, Image
+from rosml.machine import regctl
+from rosml.machine.services import Services
 from tests.e2e.builders import builder
 
 NAMESPACE = "rosml-test"
@@ -172,7 +174,7 @@ def small_file_system(folder: Path, size: str, services: Services) -> None:
 
 @pytest.fixture(scope="session")
 def catalogue() -> Catalogue:
-    return expand.load(ROOT / "matrix.yaml")
+    return load.load(ROOT / "matrix.yaml")
 
 
 @dataclass(frozen=True)
@@ -190,7 +192,7 @@ class Published:
 
     @property
     def layers(self) -> list[str]:
-        return [layer.digest for layer in registry.layers(self.services, self.reference)]
+        return [layer.digest for layer in regctl.layers(self.services, self.reference)]
 
 
 @pytest.fixture(scope="session")

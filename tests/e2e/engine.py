@@ -19,8 +19,8 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosml import builder
-from rosml.services import Services
+from rosml.machine import buildx
+from rosml.machine.services import Services
 from tests.e2e.conftest import Run
 
 START_SECONDS = 60.0
@@ -97,7 +97,7 @@ class Engine:
             f"{target}.output=type=docker,dest={archive},name={name},compression=uncompressed,force-compression=true"
         )
         sets = (output, f"{target}.tags=")
-        builder.run(services, builder.Bake(target, f"load-{target}", bake_file, sets, variables))
+        buildx.run(services, buildx.Bake(target, f"load-{target}", bake_file, sets, variables))
         done = self.docker("load", "--input", str(archive), timeout=600.0)
         archive.unlink()
         assert done.code == 0, done.err

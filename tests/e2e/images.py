@@ -6,10 +6,12 @@ import shutil
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from rosml import ROOT, base_images, builder, names, registry
-from rosml.expand import Payload
-from rosml.publish import COMPRESSION
-from rosml.services import Services
+from rosml import ROOT
+from rosml.build.push import COMPRESSION
+from rosml.images.image_set import Payload
+from rosml.machine import base_images, buildx, regctl
+from rosml.machine.services import Services
+from rosml.matrix import names
 from tests.e2e.conftest import NAMESPACE, Published, run
 
 Publish = Callable[[str], Published]
@@ -73,7 +75,7 @@ def push(
     variables: Mapping[str, str] | None = None,
 ) -> None:
     """Builds a target, on the operating system of a published image, and pushes it by its tags below a place."""
-    bake = builder.Bake(
+    bake = buildx.Bake(
         target,
         f"push-{target}",
         ROOT / "docker-bake.hcl",
@@ -85,7 +87,7 @@ def push(
             **(variables or {}),
         },
     )
-    builder.run(services, bake)
+    buildx.run(services, bake)
 
 
 def push_payload(
@@ -94,7 +96,7 @@ def push_payload(
     """Pushes a payload as an image of its own, by its name as a tag; returns its layers."""
     prefix = f"{services.registry}/{NAMESPACE}"
     push(services, image, payload.target, prefix, *sets, variables=variables)
-    return [layer.digest for layer in registry.layers(services, f"{prefix}/payload:{payload.name}")]
+    return [layer.digest for layer in regctl.layers(services, f"{prefix}/payload:{payload.name}")]
 
 
 def base_image(image: Published) -> str:

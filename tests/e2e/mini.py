@@ -19,12 +19,17 @@ from typing import Any
 
 import yaml
 
-from rosml import ROOT, agenda, base_images, expand, oci, pipeline
-from rosml.expand import Catalogue
-from rosml.ledger import ARTIFACT, INDEX, Ledger
-from rosml.promote import UNDO
-from rosml.services import Services
-from rosml.turn import turn
+from rosml import ROOT
+from rosml.base.file_lock import turn
+from rosml.images import load
+from rosml.images.image_set import Catalogue
+from rosml.machine import base_images
+from rosml.machine.services import Services
+from rosml.publish import plan as planning
+from rosml.records import ledger
+from rosml.records.ledger import ARTIFACT, INDEX, Ledger
+from rosml.records.tag_moves import UNDO
+from rosml.registry import oci
 from tests.e2e.conftest import CHECKOUT, Run, run
 
 NOTHING = "#!/usr/bin/env bash\n"
@@ -99,7 +104,7 @@ class Mini:
     @property
     def catalogue(self) -> Catalogue:
         """All that its matrix describes."""
-        return expand.load(self.folder / "matrix.yaml", self.folder)
+        return load.load(self.folder / "matrix.yaml", self.folder)
 
     def command(self, *arguments: str) -> list[str]:
         """A call of its publish.py."""
@@ -153,7 +158,7 @@ class Mini:
         """
         client = self.client()
         book, here = Ledger(client, self.prefix), Services.load(self.folder)
-        plan = agenda.survey(here, self.catalogue, client, self.prefix, [target], [OTHER])
+        plan = planning.survey(here, self.catalogue, client, self.prefix, [target], [OTHER])
         item, other = plan.by_key[target, OTHER], book.read(target, NATIVE)
         assert other and not item.needs
         path = book.path(item.repository)
@@ -211,7 +216,7 @@ class Mini:
             assert index and index.content.get("manifests"), f"{tag} points at no index"
             if not tag.startswith("payload:"):
                 require_oci_set(index.content["annotations"], tag)
-            assert pipeline.DATE in index.content["annotations"], f"{tag} was not made by a run"
+            assert ledger.DATE in index.content["annotations"], f"{tag} was not made by a run"
             for name in (digest, *(member["digest"] for member in index.content["manifests"])):
                 assert client.referrers(repository, name, ARTIFACT), f"{tag}: its entry is not attached"
             for member in index.content["manifests"]:
@@ -303,7 +308,7 @@ def make(folder: Path, services: Services) -> Mini:
     matrix = yaml.safe_load((ROOT / "matrix.yaml").read_text())
     matrix["distributions"] = {"bookworm": matrix["distributions"]["bookworm"] | {"components": ["core", "base"]}}
     matrix["distributions"]["bookworm"]["default_stack"] = "cpu"
-    image, digest = base(services, expand.load(ROOT / "matrix.yaml"))
+    image, digest = base(services, load.load(ROOT / "matrix.yaml"))
     matrix["operating_systems"] = {
         "bookworm": matrix["operating_systems"]["bookworm"] | {"image": image, "digest": digest}
     }

@@ -9,9 +9,11 @@ import tarfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from rosml import filelist, labels, oci
-from rosml.model import ANY_PYTHON, FOR_ANY_PYTHON, PARTS, Part
-from rosml.oci import Registry
+from rosml.images import labels
+from rosml.join import file_lists
+from rosml.matrix.model import ANY_PYTHON, FOR_ANY_PYTHON, PARTS, Part
+from rosml.registry import oci
+from rosml.registry.oci import Registry
 
 CREATED = "2026-01-01T00:00:00Z"
 PLATFORMS = ("linux/amd64",)
@@ -88,7 +90,9 @@ class Tiny:
             names = sorted(self.files if self.listed is None else self.listed)
             text = "".join(f"{name}\n" for name in names).encode()
             subject = oci.descriptor(oci.IMAGE, manifest)
-            registry.attach(repository, subject, filelist.ARTIFACT, gzip.compress(text, mtime=0), filelist.MEDIA_TYPE)
+            registry.attach(
+                repository, subject, file_lists.ARTIFACT, gzip.compress(text, mtime=0), file_lists.MEDIA_TYPE
+            )
         return digest, len(manifest)
 
 

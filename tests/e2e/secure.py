@@ -29,7 +29,7 @@ import trustme
 
 from machine import network
 from rosml import ROOT
-from rosml.services import Services
+from rosml.machine.services import Services
 
 NAME, PASSWORD = "robot+ci", "p4ss:wörd/with=odd&letters"
 ISSUER, SERVICE = "a test", "a registry"

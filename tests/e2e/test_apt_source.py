@@ -16,7 +16,11 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, expand, sync, targets
+from rosml import ROOT
+from rosml.bake import targets
+from rosml.build import sync
+from rosml.images import apt_source as apt_sources
+from rosml.images import load
 from tests.e2e.apt_stand_in import (
     APT_SOURCE,
     LIVE,
@@ -33,7 +37,7 @@ from tests.e2e.conftest import Run
 
 TOOLS = ("apt-get", "chroot", "curl", "dpkg-deb", "gpg", "unshare")
 
-CATALOGUE = expand.load(ROOT / "matrix.yaml")
+CATALOGUE = load.load(ROOT / "matrix.yaml")
 ROWS = [name for name, distribution in CATALOGUE.matrix.distributions.items() if distribution.apt]
 TARGETS = targets.of(CATALOGUE)
 STRUCTURE_TEST = ROOT / "tests" / "structure" / "checks" / "apt_source.sh"
@@ -266,7 +270,7 @@ def test_a_snapshot_of_a_day(row: Callable[[str], Row]) -> None:
 def test_the_state_of_the_repository_is_the_one_that_labels_name(row: Callable[[str], Row]) -> None:
     """Asked before a build, and compared in it with the signed file."""
     made = row("jazzy")
-    source = sync.source(CATALOGUE.matrix, "jazzy", {})
+    source = apt_sources.source(CATALOGUE.matrix, "jazzy", {})
     assert source
     when = sync.published(source, {"ROS_APT_MIRROR": made.server.url})
     assert when == "2026-11-20T21:14:09Z"

@@ -10,12 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from rosml import agenda, ledger, oci, provenance
-from rosml.agenda import INDEX
-from rosml.ledger import Ledger
-from rosml.pipeline import Pipeline
-from rosml.services import Services
-from rosml.signer import Signer, SignerFailed
+from rosml.machine.services import Services
+from rosml.publish import plan as planning
+from rosml.publish import provenance
+from rosml.publish.pipeline import Pipeline
+from rosml.publish.sign import Signer, SignerFailed
+from rosml.records import ledger
+from rosml.records.ledger import INDEX, Ledger
+from rosml.registry import oci
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import LOG, run
@@ -69,7 +71,7 @@ def test_entries_and_provenance(mini: Mini) -> None:
 
     with oci.Registry(mini.services.registry) as counting:
         services = Services.load(mini.folder)
-        plan = agenda.survey(
+        plan = planning.survey(
             services, mini.catalogue, counting, mini.prefix, [ONLY[1]], (NATIVE,), date="2027-01-01T00:00:00Z"
         )
         again = Pipeline(plan, counting, services.registry, mini.prefix, LOG.info, (NATIVE,))

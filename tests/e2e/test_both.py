@@ -8,9 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, names, registry, verify
-from rosml.expand import Catalogue
-from rosml.services import Services
+from rosml import ROOT
+from rosml.build import structure_tests
+from rosml.images.image_set import Catalogue
+from rosml.machine import regctl
+from rosml.machine.services import Services
+from rosml.matrix import names
 from tests.e2e.conftest import NAMESPACE
 from tests.e2e.images import Publish, build, build_on, push
 
@@ -28,7 +31,9 @@ def test_both_frameworks_share_their_layers_and_import_in_either_order(published
     torch = published(names.image_target(both.image.distribution, "core", "torch", both.image.stack))
     own, shared = len(both.image.parts), len(torch.image.parts)
     assert both.layers[-own:][:shared] == torch.layers[-shared:]
-    report = verify.read_report(ROOT / ".state" / "tests" / both.image.target / "report", ("ml", "ros1-perception"))
+    report = structure_tests.read_report(
+        ROOT / ".state" / "tests" / both.image.target / "report", ("ml", "ros1-perception")
+    )
     assert {outcome.name for outcome in report.outcomes if outcome.passed} >= {
         "import torch, then tensorflow",
         "import tensorflow, then torch",
@@ -46,7 +51,7 @@ def test_images_with_less_have_the_same_layers(services: Services, published: Pu
         target = names.image_target(both.image.distribution, both.image.component, framework, both.image.stack)
         image = catalogue.image(target)
         push(services, both, target, prefix)
-        layers = [layer.digest for layer in registry.layers(services, f"{prefix}/{image.tags[0]}")]
+        layers = [layer.digest for layer in regctl.layers(services, f"{prefix}/{image.tags[0]}")]
         assert layers == [*both.layers[: -len(parts)], *(parts[name] for name in image.parts)], target
 
 

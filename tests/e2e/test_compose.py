@@ -12,9 +12,14 @@ from typing import Any
 
 import pytest
 
-from rosml import ROOT, compose, filelist, oci, registry
-from rosml.expand import Catalogue
-from rosml.services import Services
+from rosml import ROOT
+from rosml.build import file_list
+from rosml.images.image_set import Catalogue
+from rosml.join import composer as composing
+from rosml.join import file_lists
+from rosml.machine import regctl
+from rosml.machine.services import Services
+from rosml.registry import oci
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG, NAMESPACE, Published, Run, run
 from tests.e2e.images import build, push_payload
@@ -118,17 +123,17 @@ def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
     assert index
     manifest = client.manifest(repository, index.content["manifests"][0]["digest"])
     assert manifest
-    (entry,) = client.referrers(repository, manifest.digest, filelist.ARTIFACT)
+    (entry,) = client.referrers(repository, manifest.digest, file_lists.ARTIFACT)
     listed = client.manifest(repository, entry["digest"])
     assert listed
-    names = filelist.unpacked(client.blob(repository, listed.content["layers"][0]["digest"])).decode().split()
+    names = file_lists.unpacked(client.blob(repository, listed.content["layers"][0]["digest"])).decode().split()
     assert names == ["opt/mini-payload/common"]
 
     other = {**manifest.content, "annotations": {"another": "one"}}
     digest = client.put_manifest(repository, "", oci.encoded(other), oci.IMAGE)
     changed = client.manifest(repository, digest)
     assert changed
-    filelist.attach(client, repository, changed, gzip.compress(b"opt/mini-payload/tensorflow-cc\n"))
+    file_lists.attach(client, repository, changed, gzip.compress(b"opt/mini-payload/tensorflow-cc\n"))
     arguments = [f"{mini.registry}/payload@{digest}", *parts(mini)[1:]]
     outcome = composed(
         mini.folder, f"{mini.registry}/ros:bookworm-core", *arguments, "--tag", f"{mini.registry}/mine:never"
@@ -154,11 +159,11 @@ def test_two_hundred_images(mini: Mini) -> None:
         images.append(client.put_manifest(f"{mini.prefix}/ros", "", oci.encoded(content), oci.IMAGE))
     said: list[str] = []
     with (
-        compose.Composer(lambda _: client, mini.folder / "cache", allow_unlisted=True, say=said.append) as composer,
+        composing.Composer(lambda _: client, mini.folder / "cache", allow_unlisted=True, say=said.append) as composer,
         ThreadPoolExecutor(8) as pool,
     ):
 
-        def one(number: int) -> compose.Composed:
+        def one(number: int) -> composing.Composed:
             target = f"{mini.registry}/many:{number}"
             return composer.compose(f"{mini.registry}/ros@{images[number]}", parts(mini), target)
 
@@ -182,9 +187,9 @@ def test_a_real_one_runs(
         images[f"payload:{name}"] = client.head(f"{NAMESPACE}/payload", name)
     for name, digest in images.items():
         repository = f"{NAMESPACE}/{name.partition(':')[0]}"
-        filelist.attach_files(services, catalogue, client, repository, digest, LOG.info)
-        listed = registry.regctl(services, "artifact", "list", f"{services.registry}/{repository}@{digest}")
-        assert filelist.ARTIFACT in listed, "other tools find the list as well"
+        file_list.attach_files(services, catalogue, client, repository, digest, LOG.info)
+        listed = regctl.regctl(services, "artifact", "list", f"{services.registry}/{repository}@{digest}")
+        assert file_lists.ARTIFACT in listed, "other tools find the list as well"
     tag = f"{place}/composed:latest"
     payloads = [f"{place}/payload:{name}" for name in image.image.parts]
     small(ROOT, tag, f"{place}/ros:bookworm-core", *payloads)

@@ -11,10 +11,11 @@ from pathlib import Path
 
 import pytest
 
-from rosml import publish
-from rosml.expand import Catalogue
-from rosml.services import Services
-from rosml.turn import turn
+from rosml.base.file_lock import turn
+from rosml.build import publisher as publishing
+from rosml.build import push
+from rosml.images.image_set import Catalogue
+from rosml.machine.services import Services
 from tests.e2e import engine
 from tests.e2e.conftest import NAMESPACE, Run
 from tests.e2e.images import Publish
@@ -51,17 +52,17 @@ def loaded(
     services: Services, catalogue: Catalogue, published: Publish, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Callable[[str], Container]]:
     """Loads a published image into the engine, once."""
-    publisher = publish.Publisher(services, catalogue, print, NAMESPACE)
+    publisher = publishing.Publisher(services, catalogue, print, NAMESPACE)
     done: dict[str, Container] = {}
     with engine.running() as docker:
 
         def load(target: str) -> Container:
             if target not in done:
                 published(target)
-                variables = publisher.variables(catalogue.image(target), publish.Result(target))
+                variables = publisher.variables(catalogue.image(target), publishing.Result(target))
                 folder = tmp_path_factory.mktemp("load")
-                with turn(publish.turn_file(services, target, publisher.architecture), lambda: None):
-                    bake_file = publish.write_excerpt(services, catalogue, target)
+                with turn(publishing.turn_file(services, target, publisher.architecture), lambda: None):
+                    bake_file = push.write_excerpt(services, catalogue, target)
                     done[target] = Container(docker, docker.load(services, bake_file, target, variables, folder))
             return done[target]
 

@@ -13,8 +13,9 @@ from pathlib import Path
 import pytest
 import yaml
 
-from rosml import ROOT, registry
-from rosml.services import Services
+from rosml import ROOT
+from rosml.machine import regctl
+from rosml.machine.services import Services
 from tests.documented import SHELLS, Block, blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, run
 from tests.e2e.images import Publish, build
@@ -244,4 +245,4 @@ def test_an_image_is_carried_over(services: Services, published: Publish, tmp_pa
             str(tmp_path / words[4]),
         )
         assert done.code == 0, done.err
-    assert registry.digest(services, moved) == image.result["digest"]
+    assert regctl.digest(services, moved) == image.result["digest"]

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from rosml import registry
-from rosml.services import Services
+from rosml.machine import regctl
+from rosml.machine.services import Services
 from tests.e2e.conftest import HANGS, NAMESPACE, Published, publish, run, small_file_system
 
 TARGET = "bookworm-core"
@@ -34,7 +34,7 @@ def test_a_failing_structure_test_leaves_every_tag(
     assert "no tag was moved" in outcome.err
     assert "Python 3.11, expected 3.12" in outcome.err
     for tag in before.result["tags"]:
-        assert registry.digest(services, tag) == before.result["digest"]
+        assert regctl.digest(services, tag) == before.result["digest"]
 
 
 BROKEN = {
@@ -70,7 +70,7 @@ def test_each_thing_that_is_broken_in_an_image_is_named(
     assert outcome.code == 1
     assert [words for words in BROKEN.values() if words not in outcome.err] == [], outcome.err
     for tag in before.result["tags"]:
-        assert registry.digest(services, tag) == before.result["digest"]
+        assert regctl.digest(services, tag) == before.result["digest"]
 
 
 def test_a_failure_is_not_taken_from_the_cache(published: Callable[[str], Published], checkout: Path) -> None:
@@ -145,7 +145,7 @@ def test_interrupted_in_the_middle(
     assert "no tag points at what is not finished" in err
     assert "Traceback" not in err
     for tag in before.result["tags"]:
-        assert registry.digest(services, tag) == before.result["digest"]
+        assert regctl.digest(services, tag) == before.result["digest"]
     assert publish(TARGET).code == 0
 
 

@@ -20,8 +20,8 @@ from pathlib import Path
 import pytest
 import yaml
 
-from rosml.pipeline import now
-from rosml.services import Services
+from rosml.base.clock import now
+from rosml.machine.services import Services
 from tests.e2e import mini as minis
 from tests.e2e.builders import builder
 from tests.e2e.conftest import HANGS, run, small_file_system

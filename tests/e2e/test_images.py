@@ -11,10 +11,12 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, registry, verify
-from rosml.expand import Catalogue
-from rosml.labels import OCI
-from rosml.services import Services
+from rosml import ROOT
+from rosml.build import structure_tests
+from rosml.images.image_set import Catalogue
+from rosml.images.labels import OCI
+from rosml.machine import regctl
+from rosml.machine.services import Services
 from tests.documented import blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, publish, run
 from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, build, push_payload
@@ -69,12 +71,12 @@ def test_an_image_is_built_tested_and_published(pair: Pair, published: Publish, 
     assert image.result["failed"] == 0
     assert image.result["passed"] > 20
     for tag in image.result["tags"]:
-        assert registry.digest(services, tag) == image.result["digest"]
-    index = registry.manifest(services, image.result["reference"])
+        assert regctl.digest(services, tag) == image.result["digest"]
+    index = regctl.manifest(services, image.result["reference"])
     assert [entry["digest"] for entry in index["manifests"]] == [image.result["manifest"]]
     assert index["manifests"][0]["platform"] == {"architecture": NATIVE, "os": "linux"}
-    config = registry.image_config(services, image.reference, PLATFORM)["config"]
-    assert verify.expected_labels(image.image).items() <= config["Labels"].items()
+    config = regctl.image_config(services, image.reference, PLATFORM)["config"]
+    assert structure_tests.expected_labels(image.image).items() <= config["Labels"].items()
     said = {name: text for name, text in config["Labels"].items() if name.startswith(OCI)}
     assert {name.removeprefix(OCI) for name in said} - {"source"} == OCI_SET
     assert index["annotations"] == said
@@ -88,7 +90,7 @@ def test_make_image(published: Publish, services: Services) -> None:
     assert done.code == 0, done.err
     reference = f"{services.registry}/rosml/{image.image.tags[0]}"
     assert re.search(rf"^FROM +{re.escape(reference)}$", done.out, re.MULTILINE), done.out
-    index = registry.manifest(services, reference)
+    index = regctl.manifest(services, reference)
     assert [entry["digest"] for entry in index["manifests"]] == [image.result["manifest"]]
 
 

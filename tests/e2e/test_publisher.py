@@ -15,8 +15,8 @@ from pathlib import Path
 
 import pytest
 
-from rosml.pipeline import TIME
-from rosml.services import Services
+from rosml.base.clock import TIME
+from rosml.machine.services import Services
 from tests.e2e import mini as minis
 from tests.e2e.conftest import HANGS, run
 from tests.e2e.mini import NATIVE, OTHER, Mini, begun

@@ -17,12 +17,16 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, agenda, labels, ledger, oci
-from rosml.base_images import native_architecture
-from rosml.expand import Image
-from rosml.ledger import Ledger
-from rosml.promote import UNDO
-from rosml.services import Services
+from rosml import ROOT
+from rosml.images import labels
+from rosml.images.image_set import Image
+from rosml.machine.base_images import native_architecture
+from rosml.machine.services import Services
+from rosml.publish import plan as planning
+from rosml.records import ledger
+from rosml.records.ledger import Ledger
+from rosml.records.tag_moves import UNDO
+from rosml.registry import oci
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.conftest import Run, run
@@ -51,7 +55,9 @@ def night(mini: Mini, date: str) -> None:
     """What builders and tests leave in a night: other ROS images than before, whose tests passed; then their tags move."""
     client = mini.client()
     book = Ledger(client, mini.prefix)
-    plan = agenda.survey(Services.load(mini.folder), mini.catalogue, client, mini.prefix, ONLY[1::2], [HERE], date=date)
+    plan = planning.survey(
+        Services.load(mini.folder), mini.catalogue, client, mini.prefix, ONLY[1::2], [HERE], date=date
+    )
     assert {item.target for item in plan.items} == set(ONLY[1::2])
     for item in plan.items:
         image = item.thing

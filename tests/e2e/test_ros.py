@@ -8,9 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, base_images, builder, publish, registry, verify
-from rosml.expand import Catalogue
-from rosml.services import Services
+from rosml import ROOT
+from rosml.build import publisher as publishing
+from rosml.build import push, structure_tests
+from rosml.images.image_set import Catalogue
+from rosml.machine import base_images, buildx, regctl
+from rosml.machine.services import Services
 from tests.e2e.conftest import LOG, NAMESPACE
 from tests.e2e.images import Publish, build, build_on
 
@@ -22,13 +25,13 @@ def test_the_same_packages_give_the_same_layers(
 ) -> None:
     """Another build without any cache: every layer of every component, from the base image on."""
     image = published(target)
-    publisher = publish.Publisher(services, catalogue, print, NAMESPACE)
-    variables = publisher.variables(image.image, publish.Result(target))
-    bake_file = publish.write_excerpt(services, catalogue, target)
-    call = builder.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), variables)
+    publisher = publishing.Publisher(services, catalogue, print, NAMESPACE)
+    variables = publisher.variables(image.image, publishing.Result(target))
+    bake_file = push.write_excerpt(services, catalogue, target)
+    call = buildx.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), variables)
     repository = f"{services.registry}/{NAMESPACE}/again"
-    _, manifest = publish.push_by_digest(services, call, repository)
-    assert [layer.digest for layer in registry.layers(services, f"{repository}@{manifest}")] == image.layers
+    _, manifest = push.push_by_digest(services, call, repository)
+    assert [layer.digest for layer in regctl.layers(services, f"{repository}@{manifest}")] == image.layers
     assert manifest == image.result["manifest"]
 
 
@@ -77,7 +80,7 @@ def test_a_containerizers_flow(services: Services, published: Publish, tmp_path:
 def test_ros_2_from_wheels_is_a_row_of_its_own(published: Publish) -> None:
     """rclpy talks under the entrypoint, as root and as a user: its structure tests say so."""
     image = published("jazzy-wheels-core")
-    report = verify.read_report(ROOT / ".state" / "tests" / image.image.target / "report", ("ros2-wheels",))
+    report = structure_tests.read_report(ROOT / ".state" / "tests" / image.image.target / "report", ("ros2-wheels",))
     assert [outcome.name for outcome in report.outcomes if outcome.passed and "talk" in outcome.name]
 
 
@@ -93,5 +96,5 @@ def test_a_base_image_is_the_same_wherever_it_is_made(services: Services, tmp_pa
     place = f"{services.registry}/library/debian"
     here = base_images.find(services, suite, architecture)
     assert here, "the tests before have made it"
-    made, known = (registry.layers(services, f"{place}@{digest}") for digest in (elsewhere, here))
+    made, known = (regctl.layers(services, f"{place}@{digest}") for digest in (elsewhere, here))
     assert [layer.digest for layer in made] == [layer.digest for layer in known]

@@ -15,11 +15,14 @@ from typing import Any
 
 import pytest
 
-from rosml import ROOT, oci, payloads, policy, sbom, scan
-from rosml.expand import Catalogue
-from rosml.scan import Outcome, Part
-from rosml.services import Services
-from rosml.trivy import Database, ScannerFailed, Trivy
+from rosml import ROOT
+from rosml.build import part as building
+from rosml.images.image_set import Catalogue
+from rosml.machine.services import Services
+from rosml.registry import oci
+from rosml.scan import judge, policy, sbom
+from rosml.scan.judge import Outcome, Part
+from rosml.scan.trivy import Database, ScannerFailed, Trivy
 from tests.e2e.conftest import LOG, NAMESPACE, Published
 from tests.e2e.mini import NATIVE
 from tests.e2e.vulnerabilities import UPDATED, installed, put, put_database, rules_with, write_database
@@ -62,8 +65,8 @@ class Joined:
 @pytest.fixture(scope="module")
 def joined(services: Services, catalogue: Catalogue, registry: Any, published: Callable[[str], Published]) -> Joined:
     ros = published("bookworm-core")
-    item = payloads.find(catalogue, "common-cu128-py311")
-    made = payloads.publish(services, catalogue, item, LOG.info, NAMESPACE)
+    item = building.find(catalogue, "common-cu128-py311")
+    made = building.publish(services, catalogue, item, LOG.info, NAMESPACE)
     index = registry.manifest(f"{NAMESPACE}/payload", made.digest).content
     wheels = next(
         (it["digest"] for it in index.get("manifests", []) if it["platform"]["architecture"] == NATIVE), made.digest
@@ -119,10 +122,10 @@ def test_parts_are_scanned(
     trivy: Trivy, rules: policy.Rules, database: Database, registry: Any, joined: Joined
 ) -> None:
     """Debian's packages and Python's wheels; what no version mends is listed, and what is mended here is not."""
-    image = scan.Image("bookworm-core-common-cu128", NATIVE, joined.parts)
+    image = judge.Image("bookworm-core-common-cu128", NATIVE, joined.parts)
     shelf = sbom.Shelf(registry, f"trivy {trivy.version}")
     facts: dict[str, Any] = {"now": datetime.now(UTC), "whole": True, "say": LOG.info}
-    run = scan.scan_images([image], rules, trivy, shelf, **facts)
+    run = judge.scan_images([image], rules, trivy, shelf, **facts)
     (scanned,) = run.images
     assert scanned.outcome is Outcome.POLICY_FAILED, scanned.reason
     assert {(it.id, it.part) for it in scanned.failing} == {
@@ -134,7 +137,7 @@ def test_parts_are_scanned(
     assert scanned.packages > 400
 
     said: list[str] = []
-    again = scan.scan_images([image], rules, trivy, shelf, **{**facts, "say": said.append})
+    again = judge.scan_images([image], rules, trivy, shelf, **{**facts, "say": said.append})
     assert again.images == run.images
     assert said == ["scan bookworm-core", "scan common-cu128-py311"]  # no layer was read again
 
@@ -143,7 +146,7 @@ def test_by_sbom_and_by_digest_the_same_is_found(
     trivy: Trivy, rules: policy.Rules, database: Database, registry: Any, joined: Joined, services: Services
 ) -> None:
     """The sum of the parts' findings is what trivy finds in the joined image itself."""
-    scanner = scan.Scanner(trivy, sbom.Shelf(registry, f"trivy {trivy.version}"), database, LOG.info)
+    scanner = judge.Scanner(trivy, sbom.Shelf(registry, f"trivy {trivy.version}"), database, LOG.info)
     parts = {(it.id, it.package, it.installed) for part in joined.parts for it in scanner.report(part).findings}
     file = trivy.folder / "report.json"
     reference = f"{services.registry}/{joined.repository}@{joined.digest}"
@@ -166,9 +169,9 @@ def test_a_database_that_is_too_old(
 ) -> None:
     old = Trivy(trivy.program, trivy.version, tmp_path, trivy.environment)
     write_database(tmp_path / "db", UPDATED - timedelta(days=9))
-    image = scan.Image("joined", NATIVE, joined.parts)
+    image = judge.Image("joined", NATIVE, joined.parts)
     shelf = sbom.Shelf(registry, f"trivy {trivy.version}")
-    run = scan.scan_images([image], rules, old, shelf, now=datetime.now(UTC), whole=True)
+    run = judge.scan_images([image], rules, old, shelf, now=datetime.now(UTC), whole=True)
     assert run.outcome is Outcome.SCANNER_FAILED
     assert "was made 9 days ago" in run.images[0].reason
 

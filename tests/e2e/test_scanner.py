@@ -14,10 +14,12 @@ from pathlib import Path
 
 import pytest
 
-from rosml import certificates, oci, sbom, scan
-from rosml.scan import Outcome, Part
-from rosml.services import Services
-from rosml.trivy import ScannerFailed, Trivy
+from rosml.machine import trust
+from rosml.machine.services import Services
+from rosml.registry import oci
+from rosml.scan import judge, sbom
+from rosml.scan.judge import Outcome, Part
+from rosml.scan.trivy import ScannerFailed, Trivy
 from tests.e2e import secure
 from tests.e2e.conftest import LOG
 from tests.e2e.mini import NATIVE
@@ -63,7 +65,7 @@ class Place:
         return oci.Registry(self.secure.host)
 
     def trivy(self, folder: Path) -> Trivy:
-        return installed(folder, certificates.trusting(self.services))
+        return installed(folder, trust.trusting(self.services))
 
     def put_image(self) -> Part:
         """Uploads the small image."""
@@ -105,8 +107,8 @@ def test_it_finds_what_it_must(place: Place, tmp_path: Path) -> None:
     trivy, part = place.trivy(tmp_path / "trivy"), place.put_image()
     trivy.fetch(rules.policy.database, say=LOG.info)
     shelf = sbom.Shelf(place.client(), f"trivy {trivy.version}")
-    image = scan.Image("small", NATIVE, (part,))
-    run = scan.scan_images([image], rules, trivy, shelf, now=datetime.now(UTC), whole=True, say=LOG.info)
+    image = judge.Image("small", NATIVE, (part,))
+    run = judge.scan_images([image], rules, trivy, shelf, now=datetime.now(UTC), whole=True, say=LOG.info)
     (scanned,) = run.images
     assert scanned.outcome is Outcome.POLICY_FAILED, scanned.reason
     assert {it.id for it in scanned.failing} == {"CVE-2026-90001", "CVE-2026-90004"}

@@ -16,10 +16,10 @@ import pytest
 
 from machine import network
 from machine import services as setup
-from rosml import oci
-from rosml import registry as images
-from rosml.ledger import Ledger
-from rosml.services import Services
+from rosml.machine import regctl as images
+from rosml.machine.services import Services
+from rosml.records.ledger import Ledger
+from rosml.registry import oci
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.builders import builder

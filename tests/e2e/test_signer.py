@@ -9,8 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from rosml import ROOT, certificates, oci
-from rosml.signer import Signer, SignerFailed
+from rosml import ROOT
+from rosml.machine import trust
+from rosml.publish.sign import Signer, SignerFailed
+from rosml.registry import oci
 from tests.e2e import secure
 from tests.e2e.secure import PASSWORD, Secure
 
@@ -40,7 +42,7 @@ def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mo
         index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []}
         digest = oci.Registry(found.host).put_manifest("images/small", "latest", index, oci.INDEX)
         reference = f"{found.host}/images/small@{digest}"
-        yield Place(found, reference, {**certificates.trusting(services), **key})
+        yield Place(found, reference, {**trust.trusting(services), **key})
 
 
 def test_it_signs_once_and_knows_its_signature(place: Place) -> None:

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from rosml import registry
-from rosml.expand import Catalogue
-from rosml.services import Services
+from rosml.images.image_set import Catalogue
+from rosml.machine import regctl
+from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE
 from tests.e2e.images import Publish, build, push_payload
 
@@ -26,7 +26,7 @@ def test_tensorflow_without_cuda(services: Services, published: Publish, target:
     image = published(target)
     assert image.result["failed"] == 0
     assert image.image.budget
-    payloads = registry.layers(services, image.reference)[-len(image.image.parts) :]
+    payloads = regctl.layers(services, image.reference)[-len(image.image.parts) :]
     assert sum(layer.size for layer in payloads) <= image.image.budget * 1_000_000
 
 

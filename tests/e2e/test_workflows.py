@@ -18,10 +18,10 @@ import pytest
 import yaml
 
 from rosml import ROOT
-from rosml.errors import RosmlError
-from rosml.ledger import Ledger
-from rosml.programs import pinned_version
-from rosml.services import Services
+from rosml.base.errors import RosmlError
+from rosml.base.programs import pinned_version
+from rosml.machine.services import Services
+from rosml.records.ledger import Ledger
 from tests.act import Played, play, workflow
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG

@@ -20,8 +20,11 @@ from machine import network
 from machine.console import Failure
 from machine.install import Installer
 from machine.state import State
-from rosml import ROOT, oci, policy, source
-from rosml.trivy import ScannerFailed, Trivy
+from rosml import ROOT
+from rosml.matrix import source
+from rosml.registry import oci
+from rosml.scan import policy
+from rosml.scan.trivy import ScannerFailed, Trivy
 
 UPDATED = datetime.now(UTC).replace(microsecond=0) - timedelta(hours=1)
 

@@ -88,7 +88,7 @@ def oxlint(*files: Path) -> None:
 
 
 def test_oxlint() -> None:
-    oxlint(*sorted((ROOT / "rosml/page").glob("*.js")))
+    oxlint(*sorted((ROOT / "rosml/catalogue/page").glob("*.js")))
 
 
 BAD = {

@@ -17,9 +17,12 @@ from shelf import FIRST, Shelf, shown
 
 from bench import synthetic
 from machine.commands import BROWSERS
-from rosml import ROOT, expand, site, source
-from rosml.catalogue import Published
-from rosml.gather import Gatherer
+from rosml import ROOT
+from rosml.catalogue import site
+from rosml.catalogue.model import Published
+from rosml.catalogue.read import Gatherer
+from rosml.images import load
+from rosml.matrix import source
 
 NOW = "2026-11-22T06:00:00Z"
 REGISTRY = "ghcr.io/me/rosml"
@@ -59,7 +62,7 @@ def gather(shelf: Shelf) -> Published:
 @pytest.fixture(scope="session")
 def published() -> Published:
     """Three nights of bookworm and trixie, and all that our matrix describes beside them."""
-    return gather(shown(expand.load(ROOT / "matrix.yaml", ROOT)))
+    return gather(shown(load.load(ROOT / "matrix.yaml", ROOT)))
 
 
 @pytest.fixture(scope="session")
@@ -73,7 +76,7 @@ def folder(published: Published, tmp_path_factory: pytest.TempPathFactory) -> Pa
 @pytest.fixture(scope="session")
 def thousand(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same of a matrix with more than 1,000 images, each with two platforms."""
-    catalogue = expand.catalogue(source.parse(synthetic.matrix(1000).encode()))
+    catalogue = load.catalogue(source.parse(synthetic.matrix(1000).encode()))
     shelf = Shelf(catalogue)
     shelf.night(FIRST, catalogue.matrix.distributions)
     path = tmp_path_factory.mktemp("page") / "thousand"

@@ -15,9 +15,11 @@ from typing import Any
 import pytest
 from shelf import Shelf
 
-from rosml import ROOT, expand, site
-from rosml.catalogue import Image, Published
-from rosml.gather import Gatherer
+from rosml import ROOT
+from rosml.catalogue import site
+from rosml.catalogue.model import Image, Published
+from rosml.catalogue.read import Gatherer
+from rosml.images import load
 from tests.page.conftest import NARROW, NOW, REGISTRY, WIDE, Window, Windows, expect
 
 LOG = logging.getLogger("page")
@@ -297,7 +299,7 @@ def test_a_typo_is_told(window: Windows) -> None:
 
 def test_every_tag_that_is_offered_can_be_compared(browser: Any, tmp_path: Path) -> None:
     """After twelve nights as well, of which each left a dated tag."""
-    shelf = Shelf(expand.load(ROOT / "matrix.yaml", ROOT))
+    shelf = Shelf(load.load(ROOT / "matrix.yaml", ROOT))
     for night in range(12):
         shelf.torch = str(night)
         shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["bookworm"])

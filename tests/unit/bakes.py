@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 from conftest import ROOT
 
-from rosml.errors import RosmlError
+from rosml.base.errors import RosmlError
 
 
 def buildx() -> list[str]:

@@ -18,7 +18,11 @@ set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
 import projects  # noqa: E402
 from stubs import answering_registry  # noqa: E402
 
-from rosml import expand, names, source  # noqa: E402
+from rosml.images import image_set, load, locked  # noqa: E402
+from rosml.matrix import (  # noqa: E402
+    names,
+    source,
+)
 
 SMALL = f"""\
 version: 1
@@ -142,15 +146,15 @@ disk:
 )
 """The small matrix and a distribution that comes from wheels, for fewer architectures than its operating system."""
 
-Parse = Callable[[str], expand.Catalogue]
+Parse = Callable[[str], image_set.Catalogue]
 
 
-def parse(text: str) -> expand.Catalogue:
+def parse(text: str) -> image_set.Catalogue:
     """The catalogue of a matrix's text."""
-    return expand.catalogue(source.parse(text.encode()))
+    return load.catalogue(source.parse(text.encode()))
 
 
-def write_locks(root: Path, catalogue: expand.Catalogue) -> None:
+def write_locks(root: Path, catalogue: image_set.Catalogue) -> None:
     """Every lock of a catalogue, as far as it is looked at without a build."""
     for payload in catalogue.payloads:
         for architecture, lock in zip(payload.architectures, payload.locks, strict=True):
@@ -172,15 +176,15 @@ def changed(old: str, new: str, text: str = SMALL) -> str:
 
 
 @pytest.fixture(scope="session")
-def small() -> expand.Catalogue:
+def small() -> image_set.Catalogue:
     """The catalogue of the small matrix."""
     return parse(SMALL)
 
 
 @pytest.fixture(scope="session")
-def real() -> expand.Catalogue:
+def real() -> image_set.Catalogue:
     """The catalogue of the project's matrix."""
-    return expand.load(ROOT / "matrix.yaml")
+    return load.load(ROOT / "matrix.yaml")
 
 
 @pytest.fixture(scope="session")
@@ -204,11 +208,11 @@ def project(tmp_path: Path, sources: Path) -> Path:
 
 
 @pytest.fixture
-def catalogue(project: Path) -> expand.Catalogue:
+def catalogue(project: Path) -> image_set.Catalogue:
     """The catalogue of the smaller matrix, with all locks in the project."""
     found = parse(SMALLER)
     write_locks(project, found)
-    return expand.with_locks(found, expand.current_locks(found, project))
+    return locked.with_locks(found, locked.current_locks(found, project))
 
 
 @pytest.fixture

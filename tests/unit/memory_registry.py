@@ -12,16 +12,21 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from steps import do
 
-from rosml import agenda, ledger, promote, provenance, registry, upstream
-from rosml.agenda import Agenda
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image, Payload, repository_of
-from rosml.maker import Checked, Made, Maker
-from rosml.oci import Manifest
-from rosml.pipeline import Outcome, Pipeline, title
-from rosml.services import Services
-from rosml.signer import SignerFailed
+from rosml.base.errors import RosmlError
+from rosml.build import package_state
+from rosml.build.maker import Checked, Made, Maker
+from rosml.images.image_set import Catalogue, Image, Payload, repository_of
+from rosml.images.labels import title
+from rosml.machine import regctl
+from rosml.machine.services import Services
+from rosml.publish import plan, provenance, undo
+from rosml.publish.pipeline import Outcome, Pipeline
+from rosml.publish.plan import Agenda
+from rosml.publish.sign import SignerFailed
+from rosml.records import ledger, tag_moves
+from rosml.registry.oci import Manifest
 
 HOST = "registry.example"
 PREFIX = "rosml"
@@ -285,7 +290,7 @@ class Run(Pipeline):
 
 @dataclass
 class Pen:
-    """Signs as `signer.Signer` does.
+    """Signs as `Signer` does.
 
     Attributes:
         registry: counts a signature as a write. signed: references that have one. asked: how often it was asked for one.
@@ -325,7 +330,7 @@ class Place:
         """A run for both architectures, unless told otherwise; nothing is done yet."""
         own = {name: options.pop(name) for name in ("poisoned", "broken", "packages", "odd") if name in options}
         architectures = options.pop("architectures", ("amd64", "arm64"))
-        found = agenda.survey(
+        found = plan.survey(
             self.services, catalogue, self.registry, PREFIX, architectures=architectures, date=date, **options
         )
         maker = Bytes(found, self.registry, **own)
@@ -335,12 +340,12 @@ class Place:
         """A run with all its steps."""
         run = self.run(catalogue, **options)
         for step in STEPS:
-            getattr(run, step)()
+            do(run, step)
         return run
 
     def undo(self, run: str = "", date: str = LATER) -> list[Outcome]:
         """Moves tags back to where they were before a run, the last one if empty."""
-        return promote.undo(ledger.Ledger(self.registry, PREFIX), date, run)
+        return undo.undo(ledger.Ledger(self.registry, PREFIX), date, run)
 
     def tagged(self, repository: str) -> dict[str, str]:
         """Tags of a repository and where they point."""
@@ -350,7 +355,7 @@ class Place:
         """What must hold at any time: tags point at whole, tested images, and nothing that is there is in pieces."""
         entries = {}
         for name in self.registry.tags(f"{PREFIX}/{ledger.REPOSITORY}"):
-            if not name.startswith(promote.UNDO):
+            if not name.startswith(tag_moves.UNDO):
                 target, _, architecture = name.rpartition(".")
                 entries[target, architecture] = ledger.Ledger(self.registry, PREFIX).read(target, architecture)
         passed = {entry.digest for entry in entries.values() if entry and entry.passed and not entry.failures}
@@ -391,8 +396,8 @@ def waiting(run: Run, target: str) -> list[str]:
 def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Place:
     """A place whose regctl and repositories of packages are in memory as well."""
     found = Place(services)
-    monkeypatch.setattr(registry, "create_index", lambda *a: found.registry.create_index(*a))
-    monkeypatch.setattr(registry, "tag", lambda *a: found.registry.regctl_tag(*a))
+    monkeypatch.setattr(regctl, "create_index", lambda *a: found.registry.create_index(*a))
+    monkeypatch.setattr(regctl, "tag", lambda *a: found.registry.regctl_tag(*a))
 
     def state(_matrix: object, distribution: str) -> str:
         answer = found.upstream[distribution]
@@ -400,7 +405,7 @@ def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> 
             raise RosmlError("http://packages.example does not answer", "check the network")
         return answer
 
-    monkeypatch.setattr(upstream, "state", state)
+    monkeypatch.setattr(package_state, "state", state)
     return found
 
 

@@ -15,7 +15,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
-from rosml.oci import INDEX, digest_of, encoded
+from rosml.registry.oci import INDEX, digest_of, encoded
 
 DROP = "drop"
 """A fault: the connection ends without an answer. A number is the status of an answer."""

@@ -11,12 +11,12 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from rosml.oci import Manifest
-from rosml.policy import Rules, parsed
-from rosml.sbom import Shelf
-from rosml.scan import Image, Part
-from rosml.source import parse
-from rosml.trivy import Trivy
+from rosml.matrix.source import parse
+from rosml.registry.oci import Manifest
+from rosml.scan.judge import Image, Part
+from rosml.scan.policy import Rules, parsed
+from rosml.scan.sbom import Shelf
+from rosml.scan.trivy import Trivy
 
 NOW = datetime(2026, 11, 22, 3, 0, tzinfo=UTC)
 VERSION = "0.65.0"

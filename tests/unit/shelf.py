@@ -11,18 +11,19 @@ from dataclasses import dataclass, field
 
 from memory_registry import IMAGE, INDEX, PREFIX, MemoryRegistry
 
-from rosml import expand, promote
-from rosml.agenda import INDEX as INDEX_ENTRY
-from rosml.expand import Catalogue, Payload, repository_of
-from rosml.labels import of_payload
-from rosml.ledger import ANNOTATION, Entry, Ledger
-from rosml.pipeline import DATE
+from rosml.images import image_set
+from rosml.images.image_set import Catalogue, Payload, repository_of
+from rosml.images.labels import of_payload
+from rosml.matrix import names
+from rosml.records import tag_moves
+from rosml.records.ledger import ANNOTATION, DATE, Entry, Ledger
+from rosml.records.ledger import INDEX as INDEX_ENTRY
 
 FIRST = "2026-11-20T03:00:00Z"
 SECOND = "2026-11-21T03:00:00Z"
 THIRD = "2026-11-22T03:00:00Z"
 
-Thing = expand.Image | Payload
+Thing = image_set.Image | Payload
 
 
 def layer_digest(text: str) -> str:
@@ -48,16 +49,16 @@ class Shelf:
         images = [i for i in self.catalogue.images if i.distribution in distributions and i.locked]
         names = {name for image in images for name in image.parts}
         payloads = [payload for payload in self.catalogue.payloads if payload.name in names]
-        moves: list[promote.Move] = []
+        moves: list[tag_moves.Move] = []
         things: list[Thing] = [*payloads, *images]
         for thing in things:
             kept = tuple(a for a in thing.architectures if not architectures or a in architectures)
             if kept:
                 moves += self._publish(thing, date, kept)
         text = json.dumps({"date": date, "moves": [move.to_json() for move in moves]})
-        Ledger(self.registry, PREFIX).artifact(promote.record_name(date), text.encode(), {ANNOTATION: "{}"})
+        Ledger(self.registry, PREFIX).artifact(tag_moves.record_name(date), text.encode(), {ANNOTATION: "{}"})
 
-    def _publish(self, thing: Thing, date: str, architectures: tuple[str, ...]) -> list[promote.Move]:
+    def _publish(self, thing: Thing, date: str, architectures: tuple[str, ...]) -> list[tag_moves.Move]:
         book, repository = Ledger(self.registry, PREFIX), f"{PREFIX}/{repository_of(thing)}"
         members = {architecture: self._manifest(thing, architecture) for architecture in architectures}
         platforms = [
@@ -77,7 +78,7 @@ class Shelf:
         digest = self.registry.put_manifest(repository, "", content, INDEX)
         tags = [main] if isinstance(thing, Payload) else [tag.split(":")[1] for tag in thing.tags]
         old = self.registry.head(repository, main)
-        for tag in (*tags, promote.dated(main, date)):
+        for tag in (*tags, names.dated(main, date)):
             self.registry.names.setdefault(repository, {})[tag] = digest
         for architecture, member in members.items():
             entry = self._entry(thing, architecture, member, date)
@@ -85,7 +86,7 @@ class Shelf:
             book.attach(entry, {})
         facts = Entry(thing.target, INDEX_ENTRY, repository=repository_of(thing), digest=digest, parts=members)
         book.write(facts, {})
-        return [promote.Move(repository_of(thing), tag, old, digest) for tag in tags]
+        return [tag_moves.Move(repository_of(thing), tag, old, digest) for tag in tags]
 
     def _layers(self, thing: Thing, architecture: str) -> list[tuple[str, int]]:
         """Digests and sizes, lowest first; sizes are the matrix's forecast."""
@@ -161,7 +162,7 @@ class Shelf:
             }
         )
 
-    def _ros_unpacked(self, image: expand.Image) -> int:
+    def _ros_unpacked(self, image: image_set.Image) -> int:
         ros = self.catalogue.by_target[image.parent] if image.stack else image
         return ros.disk.unpacked
 

@@ -15,7 +15,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 
-from rosml.services import Services
+from rosml.machine.services import Services
 
 
 def on_a_terminal(code: str, *arguments: str, env: Mapping[str, str]) -> tuple[int, bytes]:

@@ -10,16 +10,17 @@ from typing import Any
 import pytest
 from memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Place, Run, place
 from projects import git
+from steps import do
 from stubs import services
 
-from rosml import ledger, provenance
-from rosml.agenda import INDEX
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.labels import REVISION, SOURCE
-from rosml.ledger import ARTIFACT, Ledger
-from rosml.provenance import MEDIA_TYPE
-from rosml.prune import Pruner
+from rosml.base.errors import RosmlError
+from rosml.images.image_set import Catalogue
+from rosml.images.labels import REVISION, SOURCE
+from rosml.publish import provenance
+from rosml.publish.provenance import MEDIA_TYPE
+from rosml.publish.prune import Pruner
+from rosml.records import ledger
+from rosml.records.ledger import ARTIFACT, INDEX, Ledger
 
 ONLY = ["alpha-core", "alpha-core-torch-cu1"]
 TARGET = "alpha-core-torch-cu1"
@@ -145,9 +146,9 @@ def test_what_is_attached_goes_with_its_image(registry: Place, catalogue: Catalo
 def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, catalogue: Catalogue) -> None:
     run = registry.run(catalogue, only=ONLY)
     for step in ("build", "compose", "test", "index"):
-        getattr(run, step)()
+        do(run, step)
     registry.registry.refuses.add("attach")
-    run.promote()
+    do(run, "promote")
     assert run.failed and registry.tagged("ros") == {}
     registry.registry.refuses.clear()
     assert not registry.publish(catalogue, only=ONLY).failed

@@ -15,9 +15,13 @@ from conftest import ROOT, SMALL, changed, parse
 from counting import calls
 
 from bench import synthetic
-from rosml import bake, command, expand, files, hcl, labels, model, schema, source, sync, targets
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
+from rosml.bake import bake_file, hcl, targets
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.cli import command
+from rosml.images import apt_source, expand, labels, load
+from rosml.images.image_set import Catalogue
+from rosml.matrix import model, schema, source
 from scripts import generate_bake
 
 SCRIPT = ROOT / "scripts/generate_bake.py"
@@ -64,7 +68,7 @@ def test_block() -> None:
 
 
 def test_committed_files_are_up_to_date(real: Catalogue) -> None:
-    assert files.difference(ROOT / "docker-bake.hcl", bake.render(real)) == ""
+    assert files.difference(ROOT / "docker-bake.hcl", bake_file.render(real)) == ""
     assert files.difference(ROOT / "matrix.schema.json", schema.render()) == ""
 
 
@@ -72,7 +76,7 @@ def test_people_can_read_it() -> None:
     """The committed file, and what a new distribution adds to it."""
     text = (ROOT / "docker-bake.hcl").read_text()
     assert len(text.splitlines()) < 1_000 and len(text.encode()) < 80_000
-    eight, nine = (bake.render(parse(synthetic.matrix(count * synthetic.IMAGES))).splitlines() for count in (8, 9))
+    eight, nine = (bake_file.render(parse(synthetic.matrix(count * synthetic.IMAGES))).splitlines() for count in (8, 9))
     assert len(nine) - len(eight) <= 12, "its systems are there already"
 
 
@@ -87,7 +91,7 @@ def test_same_input_same_bytes() -> None:
 
 
 def test_no_day_but_those_of_the_matrix(real: Catalogue) -> None:
-    assert re.findall(r"\b20\d\d-\d\d-\d\d\b", bake.render(real)) == []
+    assert re.findall(r"\b20\d\d-\d\d-\d\d\b", bake_file.render(real)) == []
 
 
 # ---- Agreement with the Dockerfile -----------------------------------------------------------------------------------
@@ -198,7 +202,7 @@ def test_explain_json(small: Catalogue, small_file: Path, capsys: pytest.Capture
 def test_list_is_one_line_for_each_image(small: Catalogue, small_file: Path) -> None:
     """The project has locks for few images of the small matrix, if for any."""
     lines = generate("--list", "--matrix", small_file).stdout.splitlines()
-    unlocked = [image.target for image in expand.load(small_file).images if not image.locked]
+    unlocked = [image.target for image in load.load(small_file).images if not image.locked]
     assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in small.images]
     assert [line.split()[0] for line in lines[:-2] if " missing " in line] == unlocked
     assert lines[-2] == f"{len(small.images)} images, {len(small.payloads)} payloads"
@@ -263,11 +267,11 @@ def test_closed_pipe() -> None:
 
 
 def test_work_for_an_image_is_bounded() -> None:
-    small = expand.catalogue(source.parse(SMALL.encode())).matrix
+    small = load.catalogue(source.parse(SMALL.encode())).matrix
     rows = {f"d{n}": small.distributions["alpha"] for n in range(112)}
     big = model.Matrix.model_construct(**{**dict(small), "distributions": rows})
     assert len(expand.expand(big).images) == 2_016
-    assert calls(lambda: bake.render(expand.expand(big))) < 1_000 * 2_016
+    assert calls(lambda: bake_file.render(expand.expand(big))) < 1_000 * 2_016
 
 
 # ---- buildx ----------------------------------------------------------------------------------------------------------
@@ -277,7 +281,7 @@ def test_work_for_an_image_is_bounded() -> None:
 def small_bake(small: Catalogue, tmp_path: Path) -> Path:
     """The bake file of the small matrix, with every lock."""
     file = tmp_path / "small.hcl"
-    file.write_text(bake.render(small))
+    file.write_text(bake_file.render(small))
     return file
 
 
@@ -352,7 +356,7 @@ def test_an_excerpt_prints_as_the_whole(real: Catalogue, tmp_path: Path) -> None
     image = real.image(real.matrix.default.target)
     payload = real.payload_by_name[image.parts[0]].target
     file = tmp_path / "excerpt.hcl"
-    file.write_text(bake.excerpt(real, (image.target, image.test_target, payload)))
+    file.write_text(bake_file.excerpt(real, (image.target, image.test_target, payload)))
     roots = (image.target, image.test_target, payload, targets.FILE_LIST)
     assert printed(*roots, file=file) == printed(*roots)
 
@@ -360,7 +364,7 @@ def test_an_excerpt_prints_as_the_whole(real: Catalogue, tmp_path: Path) -> None
 def test_an_excerpt_holds_little_else() -> None:
     """Other images of the same components and stack at most."""
     large = parse(synthetic.matrix(400))
-    text = bake.excerpt(large, ("d1-base-torch-cu128",))
+    text = bake_file.excerpt(large, ("d1-base-torch-cu128",))
     assert re.findall(r"^  (d\d+) = {$", text, re.M) == ["d1"]
     assert '    stacks = { torch = ["cu128"] }\n' in text and "desktop = " not in text
     assert text.count('  { part = "') == 3
@@ -448,8 +452,8 @@ def test_where_packages_come_from(real: Catalogue) -> None:
             continue
         assert args["ROS_CHANNEL"] == targets.Overridable("ROS_CHANNEL", distribution.apt.channel)
         assert args["ROS_CODENAME"] == real.matrix.operating_systems[distribution.os].codename
-        live = sync.source(real.matrix, name, {"ROS_CHANNEL": "live"})
-        day = sync.source(real.matrix, name, {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
+        live = apt_source.source(real.matrix, name, {"ROS_CHANNEL": "live"})
+        day = apt_source.source(real.matrix, name, {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
         assert live and args["ROS_LIVE_ADDRESS"] == live.address
         assert day and str(args["ROS_SNAPSHOT_ADDRESS"]).replace("{day}", "2026-08-07") == day.address
         pinned = re.fullmatch(r"https://[^@{}]+\.deb@sha256:[0-9a-f]{64}", str(args.get("ROS_APT_SOURCE", "")))

@@ -11,7 +11,7 @@ import pytest
 from conftest import ROOT
 from stubs import on_a_terminal
 
-from rosml import bars
+from rosml.base import progress_bar
 
 CODE = """
 import sys, time, click
@@ -50,14 +50,16 @@ def test_a_bar_goes_with_an_error() -> None:
 
 
 def test_elsewhere_there_are_lines_alone(capsys: pytest.CaptureFixture[str]) -> None:
-    assert list(bars.over(iter("abc"), "locks", 3)) == ["a", "b", "c"]
+    assert list(progress_bar.over(iter("abc"), "locks", 3)) == ["a", "b", "c"]
     assert capsys.readouterr() == ("", "")
     env = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run([sys.executable, "-c", CODE], env=env, capture_output=True, text=True, check=True)
     assert done.stderr.splitlines() == ["line 0", "line 1", "line 2", "the end"]
 
 
-@pytest.mark.parametrize(("module", "title"), [("gather", "title"), ("lock", '"locks"'), ("pipeline", "step")])
+@pytest.mark.parametrize(
+    ("module", "title"), [("catalogue/read", "title"), ("locks/resolve", '"locks"'), ("publish/pipeline", "step")]
+)
 def test_long_work_has_one(module: str, title: str) -> None:
     """Reading a registry, resolving locks, and each step of publishing."""
-    assert re.search(rf"bars\.over\(.*, {title}, len\(", (ROOT / f"rosml/{module}.py").read_text())
+    assert re.search(rf"progress_bar\.over\(.*, {title}, len\(", (ROOT / f"rosml/{module}.py").read_text())

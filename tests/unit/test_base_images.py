@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 from stubs import load
 
-from rosml import base_images, registry
-from rosml.errors import RosmlError
+from rosml.base.errors import RosmlError
+from rosml.machine import base_images, regctl
 
 DIGEST = f"sha256:{'a' * 64}"
 
@@ -61,7 +61,7 @@ def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pyt
         return f"sha256:of-{repository.rpartition('/')[2]}"
 
     monkeypatch.setattr(base_images, "debian", debian)
-    monkeypatch.setattr(registry, "create_index", index)
+    monkeypatch.setattr(regctl, "create_index", index)
     assert base_images.ensure(load(tmp_path), System(), "arm64") == "docker.io/library/debian:bookworm@sha256:of-debian"
     assert made == [("bookworm", "amd64"), ("bookworm", "arm64")]
     assert base_images.ensure(load(tmp_path), System()) == "docker.io/library/debian:bookworm@sha256:amd64"

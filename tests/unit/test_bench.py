@@ -12,8 +12,10 @@ from counting import calls
 
 from bench import cli, generator, synthetic
 from bench.generator import Measured
-from rosml import bake, command, source
-from rosml.errors import RosmlError
+from rosml.bake import bake_file
+from rosml.base.errors import RosmlError
+from rosml.cli import command
+from rosml.matrix import source
 
 FINE = [Measured(1_000, 0.2), Measured(10_000, 2.0)]
 
@@ -34,7 +36,7 @@ def test_synthetic_matrices_are_valid(images: int) -> None:
 def test_work_grows_with_the_images_and_not_with_their_square() -> None:
     """Eight times the images are less than eight times the work; with their square it would be 64 times."""
     few, many = (synthetic.matrix(images) for images in (500, 4_000))
-    assert calls(lambda: bake.render(parse(many))) < 8 * calls(lambda: bake.render(parse(few)))
+    assert calls(lambda: bake_file.render(parse(many))) < 8 * calls(lambda: bake_file.render(parse(few)))
 
 
 def test_within_the_limits() -> None:

@@ -13,12 +13,14 @@ from stubs import services
 
 from bench import idle_run, many_tags
 from bench.second_image import NAMESPACE, Comparison, Side
-from rosml import base_images, oci, upstream
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image, Payload, repository_of
-from rosml.maker import Checked, Made, Maker
-from rosml.names import repository_path
-from rosml.publish import Publisher
+from rosml.base.errors import RosmlError
+from rosml.build import package_state
+from rosml.build.maker import Checked, Made, Maker
+from rosml.build.publisher import Publisher
+from rosml.images.image_set import Catalogue, Image, Payload, repository_of
+from rosml.machine import base_images
+from rosml.registry import oci
+from rosml.registry.repositories import repository_path
 from tests.e2e import parts
 
 TARGET = "alpha-core-torch-cu1"
@@ -68,7 +70,7 @@ def registry() -> Iterator[StandIn]:
 
 @pytest.fixture
 def publisher(registry: StandIn, catalogue: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
-    monkeypatch.setattr(upstream, "state", lambda *_: "monday")
+    monkeypatch.setattr(package_state, "state", lambda *_: "monday")
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     found = services(tmp_path / "project", registry.address)
     return Publisher(found, catalogue, lambda _: None, NAMESPACE, "amd64")
@@ -129,7 +131,7 @@ def test_a_run_that_would_do_something_is_no_measurement(
 ) -> None:
     """The packages move while it is measured: nothing is built for that."""
     days = iter(["monday"] * 2)  # one for each distribution
-    monkeypatch.setattr(upstream, "state", lambda *_: next(days, "tuesday"))
+    monkeypatch.setattr(package_state, "state", lambda *_: next(days, "tuesday"))
     with pytest.raises(RosmlError, match="alpha-core because packages moved from monday to tuesday"):
         idle_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
     assert left(registry, "night") == {}

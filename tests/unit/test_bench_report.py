@@ -14,7 +14,7 @@ from bench import report
 from bench.idle_run import IdleRun
 from bench.many_tags import Grown, Growth
 from bench.second_image import Comparison, Side
-from rosml.errors import RosmlError
+from rosml.base.errors import RosmlError
 
 LIMITS = {"real": 0.5, "largest": 3.0}
 GENERATOR: dict[str, Any] = {

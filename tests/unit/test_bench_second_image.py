@@ -17,9 +17,11 @@ from bench import cli, generator, many_tags, second_image
 from bench.idle_run import IdleRun
 from bench.many_tags import Grown, Growth
 from bench.second_image import Comparison, Side
-from rosml import command, expand
-from rosml.errors import RosmlError
-from rosml.publish import COMPRESSION, Publisher
+from rosml.base.errors import RosmlError
+from rosml.build.publisher import Publisher
+from rosml.build.push import COMPRESSION
+from rosml.cli import command
+from rosml.images import image_set
 
 TARGET = "alpha-base-torch-cu1"
 REPOSITORY = "/bench/ros-torch@sha256:"
@@ -68,7 +70,7 @@ def step(name: str, **facts: Any) -> str:
 class Stage:
     """A checkout with stand-ins."""
 
-    def __init__(self, folder: Path, registry: str, catalogue: expand.Catalogue) -> None:
+    def __init__(self, folder: Path, registry: str, catalogue: image_set.Catalogue) -> None:
         self.folder, self.catalogue, self.said = folder, catalogue, list[str]()
         for number, layers in enumerate(PUSHED.values(), 1):
             entries = [{"digest": name, "size": size} for name, size in layers.items()]
@@ -112,7 +114,7 @@ class Stage:
 
 
 @pytest.fixture
-def stage(tmp_path: Path, registry: str, small: expand.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
+def stage(tmp_path: Path, registry: str, small: image_set.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
     free(monkeypatch, 1_000_000)
     return Stage(tmp_path, registry, small)
 
@@ -266,7 +268,7 @@ def test_a_lock_for_another_index(stage: Stage) -> None:
     assert caught.value.exit_code == 2
 
 
-def test_services_that_are_down(tmp_path: Path, small: expand.Catalogue) -> None:
+def test_services_that_are_down(tmp_path: Path, small: image_set.Catalogue) -> None:
     write_locks(tmp_path, small)
     publisher = Publisher(services(tmp_path), small, print, second_image.NAMESPACE)
     with pytest.raises(RosmlError, match=r"the local registry at .* does not answer"):

@@ -26,8 +26,8 @@ from machine import commands, console, install, mounts, network, services
 from machine.console import Failure
 from machine.daemon import Daemon, command_line, wait_until
 from machine.state import LONGEST_SOCKET_PATH, State, read_json, write_atomically
-from rosml.errors import RosmlError
-from rosml.services import Services
+from rosml.base.errors import RosmlError
+from rosml.machine.services import Services
 
 ROOT = Path(__file__).resolve().parents[2]
 

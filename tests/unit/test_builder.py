@@ -15,11 +15,11 @@ from typing import Any
 import pytest
 from stubs import answering_registry, buildx, calls, services
 
-from rosml import builder
-from rosml.builder import Bake
-from rosml.errors import RosmlError
-from rosml.progress import WAITING, BuildProgress
-from rosml.services import Services
+from rosml.base.errors import RosmlError
+from rosml.machine import buildx as builder
+from rosml.machine.buildx import Bake
+from rosml.machine.progress import WAITING, BuildProgress
+from rosml.machine.services import Services
 
 NAME = "[a ros 1/2] RUN --mount=type=secret,id=ca-bundle /run/components/ros/install.sh ros-core"
 DAY = "2026-11-21T11:03:"

@@ -16,12 +16,16 @@ from projects import copy
 from shelf import FIRST, SECOND, THIRD, Shelf, shown
 from stubs import services
 
-from rosml import expand, ledger, oci, promote, schema, site
-from rosml.catalogue import Image, Published, status
-from rosml.catalogue import Tests as Ran
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.gather import Gatherer
+from rosml.base.errors import RosmlError
+from rosml.catalogue import site
+from rosml.catalogue.model import Image, Published, status
+from rosml.catalogue.model import Tests as Ran
+from rosml.catalogue.read import Gatherer
+from rosml.images import locked
+from rosml.images.image_set import Catalogue
+from rosml.matrix import schema
+from rosml.records import ledger, tag_moves
+from rosml.registry import oci
 from scripts import catalogue as command
 
 NOW = "2026-11-22T06:00:00Z"
@@ -55,7 +59,7 @@ def published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Place, C
     project = copy(tmp_path / "project")
     catalogue = parse(SMALL.replace("components: [core, base, desktop]", "components: [core, base]"))
     write_locks(project, catalogue)
-    catalogue = expand.with_locks(catalogue, expand.current_locks(catalogue, project))
+    catalogue = locked.with_locks(catalogue, locked.current_locks(catalogue, project))
     where = place(project, services(project), monkeypatch)
     where.publish(catalogue)
     return where, catalogue
@@ -253,10 +257,10 @@ def test_a_damaged_record_is_told(real: Catalogue, text: str) -> None:
     shelf = Shelf(real)
     shelf.night(FIRST, ["bookworm"])
     book = ledger.Ledger(shelf.registry, PREFIX)
-    book.artifact(promote.record_name(SECOND), text.encode(), {})
+    book.artifact(tag_moves.record_name(SECOND), text.encode(), {})
     gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
     assert [move.run for move in image(gatherer.gather(NOW), TORCH).moves] == [FIRST]
-    assert gatherer.remarks == [f"the record {promote.record_name(SECOND)} cannot be read"]
+    assert gatherer.remarks == [f"the record {tag_moves.record_name(SECOND)} cannot be read"]
 
 
 def without_what_is_attached(registry: MemoryRegistry) -> MemoryRegistry:
@@ -349,7 +353,7 @@ def test_what_format_1_promised_is_still_there() -> None:
 
 def test_the_schema_is_that_of_the_model_and_open_to_later_fields() -> None:
     text = (ROOT / "catalogue.schema.json").read_text()
-    assert text == schema.render(Published, "rosml/catalogue.py", read=True)
+    assert text == schema.render(Published, "rosml/catalogue/model.py", read=True)
     assert '"additionalProperties": false' not in text
     assert '"additionalProperties": false' in schema.render(), "the matrix is held to its keys"
 

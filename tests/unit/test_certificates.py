@@ -17,9 +17,10 @@ import trustme
 from stubs import services
 
 from machine import network
-from rosml import certificates, oci, registry
-from rosml.errors import RosmlError
-from rosml.oci import Registry
+from rosml.base.errors import RosmlError
+from rosml.machine import regctl, trust
+from rosml.registry import certificates, oci
+from rosml.registry.oci import Registry
 
 NOW = datetime.datetime.now(datetime.UTC)
 DAY = datetime.timedelta(days=1)
@@ -152,13 +153,13 @@ def test_what_looks_for_authorities_in_a_bundle_gets_one(docker: Path, tmp_path:
     base = tmp_path / "base.pem"
     base.write_text("the usual ones\n")
     here = services(tmp_path, ca_bundle=str(base))
-    assert certificates.trusting(here)["SSL_CERT_FILE"] == str(base)
+    assert trust.trusting(here)["SSL_CERT_FILE"] == str(base)
     file = put(docker, "reg.example", trustme.CA())
-    bundle = Path(certificates.trusting(here)["SSL_CERT_FILE"])
+    bundle = Path(trust.trusting(here)["SSL_CERT_FILE"])
     assert "the usual ones" in bundle.read_text() and file.read_text() in bundle.read_text()
     base.unlink()
     with pytest.raises(RosmlError, match=r"cannot read .*base\.pem: No such file"):
-        certificates.trusting(here)
+        trust.trusting(here)
 
 
 def test_regctl_speaks_tls_to_this_machine_where_there_are_certificates(docker: Path, tmp_path: Path) -> None:
@@ -166,8 +167,8 @@ def test_regctl_speaks_tls_to_this_machine_where_there_are_certificates(docker: 
     program.write_text('#!/bin/sh\necho "$@"\n')
     program.chmod(0o755)
     here = services(tmp_path, regctl=str(program))
-    assert "tls=disabled" in registry.regctl(here, "127.0.0.1:5001/a:b")
+    assert "tls=disabled" in regctl.regctl(here, "127.0.0.1:5001/a:b")
     put(docker, "127.0.0.1:5001", trustme.CA())
-    assert "tls=disabled" not in registry.regctl(here, "127.0.0.1:5001/a:b")
+    assert "tls=disabled" not in regctl.regctl(here, "127.0.0.1:5001/a:b")
     assert Registry("127.0.0.1:5001").base.scheme == "https"
     assert Registry("127.0.0.1:5002").base.scheme == "http"

@@ -11,13 +11,19 @@ from click.testing import CliRunner
 from conftest import ROOT, SMALL, parse
 from memory_registry import DAY, HOST, NEXT, PREFIX, Place, place, steps
 from projects import copy, diff
+from steps import do
 from stubs import services
 
-from rosml import changed, ci, difference, expand, pipeline, report, summary
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.inputs import Inputs
-from rosml.lock import Move
+from rosml.bake import diff as differences
+from rosml.bake import pull_request
+from rosml.bake.inputs import Inputs
+from rosml.base import ci, units
+from rosml.base.errors import RosmlError
+from rosml.cli import report
+from rosml.images import locked
+from rosml.images.image_set import Catalogue
+from rosml.locks.resolve import Move
+from rosml.publish import plan_file
 from scripts import lock, publish
 
 
@@ -149,7 +155,7 @@ def test_steps_take_from_the_plan_what_it_was_called_with(
 ) -> None:
     _, text = content(registry, catalogue, force=True, serving=("amd64",))
     (tmp_path / "plan.json").write_text(text)
-    planned = pipeline.read_plan(tmp_path / "plan.json", "arm64-1")
+    planned = plan_file.read_plan(tmp_path / "plan.json", "arm64-1")
     assert (planned.date, planned.registry, planned.force) == (DAY, f"{HOST}/{PREFIX}", True)
     assert (planned.serve, planned.architectures) == (("amd64",), ("arm64",))
 
@@ -176,11 +182,11 @@ def test_a_plan_that_is_none(registry: Place, catalogue: Catalogue, tmp_path: Pa
     plan, _ = content(registry, catalogue)
     (tmp_path / "plan.json").write_text(json.dumps(plan | change))
     with pytest.raises(RosmlError) as caught:
-        pipeline.read_plan(tmp_path / "plan.json")
+        plan_file.read_plan(tmp_path / "plan.json")
     assert caught.value.exit_code == 2
     (tmp_path / "plan.json").write_text("[" * 100_000)
     with pytest.raises(RosmlError, match="is no plan"):
-        pipeline.read_plan(tmp_path / "plan.json")
+        plan_file.read_plan(tmp_path / "plan.json")
 
 
 def test_force_makes_everything_anew_once_on_several_machines(registry: Place, catalogue: Catalogue) -> None:
@@ -189,7 +195,7 @@ def test_force_makes_everything_anew_once_on_several_machines(registry: Place, c
     made = []
     for step in ("build", "compose", "test", "index", "promote"):
         run = registry.run(catalogue, date=NEXT, force=True)
-        getattr(run, step)()
+        do(run, step)
         made += run.made
         assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
     kinds = ("build", "compose")
@@ -229,31 +235,31 @@ def test_fields_may_be_empty_or_hold_several(
 # ---- Pull requests ---------------------------------------------------------------------------------------------------
 
 
-def reached(project: Path, file: str) -> tuple[Catalogue, difference.Difference]:
+def reached(project: Path, file: str) -> tuple[Catalogue, differences.Difference]:
     old = Inputs(copy(project.parent / "old"), parse(SMALL))
     path = project / file
     path.write_text(path.read_text() + "# a change\n")
     new = parse(SMALL)
-    write = expand.with_locks(new, frozenset(lock for image in new.images for lock in image.locks))
-    return write, difference.between(old, Inputs(project, new))
+    write = locked.with_locks(new, frozenset(lock for image in new.images for lock in image.locks))
+    return write, differences.between(old, Inputs(project, new))
 
 
 def test_few_images_have_all_that_changed(project: Path) -> None:
     catalogue, found = reached(project, "components/torch/files.sh")
-    choice = changed.choose(catalogue, found, ("amd64",), 3)
+    choice = pull_request.choose(catalogue, found, ("amd64",), 3)
     assert len(choice.built) == 3
     assert all("torch" in catalogue.by_target[target].versions for target in choice.built)
     assert not set(choice.built) & set(choice.left)
     images = [catalogue.by_target[target] for target in choice.built]
     assert len({image.distribution for image in images}) > 1
-    one = changed.choose(catalogue, found, ("amd64",), 1)
+    one = pull_request.choose(catalogue, found, ("amd64",), 1)
     assert one.built == choice.built[:1]
     assert f"; left out, {len(one.left)} of {len(one.left) + 1}: " in str(one)
 
 
 def test_of_alike_ones_the_smallest(project: Path) -> None:
     catalogue, found = reached(project, "components/ros/install.sh")
-    best = catalogue.by_target[changed.choose(catalogue, found, ("amd64",), 1).built[0]]
+    best = catalogue.by_target[pull_request.choose(catalogue, found, ("amd64",), 1).built[0]]
     alike = [
         image
         for image in catalogue.images
@@ -266,20 +272,20 @@ def test_of_alike_ones_the_smallest(project: Path) -> None:
 
 def test_what_cannot_be_built_here_is_counted(project: Path) -> None:
     catalogue, found = reached(project, "components/ros/install.sh")
-    nowhere = changed.choose(catalogue, found, ("riscv64",), 3)
+    nowhere = pull_request.choose(catalogue, found, ("riscv64",), 3)
     assert (nowhere.built, nowhere.left) == ((), ())
     assert str(nowhere) == f"0 images changed; {len(found.changed)} more for other architectures"
-    unlocked = changed.choose(expand.with_locks(catalogue, frozenset()), found, ("amd64",), 99)
+    unlocked = pull_request.choose(locked.with_locks(catalogue, frozenset()), found, ("amd64",), 99)
     assert {catalogue.by_target[target].stack for target in unlocked.built} == {None}
     assert unlocked.unlocked
 
 
 def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     """Then nothing is built, rather than everything, which is what no pattern stands for."""
-    same = difference.Difference((), (), {}, same=1)
-    monkeypatch.setattr(difference, "since", lambda *_: same)
+    same = differences.Difference((), (), {}, same=1)
+    monkeypatch.setattr(differences, "since", lambda *_: same)
     monkeypatch.setattr(publish, "ROOT", ROOT)
-    from rosml.services import Services
+    from rosml.machine.services import Services
 
     monkeypatch.setattr(Services, "load", lambda root, required: None)
     done = CliRunner().invoke(publish.cli, ["all", "--since", "HEAD", "--json"])
@@ -324,7 +330,7 @@ def test_a_run_says_what_it_uploaded(
     assert built["alpha-base"] > own and sum(built.values()) < said["uploaded"]
     assert said["seconds"] >= 0
     report.show(run, as_json=False)
-    text = f"{summary.size(said['uploaded'])} uploaded, "
+    text = f"{units.size(said['uploaded'])} uploaded, "
     assert text in capsys.readouterr().out and f"- {text}" in (told / ci.SUMMARY).read_text()
     registry.registry.uploaded = 0
     nothing = registry.publish(catalogue, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
@@ -349,7 +355,7 @@ def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
     found = {tuple(row[:3]): row[3:] for row in rest}
     entry = run.agenda.known["alpha-core", "amd64"]
     state, _, size, digest, _ = found["build", "`alpha-core`", "amd64"]
-    assert (state, size, digest) == ("done", summary.size(entry.size), f"`{entry.digest[:19]}`")
+    assert (state, size, digest) == ("done", units.size(entry.size), f"`{entry.digest[:19]}`")
     assert entry.size and entry.digest.startswith("sha256:")
     state, _, size, digest, what = found["build", "`alpha-base`", "amd64"]
     assert (state, size, digest, what) == ("failed", "", "", "building alpha-base failed")

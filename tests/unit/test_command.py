@@ -21,9 +21,10 @@ from stubs import on_a_terminal
 from workflows import accepted
 
 from bench import cli as bench
-from rosml import command, environment
-from rosml.errors import RosmlError
-from rosml.problems import InputError, Problem
+from rosml.base import environment
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError, Problem
+from rosml.cli import command
 
 
 @pytest.fixture(autouse=True)
@@ -154,7 +155,7 @@ def test_a_command_that_is_mistyped(name: str, capsys: pytest.CaptureFixture[str
 def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
     """And not where somebody does not want it. The terminal is one of Python's own making."""
     code = (
-        "import sys, click; from rosml import command; from rosml.errors import RosmlError\n"
+        "import sys, click; from rosml import command; from rosml.base.errors import RosmlError\n"
         "def fail() -> None:\n"
         "    click.echo(click.style('==> work', bold=True))\n"
         "    raise RosmlError('no room', 'make some')\n"
@@ -169,7 +170,7 @@ def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
 
 def test_every_command_looks_for_its_packages() -> None:
     scripts = [file for file in (ROOT / "scripts").glob("*.py") if "import click" in file.read_text()]
-    assert [file.name for file in scripts if "\nimport rosml.environment  # noqa" not in file.read_text()] == []
+    assert [file.name for file in scripts if "\nimport rosml.base.environment  # noqa" not in file.read_text()] == []
 
 
 def test_what_is_looked_for_is_what_the_project_asks_for() -> None:

@@ -15,9 +15,9 @@ import pytest
 import zstandard
 from stubs import answering_registry, executable, services
 
-from rosml.compare import compare
-from rosml.errors import RosmlError
-from rosml.services import Services
+from rosml.base.errors import RosmlError
+from rosml.build.compare import compare
+from rosml.machine.services import Services
 
 REGCTL = r"""
 case "$1 $2" in

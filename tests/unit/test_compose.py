@@ -16,12 +16,14 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from registry_stand_in import DROP, Fault, StandIn, standing_in
 
-from rosml import command, filelist, oci
-from rosml.compose import Composed, Composer
-from rosml.errors import RosmlError
-from rosml.filelist import Files
-from rosml.model import PARTS, Part
-from rosml.oci import Reference, Registry
+from rosml.base.errors import RosmlError
+from rosml.cli import command
+from rosml.join import file_lists
+from rosml.join.composer import Composed, Composer
+from rosml.join.file_lists import Files
+from rosml.matrix.model import PARTS, Part
+from rosml.registry import oci
+from rosml.registry.oci import Reference, Registry
 from scripts import compose as script
 from tests.e2e import parts
 from tests.e2e.parts import Tiny, payload, ros
@@ -300,7 +302,7 @@ def test_dockers_media_types_become_ocis(place: Place) -> None:
     digest = place.registry.head(base.repository, "docker")
     subject = place.registry.manifest(base.repository, digest)
     assert subject
-    filelist.attach(place.registry, base.repository, subject, gzip.compress(b"usr/bin/env\n"))
+    file_lists.attach(place.registry, base.repository, subject, gzip.compress(b"usr/bin/env\n"))
     found = place.compose(str(base._replace(reference="docker")), *place.stack())
     layers = place.image(found.manifests["linux/amd64"])[0]["layers"]
     assert {layer["mediaType"] for layer in layers} == {"application/vnd.oci.image.layer.v1.tar+gzip"}
@@ -477,7 +479,7 @@ def test_a_tag_that_is_none(place: Place, tag: str) -> None:
 )
 def test_the_same_file(one: list[str], other: list[str], named: str) -> None:
     found, others = (Files.parse("\n".join(names).encode()) for names in (one, other))
-    assert filelist.clash(found, others) == filelist.clash(others, found) == named
+    assert file_lists.clash(found, others) == file_lists.clash(others, found) == named
 
 
 def test_two_parts_that_carry_the_same_file(place: Place) -> None:
@@ -525,14 +527,14 @@ def test_a_cache_that_cannot_be_written(place: Place) -> None:
 def test_lists_that_are_damaged() -> None:
     for data in (b"", b"text", gzip.compress(b"a\n" * 1000)[:-9]):
         with pytest.raises(RosmlError, match="damaged"):
-            filelist.unpacked(data)
+            file_lists.unpacked(data)
 
 
 def test_a_list_that_never_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(filelist, "LARGEST", 1000)
-    assert len(filelist.unpacked(gzip.compress(b"a" * 1000))) == 1000
+    monkeypatch.setattr(file_lists, "LARGEST", 1000)
+    assert len(file_lists.unpacked(gzip.compress(b"a" * 1000))) == 1000
     with pytest.raises(RosmlError, match="damaged"):
-        filelist.unpacked(gzip.compress(b"a" * 1001))
+        file_lists.unpacked(gzip.compress(b"a" * 1001))
 
 
 # ---- The command -----------------------------------------------------------------------------------------------------

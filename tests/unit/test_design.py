@@ -7,9 +7,9 @@ import datetime
 import pytest
 from conftest import ROOT
 
-from rosml import names
-from rosml.expand import Catalogue
-from rosml.explain import why_not
+from rosml.images import locked
+from rosml.images.explain import why_not
+from rosml.images.image_set import Catalogue
 
 
 def test_every_axis(real: Catalogue) -> None:
@@ -58,7 +58,7 @@ def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catal
 
 
 def test_every_lock_is_used(real: Catalogue) -> None:
-    assert names.locks(ROOT) - real.locks == set()
+    assert locked.locks(ROOT) - real.locks == set()
 
 
 def test_what_is_experimental(real: Catalogue) -> None:

@@ -11,10 +11,13 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse
 from projects import INSTALL, commit, diff
 
-from rosml import difference, problems
-from rosml.errors import RosmlError
-from rosml.expand import with_locks
-from rosml.inputs import Inputs
+from rosml.bake import diff as differences
+from rosml.bake.inputs import Inputs
+from rosml.base import problems
+from rosml.base.errors import RosmlError
+from rosml.cli import tables
+from rosml.images.locked import with_locks
+from rosml.machine import revision
 
 
 def found(folder: Path, *arguments: str) -> dict[str, Any]:
@@ -25,9 +28,9 @@ def found(folder: Path, *arguments: str) -> dict[str, Any]:
     return result
 
 
-def since(text: str, root: Path = ROOT) -> difference.Difference:
+def since(text: str, root: Path = ROOT) -> differences.Difference:
     """From the small matrix to another one."""
-    return difference.between(Inputs(root, parse(SMALL)), Inputs(root, parse(text)))
+    return differences.between(Inputs(root, parse(SMALL)), Inputs(root, parse(text)))
 
 
 # ---- The command -----------------------------------------------------------------------------------------------------
@@ -131,14 +134,14 @@ def test_not_a_checkout(repository: Path, monkeypatch: pytest.MonkeyPatch) -> No
 def test_no_git(repository: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "/nowhere")
     with pytest.raises(RosmlError, match="git is not installed"):
-        difference.since("HEAD", Inputs(repository, parse(SMALL)))
+        revision.since("HEAD", Inputs(repository, parse(SMALL)))
 
 
 def test_a_link_out_of_the_checkout(repository: Path) -> None:
     (repository / "link").symlink_to("/etc/passwd")
     commit(repository)
     with pytest.raises(RosmlError, match="cannot be unpacked"):
-        difference.since("HEAD", Inputs(repository, parse(SMALL)))
+        revision.since("HEAD", Inputs(repository, parse(SMALL)))
 
 
 # ---- The table -------------------------------------------------------------------------------------------------------
@@ -146,12 +149,12 @@ def test_a_link_out_of_the_checkout(repository: Path) -> None:
 
 def test_images_that_change_for_one_reason_share_a_row(capsys: pytest.CaptureFixture[str]) -> None:
     result = since(changed("1" * 64, "3" * 64))
-    ((kind, why, images),) = difference.rows(result)
+    ((kind, why, images),) = differences.rows(result)
     assert kind == "changed"
     assert why == "base image docker.io/library/ubuntu:24.04: sha256:111111111111 → sha256:333333333333"
     shown = list(result.changed)[: problems.SOME]
     assert images == f"{', '.join(shown)} and {len(result.changed) - problems.SOME} more"
-    difference.print_table(result)
+    tables.print_difference(result)
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 3
     assert lines[-1] == f"0 added, 0 removed, {len(result.changed)} changed, {result.same} same"
@@ -162,7 +165,7 @@ def test_reasons_that_overlap_have_rows_of_their_own() -> None:
     packages = "packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]"
     text = changed(packages, packages.replace("}\n", "} x\n"))
     result = since(changed("digest: sha256:" + "1" * 64, "digest: sha256:" + "3" * 64, text))
-    reasons = [(why, images.split(",")[0]) for _, why, images in difference.rows(result)]
+    reasons = [(why, images.split(",")[0]) for _, why, images in differences.rows(result)]
     packages = "argument ROS_PACKAGES: nothing → x"
     assert [image for why, image in reasons if why == packages] == ["alpha-core", "alpha-base", "alpha-desktop"]
     assert [why for why, _ in reasons if why != packages] == [
@@ -180,8 +183,8 @@ def test_reasons_that_overlap_have_rows_of_their_own() -> None:
     ],
 )
 def test_only_the_words_that_differ_are_shown(old: str | None, new: str, words: str) -> None:
-    result = difference.Difference((), (), {"image": (difference.Change("packages", old, new),)}, 0)
-    assert list(difference.rows(result)) == [("changed", f"packages: {words}", "image")]
+    result = differences.Difference((), (), {"image": (differences.Change("packages", old, new),)}, 0)
+    assert list(differences.rows(result)) == [("changed", f"packages: {words}", "image")]
 
 
 def test_labels_are_told_where_nothing_else_changed() -> None:
@@ -191,23 +194,23 @@ def test_labels_are_told_where_nothing_else_changed() -> None:
         "argument CUDNN_VERSION",
         "label io.rosml.cudnn",
     }
-    assert [why for _, why, _ in difference.rows(version)] == ["argument CUDNN_VERSION: 9.10.2.21 → 9.10.2.22"]
+    assert [why for _, why, _ in differences.rows(version)] == ["argument CUDNN_VERSION: 9.10.2.21 → 9.10.2.22"]
     address = since(changed("source: https://example.org/images\n", ""))
-    ((_, why, _),) = difference.rows(address)
+    ((_, why, _),) = differences.rows(address)
     assert why == "label org.opencontainers.image.source: https://example.org/images → nothing"
 
 
 def test_tags_that_move(capsys: pytest.CaptureFixture[str]) -> None:
     """A newer long-term release takes `latest`: nobody should learn of that from their own image."""
     newer = changed("    apt: {channel: snapshot", "    eol: 2031-05-31\n    lts: true\n    apt: {channel: snapshot")
-    found = difference.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, parse(newer)))
+    found = differences.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, parse(newer)))
     assert found.tags == {
         "ros:latest": ("alpha-base", "omega-base"),
         "ros-torch:latest": ("alpha-base-torch-cu1", "omega-base-torch-cpu"),
         "ros-cuda:latest": ("alpha-base-cuda-cu1", None),
         "ros-ml:latest": ("alpha-base-ml-cu1", None),
     }
-    difference.print_table(found)
+    tables.print_difference(found)
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert lines[1:-1] == [
         ["tag", "moved", "alpha-base", "→", "omega-base", "ros:latest"],
@@ -219,14 +222,14 @@ def test_tags_that_move(capsys: pytest.CaptureFixture[str]) -> None:
 def test_an_architecture_that_is_added() -> None:
     result = since(changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64], cpu: [amd64, arm64]}"))
     (change,) = result.changed["alpha-core-torch-cpu"]
-    assert change == difference.Change("architecture amd64", None, "built")
-    assert len(list(difference.rows(result))) == 1
+    assert change == differences.Change("architecture amd64", None, "built")
+    assert len(list(differences.rows(result))) == 1
 
 
 def test_another_parent_is_told_once_for_both_architectures() -> None:
     """And not as the digests of two parents on each."""
     result = since(changed("desktop: {builds_on: robot}", "desktop: {builds_on: core}"))
-    (first, *rest) = difference.rows(result)
+    (first, *rest) = differences.rows(result)
     assert first[:2] == ("changed", "stands on alpha-core instead of alpha-base")
     assert rest == []
 
@@ -235,7 +238,7 @@ def test_another_system_and_its_payloads() -> None:
     """Alpha moves to omega's system, and so to another Python."""
     text = changed("  alpha:\n    os: ubuntu-24.04", "  alpha:\n    os: ubuntu-26.04")
     text = changed("    apt: {channel: live}", "    apt: {channel: final}", text)
-    reasons = "\n".join(why for _, why, _ in difference.rows(since(text)))
+    reasons = "\n".join(why for _, why, _ in differences.rows(since(text)))
     assert "stands on ubuntu-26-04 instead of ubuntu-24-04" in reasons
     assert "with torch-cu1-py314" in reasons
     assert "without torch-cu1-py312" in reasons
@@ -246,14 +249,18 @@ def test_images_that_cannot_be_built(capsys: pytest.CaptureFixture[str]) -> None
     text = changed("components: [core, base]\n", "components: [core, base, desktop]\n")
     text = changed("digest: sha256:" + "2" * 64, "digest: sha256:" + "3" * 64, text)
     locks = {lock for payload in parse(text).payloads for lock in payload.locks if "/3.14/" not in lock}
-    result = difference.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, with_locks(parse(text), locks)))
+    result = differences.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, with_locks(parse(text), locks)))
     added = [f"omega-desktop-torch-{stack}" for stack in ("cu1", "cpu")]
     assert set(added) < set(result.unbuildable) <= {*result.added, *result.changed}
-    rows = [(kind, why, which) for kind, why, which in difference.rows(result) if not why.startswith("base image")]
-    assert [row[:2] for row in rows] == [("changed", difference.NO_LOCK), ("added", difference.NO_LOCK), ("added", "")]
+    rows = [(kind, why, which) for kind, why, which in differences.rows(result) if not why.startswith("base image")]
+    assert [row[:2] for row in rows] == [
+        ("changed", differences.NO_LOCK),
+        ("added", differences.NO_LOCK),
+        ("added", ""),
+    ]
     assert rows[1][2] == ", ".join(added)
     assert "torch" not in rows[2][2]
-    difference.print_table(result)
+    tables.print_difference(result)
     unlocked = len(result.unbuildable) - 2
     last = capsys.readouterr().out.splitlines()[-1]
     assert f"{len(result.added)} added (2 without a lock), 0 removed, " in last
@@ -263,7 +270,7 @@ def test_images_that_cannot_be_built(capsys: pytest.CaptureFixture[str]) -> None
 def test_another_registry(capsys: pytest.CaptureFixture[str]) -> None:
     result = since(changed("registry: localhost:5000", "registry: example.org/x"))
     assert result.registry == ("localhost:5000", "example.org/x")
-    difference.print_table(result)
+    tables.print_difference(result)
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == "registry: localhost:5000 → example.org/x; all names change"
     assert lines[1:] == [f"0 added, 0 removed, 0 changed, {result.same} same"]
@@ -271,7 +278,7 @@ def test_another_registry(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_many_tags_that_come_and_go() -> None:
     """A renamed repository: no row for each of its tags."""
-    rows = list(difference.rows(since(changed("repository: ros-torch", "repository: torch"))))
+    rows = list(differences.rows(since(changed("repository: ros-torch", "repository: torch"))))
     assert [kind for kind, _, _ in rows] == ["23 tags gone", "23 tags gained"]
     assert rows[0][2] == (
         "such as ros-torch:alpha-core-cu1, ros-torch:alpha-core-cu1-torch2.10.0, ros-torch:alpha-base-cu1, "
@@ -281,17 +288,17 @@ def test_many_tags_that_come_and_go() -> None:
 
 def test_many_ways_of_tags() -> None:
     tags: dict[str, tuple[str | None, str | None]] = {f"t{n}": (f"a{n // 2}", f"b{n // 2}") for n in range(20)}
-    rows = list(difference.rows(difference.Difference((), (), {}, 0, tags)))
+    rows = list(differences.rows(differences.Difference((), (), {}, 0, tags)))
     assert rows[0] == ("tags moved", "a0 → b0", "t0, t1")
-    assert rows[difference.WAYS :] == [("tags moved", "4 more ways", "t12, t13, t14, t15 and 4 more")]
+    assert rows[differences.WAYS :] == [("tags moved", "4 more ways", "t12, t13, t14, t15 and 4 more")]
 
 
 def test_no_spaces_at_the_end_of_a_line(capsys: pytest.CaptureFixture[str]) -> None:
-    difference.print_table(since(changed("1" * 64, "3" * 64)))
+    tables.print_difference(since(changed("1" * 64, "3" * 64)))
     lines = capsys.readouterr().out.splitlines()
     assert [line for line in lines if line != line.rstrip()] == []
 
 
 def test_few_names_are_all_shown() -> None:
-    result = difference.Difference(("a", "b", "c", "d", "e"), tuple("abcdef"), {}, 0)
-    assert list(difference.rows(result)) == [("added", "", "a, b, c, d, e"), ("removed", "", "a, b, c, d and 2 more")]
+    result = differences.Difference(("a", "b", "c", "d", "e"), tuple("abcdef"), {}, 0)
+    assert list(differences.rows(result)) == [("added", "", "a, b, c, d, e"), ("removed", "", "a, b, c, d and 2 more")]

@@ -15,9 +15,10 @@ import pytest
 import yaml
 from conftest import ROOT
 
-from rosml import expand, readme
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
+from rosml.base.errors import RosmlError
+from rosml.catalogue import readme
+from rosml.images import locked
+from rosml.images.image_set import Catalogue
 from scripts import docs
 from tests import map as test_map
 from tests.documented import Block, blocks, pages
@@ -194,7 +195,7 @@ def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: Catalogue, 
         (line,) = [line for line in text.splitlines() if line.startswith(f"- `{repository}:<d>-<c>-{stack}`: ")]
         assert distribution in re.split(r": |, | and ", line)
     assert text.count("\n- ") == len({(repository, stack) for repository, stack, _ in lacking})
-    whole = expand.with_locks(small, small.locks)
+    whole = locked.with_locks(small, small.locks)
     assert "cannot be built" not in readme.tables(whole)
 
 

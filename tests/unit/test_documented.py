@@ -18,10 +18,10 @@ from conftest import ROOT
 from workflows import COMMANDS, accepted
 
 from bench import cli as bench
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.explain import explain
-from rosml.listing import members
+from rosml.base.errors import RosmlError
+from rosml.images.explain import explain
+from rosml.images.image_set import Catalogue
+from rosml.images.selection import members
 from scripts import compose, publish
 from tests.calls import lacking
 from tests.documented import blocks, commands, documented, pages

@@ -7,11 +7,15 @@ from pathlib import Path
 import pytest
 from conftest import ROOT, SMALL, changed, parse, write_locks
 
-from rosml import names, rules
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, combinations, load, with_locks
-from rosml.explain import explain, why_not
-from rosml.listing import facts
+from rosml.base.errors import RosmlError
+from rosml.images import locked
+from rosml.images.expand import combinations
+from rosml.images.explain import explain, why_not
+from rosml.images.facts import facts
+from rosml.images.image_set import Catalogue
+from rosml.images.load import load
+from rosml.images.locked import with_locks
+from rosml.matrix import names, rules
 
 
 def test_image_facts(small: Catalogue) -> None:
@@ -190,10 +194,10 @@ def test_a_framework_that_takes_nothing_of_a_stack_is_not_there() -> None:
 
 
 def test_locks_that_cannot_be_read_are_not_taken_for_missing(tmp_path: Path) -> None:
-    assert names.locks(tmp_path) == frozenset()
+    assert locked.locks(tmp_path) == frozenset()
     (tmp_path / "locks").write_text("")
     with pytest.raises(RosmlError, match="locks: Not a directory"):
-        names.locks(tmp_path)
+        locked.locks(tmp_path)
 
 
 def test_an_image_named_like_a_payload() -> None:

@@ -11,8 +11,8 @@ import pytest
 from conftest import ROOT
 from projects import copy_for_generator
 
-from rosml import expand
-from rosml.expand import Catalogue
+from rosml.images import load
+from rosml.images.image_set import Catalogue
 from tests import fork, walk
 from tests.walk import follow, insert, section
 
@@ -35,7 +35,7 @@ def test_a_distribution(project: Path, real: Catalogue) -> None:
         "| `example` | 2 | ubuntu-24.04, 3.12 | core, base, desktop | 2032-05-31 (LTS) |"
         in (project / "README.md").read_text()
     )
-    made = expand.load(project / "matrix.yaml", project)
+    made = load.load(project / "matrix.yaml", project)
     new = {image.target for image in made.images} - {image.target for image in real.images}
     assert new and all(target.startswith("example-") for target in new)
     assert all(image.locked for image in made.images if image.target in new and not image.target.endswith("-cpu"))
@@ -47,7 +47,7 @@ def test_a_release_and_a_stack(project: Path, real: Catalogue) -> None:
     assert "jazzy-base-torch-cu126 exists, but cannot be built yet:" in said
     assert "run 'make locks'" in said
     assert "stack cu126 carries torch 2.7.1, cuda 12.6.77, cudnn 9.5.1.17 and nccl 2.26.2" in said
-    made = expand.load(project / "matrix.yaml", project)
+    made = load.load(project / "matrix.yaml", project)
     new = {image.target for image in made.images} - {image.target for image in real.images}
     assert new and all(target.endswith("-cu126") for target in new)
 
@@ -68,7 +68,7 @@ def test_a_set_of_ones_own(project: Path) -> None:
     said = walk.own_set(project)
     assert "docker-bake.hcl: written" in said and "warning" not in said
     assert "noetic" not in (project / "README.md").read_text().partition("<!-- images:")[2]
-    made = expand.load(project / "matrix.yaml", project)
+    made = load.load(project / "matrix.yaml", project)
     assert {image.target.split("-")[0] for image in made.images} == {"humble", "jazzy"}
     assert made.matrix.source == "https://github.com/robots/rosml"
     check = [sys.executable, "scripts/generate_bake.py", "--check"]

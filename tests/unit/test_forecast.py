@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from rosml import forecast
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
+from rosml.base.errors import RosmlError
+from rosml.images.image_set import Catalogue
+from rosml.machine import disk
 
 # A ROS image counts unpacked + 2 * compressed, a payload 2 * unpacked + 2 * compressed.
 OS, COMPONENT = 100 + 2 * 10, 20 + 2 * 2
@@ -30,7 +30,7 @@ CUDA, COMMON, TORCH = 2 * 1000 + 2 * 100, 2 * 300 + 2 * 30, 2 * 2000 + 2 * 200
     ],
 )
 def test_needed(small: Catalogue, target: str, built: list[str], needed: int) -> None:
-    found = forecast.needed_mb(small, small.image(target), built)
+    found = disk.needed_mb(small, small.image(target), built)
     assert found == needed
 
 
@@ -45,7 +45,7 @@ def test_needed(small: Catalogue, target: str, built: list[str], needed: int) ->
 )
 def test_what_lies_below_is_not_the_image(small: Catalogue, target: str, built: list[str], needed: int) -> None:
     """The component below is there; the component itself still has to be installed."""
-    found = forecast.needed_mb(small, small.image(target), built)
+    found = disk.needed_mb(small, small.image(target), built)
     assert found == needed
 
 
@@ -57,43 +57,43 @@ def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
 
 
 def test_enough(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    free(monkeypatch, 5_000 + forecast.RESERVE_MB)
-    forecast.require(tmp_path, 5_000, "a")
+    free(monkeypatch, 5_000 + disk.RESERVE_MB)
+    disk.require(tmp_path, 5_000, "a")
 
 
 def test_too_little(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    free(monkeypatch, 4_999 + forecast.RESERVE_MB)
+    free(monkeypatch, 4_999 + disk.RESERVE_MB)
     with pytest.raises(RosmlError, match="not enough disk space"):
-        forecast.require(tmp_path, 5_000, "a-core")
+        disk.require(tmp_path, 5_000, "a-core")
     free(monkeypatch, 300)
     with pytest.raises(RosmlError, match=r"build a-core: 7\.1 GB are needed .* 0\.3 GB are free at ") as caught:
-        forecast.require(tmp_path, 5_100, "a-core")
+        disk.require(tmp_path, 5_100, "a-core")
     assert "make clean" in caught.value.remedy
     assert "make list" in caught.value.remedy
 
 
 def test_nothing_to_build_needs_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     free(monkeypatch, 1)
-    forecast.require(tmp_path, 0, "a")
+    disk.require(tmp_path, 0, "a")
 
 
 def test_gigabytes() -> None:
-    assert [forecast.gigabytes(size) for size in (0, 999, 12345)] == ["0.0 GB", "1.0 GB", "12.3 GB"]
+    assert [disk.gigabytes(size) for size in (0, 999, 12345)] == ["0.0 GB", "1.0 GB", "12.3 GB"]
 
 
 def test_built_is_remembered(tmp_path: Path) -> None:
-    built = forecast.Built(tmp_path)
+    built = disk.Built(tmp_path)
     assert built.names() == set()
     built.add(["b", "a"])
     built.add(["c", "a"])
-    assert forecast.Built(tmp_path).names() == {"a", "b", "c"}
+    assert disk.Built(tmp_path).names() == {"a", "b", "c"}
     assert [file.name for file in tmp_path.iterdir()] == ["built.json"]
 
 
 @pytest.mark.parametrize("text", ["", "{", "{}", "3", "null"])
 def test_damaged_memory_is_no_memory(tmp_path: Path, text: str) -> None:
     (tmp_path / "built.json").write_text(text)
-    built = forecast.Built(tmp_path)
+    built = disk.Built(tmp_path)
     assert built.names() == set()
     built.add(["a"])
     assert built.names() == {"a"}

@@ -14,10 +14,12 @@ from projects import copy
 from scanning import Memory
 from stubs import services
 
-from rosml import expand, handover, ledger
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.sbom import Sbom, Shelf
+from rosml.base.errors import RosmlError
+from rosml.images import locked
+from rosml.images.image_set import Catalogue
+from rosml.publish import scan_results
+from rosml.records import ledger
+from rosml.scan.sbom import Sbom, Shelf
 
 CORE = ("alpha-core", "amd64")
 
@@ -45,7 +47,7 @@ def catalogue(tmp_path: Path) -> Catalogue:
     project = copy(tmp_path / "project")
     found = parse(SMALLER.replace("components: [core, base]", "components: [core]"))
     write_locks(project, found)
-    return expand.with_locks(found, expand.current_locks(found, project))
+    return locked.with_locks(found, locked.current_locks(found, project))
 
 
 @pytest.fixture
@@ -68,7 +70,7 @@ def sbom(digest: str) -> Sbom:
 
 def scan(found: Run, file: Path, outcome: str = "clean") -> str:
     """Does what a scan does with the registry: an SBOM, and an entry."""
-    reader = handover.Reader(found.registry)
+    reader = scan_results.Reader(found.registry)
     found.registry = reader
     entry = found.agenda.known[CORE]
     Shelf(reader, "trivy 1").store(f"{PREFIX}/ros", entry.digest, sbom(entry.digest))
@@ -88,13 +90,13 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
     found = run()
     assert found.agenda.known[CORE].scanned == ""
     found.registry = shelved = Shelved(found.registry)
-    handover.record(found, tmp_path / "scan.json")
+    scan_results.record(found, tmp_path / "scan.json")
     entry = run().agenda.known[CORE]
     assert (entry.scanned, entry.scan, entry.digest) == ("clean", {"policy": "sha256:1"}, digest)
     assert entry.passed == 5, "tests are no business of a scan"
     kept = Shelf(shelved, "trivy 1").load(f"{PREFIX}/ros", digest)
     assert kept and kept.content == sbom(digest).content
-    handover.record(found, tmp_path / "scan.json")
+    scan_results.record(found, tmp_path / "scan.json")
     assert len(shelved.attached) == 1 == len(next(iter(shelved.attached.values())))
 
 
@@ -104,7 +106,7 @@ def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp
     found.registry = Shelved(found.registry)
     entry = found.agenda.known[CORE]
     found.agenda.known[CORE] = entry.made(f"sha256:{'7' * 64}")
-    handover.record(found, tmp_path / "scan.json")
+    scan_results.record(found, tmp_path / "scan.json")
     assert run().agenda.known[CORE].scanned == ""
     assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was made anew since it was scanned")]
 
@@ -112,13 +114,13 @@ def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp
 @pytest.mark.parametrize("work", ["tag", "delete", "detach", "mount", "copy_blob"])
 def test_a_scan_does_nothing_else(run: Callable[[], Run], work: str) -> None:
     """And whoever calls it so is told in one sentence."""
-    reader = handover.Reader(run().registry)
+    reader = scan_results.Reader(run().registry)
     with pytest.raises(RosmlError, match=f"does not {work.replace('_', ' ')}"):
         getattr(reader, work)(f"{PREFIX}/ros", "latest", {"annotations": {}}, "m")
 
 
 def test_a_scan_puts_no_manifest_but_entries(run: Callable[[], Run]) -> None:
-    reader = handover.Reader(run().registry)
+    reader = scan_results.Reader(run().registry)
     with pytest.raises(RosmlError, match="only entries of the ledger"):
         reader.put_manifest(f"{PREFIX}/ros", "latest", {"annotations": {}}, "m")
 
@@ -147,7 +149,7 @@ def test_another_run_may_write_the_entry_meanwhile(run: Callable[[], Run]) -> No
     other = ledger.parse(entry.to_json() | {"passed": 77})
     found = ledger.parse(entry.to_json() | {"scanned": "clean"})
     assert other and found
-    reader = handover.Reader(Meanwhile(here.registry, lambda: book.write(other)))
+    reader = scan_results.Reader(Meanwhile(here.registry, lambda: book.write(other)))
     ledger.Ledger(reader, PREFIX).write(found)
     assert [item["scanned"] for item in reader.entries] == ["clean"]
     assert book.read(*CORE) == other
@@ -179,6 +181,6 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
     file.write_text(json.dumps(content | change))
     found = run()
     with pytest.raises(RosmlError, match="holds no results of a scan") as caught:
-        handover.record(found, file)
+        scan_results.record(found, file)
     assert caught.value.exit_code == 2
     assert run().agenda.known[CORE].scanned == ""

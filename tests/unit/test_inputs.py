@@ -14,10 +14,12 @@ from conftest import ROOT, SMALL, changed, parse
 from counting import calls
 from projects import LOCK, copy
 
-from rosml import dockerfile, expand, model, source, targets
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image, Payload
-from rosml.inputs import MISSING, TARGET, Inputs
+from rosml.bake import dockerfile, targets
+from rosml.bake.inputs import MISSING, TARGET, Inputs
+from rosml.base.errors import RosmlError
+from rosml.images import expand, load, locked
+from rosml.images.image_set import Catalogue, Image, Payload
+from rosml.matrix import model, source
 
 PARTS = {"cuda", "common", "torch", "tensorflow-cc", "tensorflow"}
 
@@ -79,7 +81,7 @@ FILES: dict[str, tuple[bool, set[str]]] = {
     "tools/structure-test.txt": (False, set()),
     "tests/structure/run.sh": (False, set()),
     "README.md": (False, set()),
-    "rosml/targets.py": (False, set()),
+    "rosml/bake/targets.py": (False, set()),
     "components/torch/__pycache__/x.pyc": (False, set()),
 }
 """A file, whether it reaches all images, and the payload parts that it reaches."""
@@ -215,7 +217,7 @@ def test_the_order_of_the_projects_own_matrix_does_not_count(real: Catalogue) ->
     data = yaml.safe_load((ROOT / "matrix.yaml").read_text())
     for order in (turned, sorted_by_name):
         again = parse(yaml.safe_dump(order(data), sort_keys=False))
-        again = expand.with_locks(again, expand.current_locks(again, ROOT))
+        again = locked.with_locks(again, locked.current_locks(again, ROOT))
         assert found(again) == found(real), order.__name__
 
 
@@ -287,7 +289,7 @@ def test_a_fact_changes_what_it_reaches(name: str, project: Path, small: Catalog
 
 @dataclasses.dataclass(frozen=True)
 class Unknown:
-    """A way to decide a value that rosml/inputs.py knows nothing of."""
+    """A way to decide a value that rosml/bake/inputs.py knows nothing of."""
 
     what: str
 
@@ -305,7 +307,7 @@ def test_a_value_that_nobody_declared_is_an_error(
     monkeypatch.setattr(targets, "of", lambda _: {**every, "alpha-core": wrong})
     with pytest.raises(RosmlError, match=f"alpha-core, {where.removesuffix('s')} {name} is Unknown") as caught:
         Inputs(project, small).digest("alpha-core", "amd64")
-    assert "rosml/targets.py" in caught.value.remedy
+    assert "rosml/bake/targets.py" in caught.value.remedy
 
 
 def test_the_time_of_files_counts(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -395,7 +397,7 @@ BUILDABLE: dict[str, tuple[str, str, str]] = {
 def test_what_the_dockerfile_cannot_build_is_an_error(name: str, project: Path) -> None:
     old, new, message = BUILDABLE[name]
     with pytest.raises(RosmlError) as caught:
-        Inputs(project, expand.catalogue(source.parse(changed(old, new).encode()))).check()
+        Inputs(project, load.catalogue(source.parse(changed(old, new).encode()))).check()
     assert message in caught.value.message
     assert "matrix.yaml" in caught.value.remedy
 
@@ -466,7 +468,7 @@ def test_comments_in_a_here_document_are_content() -> None:
 
 
 def test_five_hundred_images_on_two_architectures_at_once() -> None:
-    small = expand.catalogue(source.parse(SMALL.encode())).matrix
+    small = load.catalogue(source.parse(SMALL.encode())).matrix
     rows = {f"d{number}": small.distributions["alpha"] for number in range(28)}
     catalogue = expand.expand(model.Matrix.model_construct(**{**dict(small), "distributions": rows}))
     found: set[str] = set()

@@ -14,9 +14,9 @@ from memory_registry import DAY, LATER, NEXT, PREFIX, MemoryRegistry, Place, pla
 from registry_stand_in import StandIn, standing_in
 from stubs import services
 
-from rosml import oci
-from rosml.expand import Catalogue
-from rosml.ledger import ANNOTATION, Entry, Ledger
+from rosml.images.image_set import Catalogue
+from rosml.records.ledger import ANNOTATION, Entry, Ledger
+from rosml.registry import oci
 
 PATH = f"{PREFIX}/ledger"
 ENTRY = Entry("jazzy-base", "amd64", inputs="sha256:1", digest="sha256:2", changed=DAY)

@@ -10,16 +10,18 @@ from pathlib import Path
 import pytest
 from conftest import ROOT, SMALL, changed
 
-from rosml import listing
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, with_locks
-from rosml.problems import listed
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.cli import tables
+from rosml.images import selection
+from rosml.images.image_set import Catalogue
+from rosml.images.locked import with_locks
 
 SCRIPT = str(ROOT / "scripts/generate_bake.py")
 
 
 def targets(catalogue: Catalogue, *groups: str) -> list[str]:
-    return [image.target for image in listing.members(catalogue, groups)]
+    return [image.target for image in selection.members(catalogue, groups)]
 
 
 def test_groups_narrow_the_list_down(small: Catalogue) -> None:
@@ -60,7 +62,7 @@ def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) 
 
 
 def test_one_image_is_one(small: Catalogue, capsys: pytest.CaptureFixture[str]) -> None:
-    listing.print_table(listing.members(small, ["alpha", "core", "torch", "cu1"]))
+    tables.print_images(selection.members(small, ["alpha", "core", "torch", "cu1"]))
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].split()[:6] == ["target", "versions", "platforms", "main", "tag", "lock"]
     assert lines[-1] == "1 image, 3 payloads"
@@ -68,7 +70,7 @@ def test_one_image_is_one(small: Catalogue, capsys: pytest.CaptureFixture[str]) 
 
 def test_a_group_that_does_not_exist(small: Catalogue) -> None:
     with pytest.raises(RosmlError, match="no group named 'omga'; did you mean 'omega'") as caught:
-        listing.members(small, ["omga"])
+        selection.members(small, ["omga"])
     assert caught.value.exit_code == 2
     assert "alpha, amd64, arm64, base, core, cpu, cu1, cuda, default, desktop" in caught.value.remedy
 

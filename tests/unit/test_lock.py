@@ -18,10 +18,12 @@ from conftest import ROOT, SMALL, changed, parse
 from stubs import calls, executable
 from uv_stand_in import FILTER, RESOLVED, RESOLVES, UV, fake_uv
 
-from rosml import command, lock, lockfile
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.lock import Elsewhere, Pin, Request
+from rosml.base.errors import RosmlError
+from rosml.cli import command
+from rosml.images import lock_file
+from rosml.images.image_set import Catalogue
+from rosml.locks import resolve
+from rosml.locks.resolve import Elsewhere, Pin, Request
 from scripts import lock as script
 
 ROOTS = {"torch": "torch==2.10.0", "tensorflow": "tensorflow[and-cuda]==2.20.0"}
@@ -44,34 +46,34 @@ def request(**changes: object) -> Request:
 
 
 def parts(pins: list[Pin], roots: Mapping[str, str] = ROOTS) -> dict[str, list[str]]:
-    return {part: [pin.name for pin in content] for part, content in lock.split(pins, roots).items()}
+    return {part: [pin.name for pin in content] for part, content in resolve.split(pins, roots).items()}
 
 
 # ---- Reading ---------------------------------------------------------------------------------------------------------
 
 
 def test_parse() -> None:
-    assert lock.parse(RESOLVED)[:3] == [
+    assert resolve.parse(RESOLVED)[:3] == [
         Pin("numpy", "1.26.4", ("sha256:aa", "sha256:bb"), frozenset({"tensorflow", "torch"})),
         Pin("nvidia-cublas-cu12", "12.8.4.1", ("sha256:cc",), frozenset({"torch"})),
         Pin("tensorflow", "2.20.0", ("sha256:dd",), frozenset()),
     ]
-    assert [(pin.name, pin.version) for pin in lock.parse(RESOLVED)][3:] == [("torch", "2.10.0+cu128")]
-    assert lock.parse("") == lock.parse("# nothing\n\n") == []
+    assert [(pin.name, pin.version) for pin in resolve.parse(RESOLVED)][3:] == [("torch", "2.10.0+cu128")]
+    assert resolve.parse("") == resolve.parse("# nothing\n\n") == []
 
 
 def test_names_that_begin_like_uvs_own_words() -> None:
     text = "a==1\n    # via viam-sdk\nb==1\n    # via\n    #   viam-sdk\n"
-    assert [pin.wanted_by for pin in lock.parse(text)] == [{"viam-sdk"}, {"viam-sdk"}]
+    assert [pin.wanted_by for pin in resolve.parse(text)] == [{"viam-sdk"}, {"viam-sdk"}]
 
 
 def test_versions() -> None:
-    assert lockfile.versions(RESOLVED)["numpy"] == "1.26.4"
+    assert lock_file.versions(RESOLVED)["numpy"] == "1.26.4"
 
 
 def test_a_lock_reads_as_what_it_was_rendered_from() -> None:
     pins = [Pin("a", "1", ("sha256:x", "sha256:y"), frozenset()), Pin("b", "2", (), frozenset())]
-    assert lock.parse(lock.render(request(), "common", pins)) == pins
+    assert resolve.parse(resolve.render(request(), "common", pins)) == pins
 
 
 @pytest.mark.parametrize(
@@ -86,7 +88,7 @@ def test_a_lock_reads_as_what_it_was_rendered_from() -> None:
     ],
 )
 def test_package_name(requirement: str, name: str) -> None:
-    assert lockfile.package_name(requirement) == name
+    assert lock_file.package_name(requirement) == name
 
 
 # ---- Splitting -------------------------------------------------------------------------------------------------------
@@ -133,7 +135,7 @@ def test_diamond() -> None:
 
 def test_cycle() -> None:
     pins = [pin("torch", "b"), pin("a", "torch"), pin("b", "a")]
-    assert lock.closure("torch", pins) == {"torch", "a", "b"}
+    assert resolve.closure("torch", pins) == {"torch", "a", "b"}
     assert parts(pins) == {"torch": ["a", "b", "torch"]}
 
 
@@ -156,8 +158,8 @@ def test_nvidia_is_cuda_whoever_asks() -> None:
 
 
 def test_render() -> None:
-    assert lock.render(request(), "torch", []).startswith("# Part 'torch' of stack cu1, Python 3.12, amd64.\n")
-    assert lock.render(request(), "cuda", [pin("nvidia-x", "torch")]) == (
+    assert resolve.render(request(), "torch", []).startswith("# Part 'torch' of stack cu1, Python 3.12, amd64.\n")
+    assert resolve.render(request(), "cuda", [pin("nvidia-x", "torch")]) == (
         "# Part 'cuda' of stack cu1, Python any, amd64.\n"
         "# Made by scripts/lock.py (make locks) from matrix.yaml; do not edit.\n"
         "nvidia-x==1 \\\n    --hash=sha256:nvidia-x\n"
@@ -170,7 +172,7 @@ def test_render() -> None:
 def test_one_request_for_each_stack_python_and_architecture(real: Catalogue) -> None:
     found = [
         (item.stack, item.architecture, item.python)
-        for item in lock.requests(real)
+        for item in resolve.requests(real)
         if item.ros or not (real.matrix.stacks[item.stack].apart and "torch" in item.roots)
     ]
     assert len(found) == len(set(found))
@@ -188,7 +190,7 @@ def test_one_request_for_each_stack_python_and_architecture(real: Catalogue) -> 
 
 def test_request(small: Catalogue) -> None:
     matrix = changed('numpy: "<2"', 'numpy: "<2"\n    provides: {setuptools: 78.1.1}')
-    found = next(item for item in lock.requests(parse(matrix)) if (item.stack, item.python) == ("cu1", "3.12"))
+    found = next(item for item in resolve.requests(parse(matrix)) if (item.stack, item.python) == ("cu1", "3.12"))
     assert (found.architecture, found.wheels, found.numpy) == ("amd64", "x86_64-manylinux_2_28", "<2")
     assert found.roots == {"torch": "torch==2.10.0", "tensorflow": "tensorflow==2.20.0"}
     assert found.provided == {"setuptools": "78.1.1"}
@@ -196,7 +198,7 @@ def test_request(small: Catalogue) -> None:
 
 def test_only_what_has_a_wheel_is_asked_for(small: Catalogue) -> None:
     """The stack has a release of TensorFlow, and that release no wheel for Python 3.14."""
-    roots = {(item.stack, item.architecture, item.python): item.roots for item in lock.requests(small)}
+    roots = {(item.stack, item.architecture, item.python): item.roots for item in resolve.requests(small)}
     assert roots["cu1", "amd64", "3.14"] == {"torch": "torch==2.10.0"}
     assert roots["cpu", "arm64", "3.14"] == {"torch": "torch==2.10.0"}
 
@@ -210,7 +212,7 @@ def test_committed_locks_are_what_the_matrix_asks_for(real: Catalogue) -> None:
             text = (ROOT / path).read_text()
             head = f"# Part '{payload.part}' of stack {payload.stack}, Python {payload.python}, {architecture}.\n"
             assert text.startswith(head)
-            assert len(lock.parse(text)) == text.count("==") <= text.count("--hash=sha256:")
+            assert len(resolve.parse(text)) == text.count("==") <= text.count("--hash=sha256:")
             assert not re.search(r"https?://|--(extra-)?index-url", text)
 
 
@@ -222,7 +224,7 @@ PINNED = "(echo {}; grep == in.txt) | sed 's/$/ --hash=sha256:aa/; s/ /\\n    /'
 
 def test_resolve(tmp_path: Path) -> None:
     wanted = request(constraints=("keras<4",), provided={"setuptools": "78.1.1", "packaging": "25.0"})
-    assert lock.resolve(wanted, lock.Uv(fake_uv(tmp_path))) == lock.parse(RESOLVED)
+    assert resolve.resolve(wanted, resolve.Uv(fake_uv(tmp_path))) == resolve.parse(RESOLVED)
     (call,) = calls(tmp_path)
     for words in (
         "uv pip compile --quiet --generate-hashes --only-binary :all: ",
@@ -242,20 +244,20 @@ def test_resolve(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("upgrade", [False, True])
 def test_earlier_versions_stay_unless_upgraded(tmp_path: Path, upgrade: bool) -> None:
-    lock.resolve(request(), lock.Uv(fake_uv(tmp_path)), upgrade, "numpy==1.0")
+    resolve.resolve(request(), resolve.Uv(fake_uv(tmp_path)), upgrade, "numpy==1.0")
     assert (tmp_path / "seen-out.txt").exists() == (not upgrade)
 
 
 def test_uv_is_missing(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="'/nowhere/uv' is not installed") as caught:
-        lock.resolve(request(), lock.Uv("/nowhere/uv"))
+        resolve.resolve(request(), resolve.Uv("/nowhere/uv"))
     assert "make up" in caught.value.remedy
 
 
 def test_uv_fails(tmp_path: Path) -> None:
     uv = fake_uv(tmp_path, UV + "echo 'no solution: numpy<2 and numpy>=2' >&2; exit 1")
     with pytest.raises(RosmlError) as caught:
-        lock.resolve(request(), lock.Uv(uv))
+        resolve.resolve(request(), resolve.Uv(uv))
     assert caught.value.message == (
         "stack cu1, Python 3.12, amd64 (torch and tensorflow) does not resolve:\nno solution: numpy<2 and numpy>=2"
     )
@@ -276,13 +278,13 @@ def test_uv_fails(tmp_path: Path) -> None:
 def test_an_answer_of_uv_that_cannot_be_one(tmp_path: Path, uv: str, wrong: str) -> None:
     """Although it reports success: good locks are not replaced by that."""
     with pytest.raises(RosmlError, match=r"uv's answer for stack cu1, .* cannot be used") as caught:
-        lock.resolve(request(), lock.Uv(executable(tmp_path / "uv", uv)))
+        resolve.resolve(request(), resolve.Uv(executable(tmp_path / "uv", uv)))
     assert wrong in caught.value.message
 
 
 def test_uv_is_killed(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="uv was ended by signal 9 while it resolved stack cu1"):
-        lock.resolve(request(), lock.Uv(executable(tmp_path / "uv", "kill -9 $$")))
+        resolve.resolve(request(), resolve.Uv(executable(tmp_path / "uv", "kill -9 $$")))
 
 
 def test_earlier_locks_are_read(tmp_path: Path, small: Catalogue) -> None:
@@ -291,20 +293,20 @@ def test_earlier_locks_are_read(tmp_path: Path, small: Catalogue) -> None:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(f"{name}==1\n")
     uv = fake_uv(tmp_path, UV + 'cat out.txt >>"$here/earlier"; ' + FILTER + ' <"$here/resolved.txt" >out.txt')
-    lock.lock(small, tmp_path, uv)
+    resolve.lock(small, tmp_path, uv)
     earlier = (tmp_path / "earlier").read_text().split()  # of all requests, in any order
     assert {"nvidia-x==1", "numpy==1", "torch==1"} <= set(earlier)
     assert "old==1" not in earlier
 
 
 def test_one_cuda_for_all_pythons(tmp_path: Path, small: Catalogue) -> None:
-    locks = lock.lock(small, tmp_path, fake_uv(tmp_path)).texts
+    locks = resolve.lock(small, tmp_path, fake_uv(tmp_path)).texts
     assert "locks/cu1/amd64/any/cuda.txt" in locks
     assert {"locks/cu1/amd64/3.12/torch.txt", "locks/cu1/amd64/3.14/torch.txt"} <= locks.keys()
     assert not list(tmp_path.glob("locks/**/*.txt")), "it writes nothing"
     differing = UV + 'sed "s/12.8.4.1/$python/" "$here/resolved.txt" | {{ ' + FILTER + ";}} >out.txt"
     with pytest.raises(RosmlError, match=r"any/cuda\.txt: nvidia-\S+ would be 3\.1. and 3\.1.") as caught:
-        lock.lock(small, tmp_path, fake_uv(tmp_path, differing))
+        resolve.lock(small, tmp_path, fake_uv(tmp_path, differing))
     assert "constraints in matrix.yaml" in caught.value.remedy
 
 
@@ -328,10 +330,10 @@ def test_one_cuda_for_all_pythons(tmp_path: Path, small: Catalogue) -> None:
 def test_another_cuda_than_promised(cuda: dict[str, str], package: str, version: str, complaint: str) -> None:
     pins = [pin("torch"), pin(package, "torch", version=version)]
     if not complaint:
-        lock.require_one_cuda(request(cuda=cuda), pins)
+        resolve.require_one_cuda(request(cuda=cuda), pins)
         return
     with pytest.raises(RosmlError, match=complaint) as caught:
-        lock.require_one_cuda(request(cuda=cuda), pins)
+        resolve.require_one_cuda(request(cuda=cuda), pins)
     assert "stack of its own" in caught.value.remedy
 
 
@@ -339,7 +341,7 @@ def test_another_cuda_leads_with_who_wants_it() -> None:
     pins = [pin("torch", version="2.11.0"), pin("jinja2", "torch")]
     pins += [pin("nvidia-cuda-runtime", "torch", version="13.0.96"), pin("nvidia-cublas", "torch", version="13.1")]
     with pytest.raises(RosmlError) as caught:
-        lock.require_one_cuda(request(roots={"torch": "torch==2.11.0"}, cuda={"cuda": "12.8.90"}), pins)
+        resolve.require_one_cuda(request(roots={"torch": "torch==2.11.0"}, cuda={"cuda": "12.8.90"}), pins)
     assert caught.value.message.splitlines() == [
         "torch 2.11.0 wants CUDA 13.0.96, the stack says 12.8.90",
         f"{request(roots={'torch': 'torch==2.11.0'})} would carry:",
@@ -357,8 +359,8 @@ UNKNOWN = {"torch": Elsewhere("torch==2.10.0+cpu", "", ("jinja2",))}
 def test_a_wheel_that_is_known_by_its_digest(tmp_path: Path) -> None:
     """Only what it requires is resolved, on the usual index; the wheel is added with its digest, above that."""
     resolved = "jinja2==3.1 \\\n    --hash=sha256:1\n    # via -r in.txt\nnumpy==1.26.4 \\\n    --hash=sha256:2\n"
-    pins = lock.resolve(
-        request(roots={"torch": "torch==2.10.0"}, elsewhere=ELSEWHERE), lock.Uv(fake_uv(tmp_path, resolved=resolved))
+    pins = resolve.resolve(
+        request(roots={"torch": "torch==2.10.0"}, elsewhere=ELSEWHERE), resolve.Uv(fake_uv(tmp_path, resolved=resolved))
     )
     assert (tmp_path / "seen-in.txt").read_text() == "jinja2\nTyping_Extensions>=4.10\nnumpy<2\n"
     assert "--torch-backend" not in calls(tmp_path)[0]
@@ -367,7 +369,7 @@ def test_a_wheel_that_is_known_by_its_digest(tmp_path: Path) -> None:
 
 
 def test_a_wheel_that_pytorchs_own_index_has_to_be_asked_for(tmp_path: Path) -> None:
-    lock.resolve(request(roots={"torch": "torch==2.10.0"}, elsewhere=UNKNOWN), lock.Uv(fake_uv(tmp_path)))
+    resolve.resolve(request(roots={"torch": "torch==2.10.0"}, elsewhere=UNKNOWN), resolve.Uv(fake_uv(tmp_path)))
     assert (tmp_path / "seen-in.txt").read_text() == "torch==2.10.0+cpu\nnumpy<2\n"
     assert " --torch-backend cpu" in calls(tmp_path)[0]
 
@@ -399,7 +401,7 @@ UNREACHABLE = (
 
 
 def test_the_rest_of_a_stack_is_locked_where_that_index_does_not_answer(tmp_path: Path) -> None:
-    locks = lock.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
+    locks = resolve.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
     assert "locks/cpu/arm64/3.12/torch.txt" in locks.texts
     assert "locks/cpu/amd64/3.12/tensorflow.txt" in locks.texts
     assert "locks/cpu/amd64/3.12/torch.txt" not in locks.texts
@@ -416,7 +418,7 @@ def test_locks_stay_that_were_made_where_that_index_answers(tmp_path: Path) -> N
     folder.mkdir(parents=True)
     for name in ("common", "torch", "tensorflow"):
         (folder / f"{name}.txt").write_text(f"{name}==1\n")
-    locks = lock.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
+    locks = resolve.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
     kept = {Path(path).stem: text for path, text in locks.texts.items() if "cpu/amd64/3.12" in path}
     assert kept == {name: f"{name}==1\n" for name in ("common", "torch", "tensorflow")}
 
@@ -424,7 +426,7 @@ def test_locks_stay_that_were_made_where_that_index_answers(tmp_path: Path) -> N
 def test_another_failure_of_that_request_is_one(tmp_path: Path) -> None:
     uv = fake_uv(tmp_path, UV + "echo 'no solution found' >&2; exit 1")
     with pytest.raises(RosmlError, match="does not resolve:\nno solution found"):
-        lock.resolve(request(elsewhere=UNKNOWN), lock.Uv(uv))
+        resolve.resolve(request(elsewhere=UNKNOWN), resolve.Uv(uv))
 
 
 APART = changed(
@@ -435,13 +437,13 @@ APART = changed(
 def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path) -> None:
     tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], releases: [tensorflow], accelerators: [cpu]}\n"
     catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
-    asked = [list(item.roots) for item in lock.requests(catalogue) if (item.stack, item.python) == ("cpu", "3.12")]
+    asked = [list(item.roots) for item in resolve.requests(catalogue) if (item.stack, item.python) == ("cpu", "3.12")]
     assert asked == [["tensorflow"], ["torch"], ["tensorflow"]]  # amd64 has no wheel of torch
     assert "alpha-core-ml-cpu" not in catalogue.by_target
     uv = fake_uv(tmp_path, UV + PINNED.format("numpy==1.26.4"))
-    texts = lock.lock(catalogue, tmp_path, uv).texts
+    texts = resolve.lock(catalogue, tmp_path, uv).texts
     assert {f"locks/cpu/arm64/3.12/{part}.txt" for part in ("common", "torch", "tensorflow")} <= texts.keys()
-    assert list(lockfile.versions(texts["locks/cpu/arm64/3.12/common.txt"])) == ["numpy"]
+    assert list(lock_file.versions(texts["locks/cpu/arm64/3.12/common.txt"])) == ["numpy"]
 
 
 def test_what_they_share_must_agree(tmp_path: Path) -> None:
@@ -449,7 +451,7 @@ def test_what_they_share_must_agree(tmp_path: Path) -> None:
     catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
     uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; " + PINNED.format("numpy==1.2$n")
     with pytest.raises(RosmlError, match=r"common\.txt: numpy would be 1\.2. and 1\.2., depending on who asks"):
-        lock.lock(catalogue, tmp_path, fake_uv(tmp_path, uv))
+        resolve.lock(catalogue, tmp_path, fake_uv(tmp_path, uv))
 
 
 # ---- The command -----------------------------------------------------------------------------------------------------
@@ -477,7 +479,7 @@ def test_writes_and_then_has_nothing_to_write(checkout: Path, capsys: pytest.Cap
     assert "locks/cu1/amd64/3.12/torch.txt: written\n" in done.out
     assert "[4 of 4] stack " in done.err, "long work shows progress"
     text = (checkout / "locks/cu1/amd64/3.12/torch.txt").read_text()
-    assert lockfile.versions(text) == {"torch": "2.10.0+cu128"}
+    assert lock_file.versions(text) == {"torch": "2.10.0+cu128"}
     assert run(checkout, "--check") == 0
     assert re.fullmatch(r"\d+ locks, 0 stale\n", capsys.readouterr().out)
 
@@ -573,7 +575,7 @@ def test_settings_of_uv_that_change_what_it_resolves_to(tmp_path: Path, monkeypa
     monkeypatch.setenv("UV_RESOLUTION", "lowest")
     monkeypatch.setenv("UV_INDEX_MARK", "kept")
     uv = fake_uv(tmp_path, 'env >"$(dirname "$0")/env"; ' + RESOLVES)
-    lock.resolve(request(), lock.Uv(uv))
+    resolve.resolve(request(), resolve.Uv(uv))
     env = (tmp_path / "env").read_text()
     assert "UV_RESOLUTION" not in env
     assert "UV_INDEX_MARK=kept" in env

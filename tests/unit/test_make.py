@@ -11,7 +11,7 @@ import make_help
 import pytest
 from conftest import ROOT
 
-from rosml.expand import Catalogue
+from rosml.images.image_set import Catalogue
 
 CALLS = {
     "locks STACK=cpu": "scripts/lock.py --stack=cpu",

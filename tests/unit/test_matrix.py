@@ -21,9 +21,11 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from bench import synthetic
-from rosml import bake, expand, model, references, schema, source
-from rosml.errors import RosmlError
-from rosml.problems import InputError
+from rosml.bake import bake_file
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError
+from rosml.images import image_set, load
+from rosml.matrix import model, references, schema, source
 
 Strategy = st.SearchStrategy[Any]
 
@@ -45,7 +47,7 @@ MEGABYTES, MEGABYTES_FOR_IMAGE = 100, 0.02
 """What it may add to the most memory that this process ever had."""
 
 
-def outcome(content: bytes) -> expand.Catalogue | None:
+def outcome(content: bytes) -> image_set.Catalogue | None:
     """The catalogue, or None if the matrix is refused; in bounded memory. Any other exception is a bug.
 
     That the work is bounded as well: test_problems.py, and `make bench` in seconds.
@@ -62,13 +64,13 @@ def on_a_matrix(places: Callable[[str], Strategy]) -> Strategy:
     return st.sampled_from([SMALL] * 4 + [REAL]).flatmap(lambda text: st.tuples(st.just(text), places(text)))
 
 
-def judged(content: bytes) -> expand.Catalogue | None:
+def judged(content: bytes) -> image_set.Catalogue | None:
     """As the command reads it, from a file, whose size is limited."""
     try:
         with tempfile.NamedTemporaryFile() as file:
             file.write(content)
             file.flush()
-            catalogue = expand.load(Path(file.name))
+            catalogue = load.load(Path(file.name))
     except RosmlError as error:
         assert error.exit_code == 2
         assert error.message
@@ -79,7 +81,7 @@ def judged(content: bytes) -> expand.Catalogue | None:
             lines = content.count(b"\n") + content.count(b"\r") + 2
             assert all(1 <= problem.line <= lines and problem.column >= 1 for problem in error.problems)
         return None
-    bake.render(catalogue)
+    bake_file.render(catalogue)
     return catalogue
 
 
@@ -451,7 +453,7 @@ def test_the_check_above_can_fail() -> None:
 # ---- Facts -----------------------------------------------------------------------------------------------------------
 
 
-def test_requirement(small: expand.Catalogue) -> None:
+def test_requirement(small: image_set.Catalogue) -> None:
     stack = small.matrix.stacks["cpu"]
     assert stack.requirement("tensorflow", "amd64") == "tensorflow-cpu==2.20.0"
     assert stack.requirement("tensorflow", "arm64") == "tensorflow==2.20.0"

@@ -7,8 +7,11 @@ from pathlib import Path
 import pytest
 from conftest import SMALL, changed, parse, write_locks
 
-from rosml import command, expand, missing
-from rosml.expand import Catalogue, with_locks
+from rosml.cli import command
+from rosml.images import load as loading
+from rosml.images import missing
+from rosml.images.image_set import Catalogue
+from rosml.images.locked import with_locks
 from scripts import generate_bake
 
 TORCH = "locks/cu1/amd64/3.12/torch.txt"
@@ -63,8 +66,8 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     (tmp_path / "matrix.yaml").write_text(SMALL)
     write_locks(tmp_path, parse(SMALL))
     (tmp_path / TORCH).unlink()
-    load = expand.load
-    monkeypatch.setattr(expand, "load", lambda file, root: load(file, tmp_path))
+    load = loading.load
+    monkeypatch.setattr(loading, "load", lambda file, root: load(file, tmp_path))
     return ["--matrix", str(tmp_path / "matrix.yaml"), "--output", str(tmp_path / "out.hcl")]
 
 
@@ -89,9 +92,9 @@ def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pyte
 
 
 def test_listing_tells_both_apart(elsewhere: Catalogue, capsys: pytest.CaptureFixture[str]) -> None:
-    from rosml import listing
+    from rosml.cli import tables
 
-    listing.print_table(without(elsewhere, TORCH, WAITING).images)
+    tables.print_images(without(elsewhere, TORCH, WAITING).images)
     assert [line.strip() for line in capsys.readouterr().out.splitlines()[-2:]] == [
         f"6 without a lock, which cannot be built yet: {missing.RESTORE}",
         f"6 without a lock, which cannot be built yet: {missing.ASK_PYTORCH}",

@@ -19,10 +19,10 @@ import trustme
 from registry_stand_in import DROP, StandIn, standing_in
 from stubs import executable
 
-from rosml import oci
-from rosml.credentials import DOCKER_HUB, Credentials, from_docker
-from rosml.errors import RosmlError
-from rosml.oci import Registry, parse
+from rosml.base.errors import RosmlError
+from rosml.registry import oci
+from rosml.registry.credentials import DOCKER_HUB, Credentials, from_docker
+from rosml.registry.oci import Registry, parse
 
 NAME, SECRET = "somebody", "s3cret-Pass"
 MANIFEST = {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []}

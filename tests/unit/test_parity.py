@@ -7,9 +7,10 @@ from typing import Any
 import pytest
 from conftest import ROOT
 
-from rosml import lockfile, parity
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image
+from rosml.base.errors import RosmlError
+from rosml.images import lock_file
+from rosml.images.image_set import Catalogue, Image
+from rosml.publish import same_content
 
 
 def config(architecture: str) -> dict[str, Any]:
@@ -25,7 +26,7 @@ def inside(catalogue: Catalogue, image: Image, platform: str) -> dict[str, str]:
     for name in image.parts:
         payload = catalogue.payload_by_name[name]
         lock = dict(zip(payload.platforms, payload.locks, strict=True))[platform]
-        found |= lockfile.versions((ROOT / lock).read_text())
+        found |= lock_file.versions((ROOT / lock).read_text())
     return found
 
 
@@ -35,8 +36,8 @@ def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(re
     for image in real.images:
         if image.parts and image.locked and set(image.platforms) == set(platforms.values()):
             versions = {architecture: inside(real, image, platform) for architecture, platform in platforms.items()}
-            parity.require(image.target, CONFIGS, versions)
-            compared |= {(image.framework, image.stack, name) for name in parity.content(versions["amd64"])}
+            same_content.require(image.target, CONFIGS, versions)
+            compared |= {(image.framework, image.stack, name) for name in same_content.content(versions["amd64"])}
     assert ("tensorflow", "cpu", "TensorFlow") in compared and ("ml", "cpu", "PyTorch") in compared
     assert {("torch", "cu130", name) for name in ("CUDA", "cuDNN", "NCCL", "PyTorch", "numpy")} <= compared
 
@@ -53,7 +54,7 @@ def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(re
 )
 def test_another_content_is_refused(amd64: dict[str, str], arm64: dict[str, str], what: str) -> None:
     with pytest.raises(RosmlError) as error:
-        parity.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64})
+        same_content.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64})
     assert what in error.value.message
 
 
@@ -61,13 +62,13 @@ def test_what_an_architecture_may_have_to_itself() -> None:
     """A revision of Debian's, and one wheel's name and place in the place of another."""
     amd64 = {"python3-numpy": "1.24.2-1+b1", "tensorflow-cpu": "2.20.0", "torch": "2.10.0+cpu", "nvidia-cufile": "1"}
     arm64 = {"python3-numpy": "1.24.2-1", "tensorflow": "2.20.0", "torch": "2.10.0"}
-    parity.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64})
+    same_content.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64})
 
 
 def test_what_an_image_promises_is_compared() -> None:
     other = config("arm64")
     other["config"]["User"] = "robot"
     with pytest.raises(RosmlError, match="User is root on amd64, robot on arm64"):
-        parity.require("x", {"amd64": config("amd64"), "arm64": other}, {})
+        same_content.require("x", {"amd64": config("amd64"), "arm64": other}, {})
     with pytest.raises(RosmlError, match="says that it is for amd64"):
-        parity.require("x", {"arm64": config("amd64")}, {})
+        same_content.require("x", {"arm64": config("amd64")}, {})

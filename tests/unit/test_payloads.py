@@ -12,8 +12,11 @@ import pytest
 from conftest import changed, parse, write_locks
 from stubs import buildx, calls, executable, services
 
-from rosml import base_images, command, expand, filelist, payloads
-from rosml.errors import RosmlError
+from rosml.base.errors import RosmlError
+from rosml.build import file_list, part
+from rosml.cli import command
+from rosml.images import image_set, locked
+from rosml.machine import base_images
 from scripts import publish as script
 
 INDEX, LAYER = "sha256:" + "b" * 64, "sha256:" + "c" * 64
@@ -42,7 +45,7 @@ esac
 class Stage:
     """A checkout with stand-ins."""
 
-    def __init__(self, folder: Path, registry: str, catalogue: expand.Catalogue) -> None:
+    def __init__(self, folder: Path, registry: str, catalogue: image_set.Catalogue) -> None:
         self.folder, self.catalogue, self.said = folder, catalogue, list[str]()
         self.listed: list[tuple[str, str]] = []
         self.facts: dict[str, Any] = {
@@ -59,19 +62,19 @@ class Stage:
         (folder / "manifest.json").write_text(json.dumps({"layers": [{"digest": LAYER, "size": 2_500_000}]}))
         write_locks(folder, catalogue)
 
-    def publish(self, name: str, again: bool = False, platform: str = "", **changes: Any) -> payloads.Assembled:
+    def publish(self, name: str, again: bool = False, platform: str = "", **changes: Any) -> part.Assembled:
         found = services(self.folder, **{**self.facts, **changes})
         (found.state / "tmp").mkdir(exist_ok=True)
-        catalogue = expand.with_locks(self.catalogue, expand.current_locks(self.catalogue, self.folder))
-        payload = payloads.find(catalogue, name)
-        return payloads.publish(found, catalogue, payload, self.said.append, again=again, platform=platform)
+        catalogue = locked.with_locks(self.catalogue, locked.current_locks(self.catalogue, self.folder))
+        payload = part.find(catalogue, name)
+        return part.publish(found, catalogue, payload, self.said.append, again=again, platform=platform)
 
 
 @pytest.fixture
 def stage(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> Stage:
-    monkeypatch.setattr(payloads, "VERSIONS", str(tmp_path / "versions"))
+    monkeypatch.setattr(part, "VERSIONS", str(tmp_path / "versions"))
     found = Stage(tmp_path, registry, parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")))
-    monkeypatch.setattr(filelist, "attach_files", lambda *facts: found.listed.append(facts[3:5]))
+    monkeypatch.setattr(file_list, "attach_files", lambda *facts: found.listed.append(facts[3:5]))
     return found
 
 
@@ -140,7 +143,7 @@ def debian(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Stage:
     first = next(iter(systems.values()))
     systems["bookworm"] = first.model_copy(update={"image": "docker.io/library/debian:bookworm", "python": "3.11"})
     matrix = stage.catalogue.matrix.model_copy(update={"operating_systems": systems})
-    stage.catalogue = expand.Catalogue(matrix, stage.catalogue.images, stage.catalogue.payloads)
+    stage.catalogue = image_set.Catalogue(matrix, stage.catalogue.images, stage.catalogue.payloads)
     stage.facts |= {"mirror": True, "docker_hub": False}
     monkeypatch.setattr(base_images, "debian", lambda *_: "sha256:made")
     return stage
@@ -152,7 +155,7 @@ def test_without_the_base_image_or_a_python(debian: Stage) -> None:
     assert "payload-common-cpu-py312.args.BYTECODE=none" in baked(debian)
     assert found.assembled_on.endswith("instead of docker.io/library/ubuntu:24.04, without bytecode: no Python 3.12")
     assert found.assembled_on in debian.said[0]
-    assert "| none |" in payloads.markdown([found])
+    assert "| none |" in part.markdown([found])
 
 
 def test_without_the_base_image_with_a_python(debian: Stage) -> None:
@@ -176,7 +179,7 @@ def test_what_has_no_python_needs_none(debian: Stage) -> None:
     found = debian.publish("tensorflow-cc-cpu")
     assert "BYTECODE" not in baked(debian)
     assert "without bytecode" not in found.assembled_on
-    assert "| no Python in it |" in payloads.markdown([found])
+    assert "| no Python in it |" in part.markdown([found])
 
 
 def test_no_debian_either(stage: Stage) -> None:
@@ -186,9 +189,9 @@ def test_no_debian_either(stage: Stage) -> None:
 
 def test_unknown(stage: Stage) -> None:
     with pytest.raises(RosmlError, match="common-cpu-py312") as caught:
-        payloads.find(stage.catalogue, "comon-cpu-py312")
+        part.find(stage.catalogue, "comon-cpu-py312")
     assert caught.value.exit_code == 2
-    assert payloads.find(stage.catalogue, "payload-common-cpu-py312").part == "common"
+    assert part.find(stage.catalogue, "payload-common-cpu-py312").part == "common"
 
 
 def test_the_stand_in_cannot_be_made(debian: Stage) -> None:

@@ -12,9 +12,13 @@ from conftest import SMALL, parse
 from projects import copy
 from registry_stand_in import StandIn, standing_in
 
-from rosml import command, expand, names, oci, pins, source
-from rosml.inputs import Inputs
-from rosml.oci import Registry
+from rosml.bake.inputs import Inputs
+from rosml.cli import command
+from rosml.images import locked
+from rosml.locks import base_digests
+from rosml.matrix import names, source
+from rosml.registry import oci
+from rosml.registry.oci import Registry
 from scripts import lock as script
 
 OLD = "sha256:" + "1" * 64
@@ -94,7 +98,7 @@ def test_however_it_is_written(style: str) -> None:
         text = f"operating_systems:\n  one: {body}\n"
     else:
         text = "operating_systems:\n  one:" + style.format(digest=OLD)
-    found = pins.rewritten(text, source.parse(text.encode()), [pins.Pin("one", "a.b/c:d", OLD, OTHER)])
+    found = base_digests.rewritten(text, source.parse(text.encode()), [base_digests.Pin("one", "a.b/c:d", OLD, OTHER)])
     assert found == text.replace(OLD, OTHER)
 
 
@@ -141,7 +145,7 @@ def test_a_base_image_is_an_input_whoever_makes_it(tmp_path: Path) -> None:
     text = SMALL.replace("docker.io/library/ubuntu:26.04", "nvcr.io/nvidia/cuda:13.0.2-runtime-ubuntu26.04")
     moved = text.replace(OTHER, "sha256:" + "5" * 64)
     assert moved != text
-    catalogues = [expand.with_locks(parse(content), frozenset()) for content in (text, moved)]
+    catalogues = [locked.with_locks(parse(content), frozenset()) for content in (text, moved)]
     old, new = (Inputs(root, catalogue) for catalogue in catalogues)
     changed = {image.target for image in catalogues[0].images if old.digests(image) != new.digests(image)}
     stands = {image.target for image in catalogues[0].images if image.os == "ubuntu-26.04"}

@@ -31,28 +31,23 @@ from memory_registry import (
     waiting,
 )
 from projects import BASE
+from steps import do
 from stubs import services
 
-from rosml import (
-    agenda,
-    base_images,
-    builder,
-    expand,
-    filelist,
-    ledger,
-    maker,
-    names,
-    payloads,
-    pipeline,
-    report,
-    standing,
-    sync,
-)
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.inputs import Inputs
-from rosml.pipeline import Pipeline
-from rosml.services import Services
+from rosml.bake.inputs import Inputs
+from rosml.base import clock as moments
+from rosml.base.errors import RosmlError
+from rosml.build import file_list, maker, part, sync
+from rosml.cli import report
+from rosml.images import image_set, locked, selection
+from rosml.images.image_set import Catalogue
+from rosml.machine import base_images, buildx
+from rosml.machine.services import Services
+from rosml.matrix import names
+from rosml.publish import pipeline, plan_file, status
+from rosml.publish.pipeline import Pipeline
+from rosml.records import ledger
+from rosml.registry import repositories
 
 
 @pytest.fixture
@@ -239,7 +234,7 @@ def test_tags_move_from_the_lasting_ones_to_the_floating_ones(
             moved.append(name)
         registry.registry.regctl_tag(services, reference, target, name)
 
-    monkeypatch.setattr("rosml.registry.tag", tag)
+    monkeypatch.setattr("rosml.machine.regctl.tag", tag)
     registry.publish(catalogue, only=[BASE])
     assert moved == ["alpha-base-cu1-20261122", "alpha-base-cu1-torch2.10.0", "alpha-base-cu1", "alpha", "latest"]
 
@@ -252,10 +247,10 @@ def test_a_run_past_midnight_has_one_date(
     looked: list[str] = []
 
     def clock() -> str:
-        looked.append((moment + timedelta(seconds=len(looked))).strftime(pipeline.TIME))
+        looked.append((moment + timedelta(seconds=len(looked))).strftime(moments.TIME))
         return looked[-1]
 
-    monkeypatch.setattr(pipeline, "now", clock)
+    monkeypatch.setattr(moments, "now", clock)
     date = clock()
     run = registry.publish(catalogue, date=date)
     assert date.startswith("2026-11-22") and looked[-1].startswith("2026-11-23"), "nobody looked at the clock"
@@ -266,7 +261,7 @@ def test_a_run_past_midnight_has_one_date(
         assert dated and all(name.endswith("-20261122") for name in dated)
         for name in tags.values():
             index = registry.registry.manifest(f"{PREFIX}/{repository}", name)
-            assert index and index.content["annotations"][pipeline.DATE] == date
+            assert index and index.content["annotations"][ledger.DATE] == date
     again = registry.publish(catalogue, date=clock())
     assert (again.made, again.outcomes) == ([], [])
 
@@ -314,7 +309,7 @@ def test_a_tag_that_does_not_move_keeps_no_other_image_back(
             raise RosmlError(f"the tag {name} is protected")
         registry.registry.regctl_tag(services, reference, target, name)
 
-    monkeypatch.setattr("rosml.registry.tag", tag)
+    monkeypatch.setattr("rosml.machine.regctl.tag", tag)
     run = registry.publish(catalogue)
     failed = {outcome.target for outcome in run.outcomes if outcome.state == "failed"}
     assert "alpha-core" in failed and all(target.startswith("alpha-core") for target in failed)
@@ -331,7 +326,7 @@ def test_a_registry_that_is_down_is_not_asked_for_every_image(
         monkeypatch.setattr(registry.registry, "head", down)
         raise RosmlError("the registry does not answer")
 
-    monkeypatch.setattr("rosml.registry.tag", down)
+    monkeypatch.setattr("rosml.machine.regctl.tag", down)
     with pytest.raises(RosmlError, match="does not answer"):
         registry.publish(catalogue)
     assert len(asked) == 2
@@ -367,7 +362,7 @@ def test_a_lock_of_another_version_makes_nothing(registry: Place, catalogue: Cat
     """A stack was given a new release, and nobody ran 'make locks': its payload waits, as its images do."""
     lock = next(name for name in catalogue.by_target[BASE].locks if name.endswith("amd64/3.12/torch.txt"))
     (project / lock).write_text((project / lock).read_text().replace("torch==2.10.0", "torch==2.9.1"))
-    stale = expand.with_locks(catalogue, expand.current_locks(catalogue, project))
+    stale = locked.with_locks(catalogue, locked.current_locks(catalogue, project))
     run = registry.publish(stale, architectures=("amd64",))
     assert ("payload-torch-cu1-py312", "amd64") not in steps(run, "build")
     assert "torch-cu1-py312" not in registry.tagged("payload")
@@ -386,7 +381,7 @@ def test_force_makes_everything_anew_once(registry: Place, catalogue: Catalogue)
 def test_killed_at_any_write(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch, after: bool) -> None:
     """Every write of a run is the last one once. Nothing partial has a tag, and the next run finishes the work."""
     small = parse(SMALLER.replace("components: [core, base]", "components: [core]"))
-    small = expand.with_locks(small, expand.current_locks(small, project))
+    small = locked.with_locks(small, locked.current_locks(small, project))
     inputs = Inputs(project, small)
     options: dict[str, Any] = {"only": ["alpha-core", "alpha-core-torch-cu1"], "inputs": inputs}
 
@@ -404,7 +399,7 @@ def test_killed_at_any_write(project: Path, catalogue: Catalogue, monkeypatch: p
         run = here.run(small, **options)
         with pytest.raises(Killed):
             for step in ("build", "compose", "test", "index", "promote"):
-                getattr(run, step)()
+                do(run, step)
         here.check(small)
         recorded = {
             key for key, entry in here.run(small, **options).agenda.known.items() if entry.digest and not entry.failed
@@ -427,7 +422,7 @@ def test_two_publishers_at_the_same_time(registry: Place, catalogue: Catalogue) 
     def work(run: Run) -> None:
         try:
             for step in ("build", "compose", "test", "index", "promote"):
-                getattr(run, step)()
+                do(run, step)
         except BaseException as error:
             errors.append(error)
 
@@ -458,11 +453,11 @@ def test_a_registry_that_refuses_leaves_the_others_alone(registry: Place, catalo
 
 
 def test_selection(catalogue: Catalogue) -> None:
-    assert [image.target for image in agenda.select(catalogue, ["alpha-core"])] == ["alpha-core"]
-    assert all(image.distribution == "omega" for image in agenda.select(catalogue, ["omega"]))
-    assert {image.framework for image in agenda.select(catalogue, ["*-torch-*"])} == {"torch"}
+    assert [image.target for image in selection.select(catalogue, ["alpha-core"])] == ["alpha-core"]
+    assert all(image.distribution == "omega" for image in selection.select(catalogue, ["omega"]))
+    assert {image.framework for image in selection.select(catalogue, ["*-torch-*"])} == {"torch"}
     with pytest.raises(RosmlError, match="no image named 'alpha-cor'; did you mean 'alpha-core'"):
-        agenda.select(catalogue, ["alpha-cor"])
+        selection.select(catalogue, ["alpha-cor"])
 
 
 @pytest.mark.parametrize(
@@ -474,7 +469,7 @@ def test_selection(catalogue: Catalogue) -> None:
 )
 def test_a_place_that_is_none(text: str) -> None:
     with pytest.raises(RosmlError, match="no place for images"):
-        pipeline.destination(text)
+        repositories.destination(text)
 
 
 @pytest.mark.parametrize(
@@ -482,21 +477,21 @@ def test_a_place_that_is_none(text: str) -> None:
     ["", "today", "9999-99-99T99:99:99Z", "\u0662\u0660\u0662\u0666-11-22T03:00:00Z", "2026-1-2T3:4:5Z", f"{DAY}\n"],
 )
 def test_a_date_that_is_none(text: str) -> None:
-    assert pipeline.checked_date(DAY) == DAY
+    assert moments.checked_date(DAY) == DAY
     with pytest.raises(RosmlError, match="is no time"):
-        pipeline.checked_date(text)
+        moments.checked_date(text)
 
 
 def test_an_architecture_that_is_none(catalogue: Catalogue) -> None:
-    agenda.require_architectures(catalogue, ["amd64", "arm64"])
+    selection.require_architectures(catalogue, ["amd64", "arm64"])
     with pytest.raises(RosmlError, match="no architecture named 'amd46'; did you mean 'amd64'"):
-        agenda.require_architectures(catalogue, ["amd46"])
+        selection.require_architectures(catalogue, ["amd46"])
 
 
 def test_places() -> None:
-    assert pipeline.destination("[::1]:5000/x") == pipeline.Destination("[::1]:5000", "x")
-    assert pipeline.destination("127.0.0.1:5000/rosml") == pipeline.Destination("127.0.0.1:5000", "rosml")
-    assert pipeline.destination("ghcr.io/me/ros-ml/") == pipeline.Destination("ghcr.io", "me/ros-ml")
+    assert repositories.destination("[::1]:5000/x") == repositories.Destination("[::1]:5000", "x")
+    assert repositories.destination("127.0.0.1:5000/rosml") == repositories.Destination("127.0.0.1:5000", "rosml")
+    assert repositories.destination("ghcr.io/me/ros-ml/") == repositories.Destination("ghcr.io", "me/ros-ml")
 
 
 def test_a_damaged_entry_is_as_good_as_none() -> None:
@@ -537,17 +532,17 @@ def test_a_damaged_entry_is_as_good_as_none() -> None:
 )
 def test_a_run_of_the_future(date: str, clock: str, fine: bool) -> None:
     if fine:
-        pipeline.require_not_ahead(date, clock)
+        moments.require_not_ahead(date, clock)
         return
     with pytest.raises(RosmlError, match=f"{date} is in the future: it is {clock}") as caught:
-        pipeline.require_not_ahead(date, clock)
+        moments.require_not_ahead(date, clock)
     assert caught.value.exit_code == 2 and "--force" in caught.value.remedy
 
 
 def test_a_tag_of_the_future_says_so_and_moves_when_forced(
     registry: Place, catalogue: Catalogue, project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pipeline, "now", lambda: NEXT)
+    monkeypatch.setattr(moments, "now", lambda: NEXT)
     registry.publish(catalogue, only=["alpha-core"], date="2099-01-01T00:00:00Z")
     pinned = registry.tagged("ros")["alpha-core"]
     script = project / "components/ros/install.sh"
@@ -555,7 +550,7 @@ def test_a_tag_of_the_future_says_so_and_moves_when_forced(
     run = registry.publish(catalogue, only=["alpha-core"], date=NEXT, packages="2")
     assert registry.tagged("ros")["alpha-core"] == pinned
     assert any("of 2099-01-01T00:00:00Z, which is in the future" in reason for reason in waiting(run, "alpha-core"))
-    (found,) = standing.standings(run.agenda, registry.registry, PREFIX, NEXT)
+    (found,) = status.standings(run.agenda, registry.registry, PREFIX, NEXT)
     assert found.reason.endswith("its date 2099-01-01T00:00:00Z is in the future")
     registry.publish(catalogue, only=["alpha-core"], date=LATER, packages="2", force=True)
     assert registry.tagged("ros")["alpha-core"] != pinned
@@ -575,16 +570,16 @@ def test_a_date_that_is_none_is_told_and_holds_no_tag(
     registry: Place, catalogue: Catalogue, project: Path, date: Any
 ) -> None:
     registry.publish(catalogue, only=["alpha-core"])
-    there = odd_index(registry, "alpha-core", **{pipeline.DATE: date})
+    there = odd_index(registry, "alpha-core", **{ledger.DATE: date})
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
     run = registry.run(catalogue, only=["alpha-core"], date=NEXT, packages="2")
-    (found,) = standing.standings(run.agenda, registry.registry, PREFIX, NEXT)
+    (found,) = status.standings(run.agenda, registry.registry, PREFIX, NEXT)
     assert "its date is none" in found.reason and found.age is None
     said: list[str] = []
     run.say = said.append
     for step in ("build", "compose", "test", "index", "promote"):
-        getattr(run, step)()
+        do(run, step)
     assert not run.failed
     assert registry.tagged("ros")["alpha-core"] != there
     assert any("which is no date: taken for older" in line for line in said)
@@ -606,7 +601,7 @@ def test_the_digest_of_another_image_gets_no_index(registry: Place, catalogue: C
     forge(registry, "alpha-base", "amd64", digest=core.digest)
     run = registry.run(catalogue, date=NEXT, only=["alpha-base"])
     run.index()
-    run.promote()
+    do(run, "promote")
     (failed,) = [outcome for outcome in run.outcomes if outcome.state == "failed"]
     assert f"the ledger's entry alpha-base.amd64 names {core.digest}, which is alpha-core for amd64" in failed.reason
     assert registry.tagged("ros") == before
@@ -638,7 +633,7 @@ def test_the_index_of_another_image_gets_no_tag(registry: Place, catalogue: Cata
     run = registry.run(catalogue, date=NEXT, only=["alpha-core"])
     run.agenda.present.add(("alpha-core", "index"))
     before = registry.tagged("ros")
-    run.promote()
+    do(run, "promote")
     assert run.failed and registry.tagged("ros") == before
     reason = next(outcome.reason for outcome in run.outcomes if outcome.state == "failed")
     says = {"title": "that of alpha-base", "members": "of other images", "gone": "not in the registry any more"}
@@ -695,7 +690,7 @@ def test_force_releases_what_was_moved_back(registry: Place, catalogue: Catalogu
 
 def published_index(registry: Place, target: str) -> str:
     """What the ledger says of an image's index."""
-    entry = ledger.Ledger(registry.registry, PREFIX).read(target, agenda.INDEX)
+    entry = ledger.Ledger(registry.registry, PREFIX).read(target, ledger.INDEX)
     assert entry
     return entry.digest
 
@@ -720,7 +715,7 @@ def test_a_publisher_that_began_before_takes_the_index_of_the_one_that_ended_bef
         (older, ("index", "promote")),
     ):
         for step in some:
-            getattr(run, step)()
+            do(run, step)
     assert not any(outcome.step == "index" for outcome in older.outcomes)
     nothing_is_left(registry, catalogue)
 
@@ -729,8 +724,8 @@ def test_an_older_index_that_was_written_down_last(registry: Place, catalogue: C
     """Two publishers make their indexes in the same moment: the ledger has one of them, and the tags the other one."""
     older = registry.run(catalogue, date=DAY)
     for step in ("build", "compose", "test", "index"):
-        getattr(older, step)()
-    indexes = [entry for (_, architecture), entry in older.agenda.known.items() if architecture == agenda.INDEX]
+        do(older, step)
+    indexes = [entry for (_, architecture), entry in older.agenda.known.items() if architecture == ledger.INDEX]
     book = ledger.Ledger(registry.registry, PREFIX)
     for entry in indexes:
         registry.registry.delete(book.repository, entry.tag)
@@ -747,11 +742,11 @@ def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, catalogu
     """Each step on a machine of its own asks nobody anew of when packages are."""
     file = tmp_path / "plan.json"
     file.write_text(report.plan_json(registry.run(catalogue), 2, why=False))
-    known = pipeline.read_plan(file).upstream
+    known = plan_file.read_plan(file).upstream
     assert known == registry.upstream
     for number, step in enumerate(("build", "compose", "test", "index", "promote")):
         run = registry.run(catalogue, upstream=known)
-        getattr(run, step)()
+        do(run, step)
         assert not run.failed
         assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
         registry.upstream["alpha"] = f"after step {number}"
@@ -764,11 +759,11 @@ def test_what_another_run_did_in_the_meantime_is_not_done_again(registry: Place,
     """Two runs of one date, which began at the same time."""
     one, other = registry.run(catalogue), registry.run(catalogue)
     for step in ("build", "compose", "test"):
-        getattr(one, step)()
+        do(one, step)
     said: list[str] = []
     other.say = said.append
     for step in ("build", "compose", "test", "index", "promote"):
-        getattr(other, step)()
+        do(other, step)
     assert one.made and other.made == []
     assert not other.failed and any("another run did it in the meantime" in line for line in said)
     registry.check(catalogue)
@@ -820,20 +815,20 @@ def told(
     run: Run, target: str, monkeypatch: pytest.MonkeyPatch, asked: Callable[[], str]
 ) -> tuple[list[str], dict[str, str]]:
     """The overrides and variables with which a ROS image is built on this machine's own architecture."""
-    calls: list[builder.Bake] = []
+    calls: list[buildx.Bake] = []
 
-    def push(_services: Services, call: builder.Bake, _where: str) -> tuple[dict[str, str], str]:
+    def push(_services: Services, call: buildx.Bake, _where: str) -> tuple[dict[str, str], str]:
         calls.append(call)
         return {}, put_image(run.registry, f"{PREFIX}/ros", architecture, {}, [])
 
     monkeypatch.setattr(maker, "push_by_digest", push)
-    monkeypatch.setattr(filelist, "attach_files", lambda *_: None)
+    monkeypatch.setattr(file_list, "attach_files", lambda *_: None)
     monkeypatch.setattr(base_images, "ensure", lambda _services, system, *_: f"base-of-{system.python}")
     monkeypatch.setattr(Services, "require_builder", lambda *_: None)
     monkeypatch.setattr(sync, "published", lambda *_: asked())
     architecture = base_images.native_architecture()
     item = run.agenda.by_key[target, architecture]
-    assert isinstance(item.thing, expand.Image)
+    assert isinstance(item.thing, image_set.Image)
     for name in item.thing.architectures:
         run.agenda.known[target, name] = ledger.Entry(target, name, upstream="sunday")
     Pipeline(run.agenda, run.registry, HOST, PREFIX, lambda line: None).build([target])
@@ -880,8 +875,8 @@ def test_a_payload_is_assembled_anew_when_that_is_asked_for(
         seen.append(arguments[-1])
         return SimpleNamespace(reference=PINNED), put_image(registry.registry, f"{PREFIX}/payload", "amd64", {}, [])
 
-    monkeypatch.setattr(payloads, "push", push)
-    monkeypatch.setattr(filelist, "attach_files", lambda *_: None)
+    monkeypatch.setattr(part, "push", push)
+    monkeypatch.setattr(file_list, "attach_files", lambda *_: None)
     for force, date in ((False, DAY), (True, NEXT)):
         run = registry.run(catalogue, date=date, force=force, architectures=("amd64",))
         Pipeline(run.agenda, run.registry, HOST, PREFIX, lambda line: None).build([catalogue.payloads[0].target])

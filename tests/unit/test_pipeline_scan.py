@@ -10,13 +10,14 @@ import pytest
 from memory_registry import NEXT, Place, Run, place, waiting
 from projects import BASE
 from scanning import World, advisory, rules
+from steps import do
 from stubs import services
 
-from rosml import scan
-from rosml.expand import Catalogue
-from rosml.pipeline import policy_digest
-from rosml.scan import Outcome, summarise
-from rosml.trivy import ScannerFailed
+from rosml.images.image_set import Catalogue
+from rosml.publish.pipeline import policy_digest
+from rosml.scan import judge as judging
+from rosml.scan.judge import Outcome, summarise
+from rosml.scan.trivy import ScannerFailed
 
 
 @pytest.fixture
@@ -33,7 +34,7 @@ def scanned(registry: Place, catalogue: Catalogue, world: World, **options: obje
     """A run of which a clean scan is asked before tags."""
     run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
     for step in ("build", "compose", "test"):
-        getattr(run, step)()
+        do(run, step)
     for item in run.agenda.items:
         packages = ("bash",) if item.kind == "ros" else (item.thing.part,) if item.kind == "payload" else ()  # type: ignore[union-attr]
         if packages:
@@ -43,7 +44,7 @@ def scanned(registry: Place, catalogue: Catalogue, world: World, **options: obje
     trivy.fetch(rules().policy.database)
     run.scan(rules(), trivy)
     run.index()
-    run.promote()
+    do(run, "promote")
     return run
 
 
@@ -78,11 +79,11 @@ def test_what_the_policy_stops_gets_no_tag(
 def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, catalogue: Catalogue) -> None:
     run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-core"])
     for step in ("build", "test"):
-        getattr(run, step)()
+        do(run, step)
     found = run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
     assert found.outcome is Outcome.SCANNER_FAILED
     run.index()
-    run.promote()
+    do(run, "promote")
     assert registry.tagged("ros") == {}
     assert any("scanner failed" in reason for reason in waiting(run, "alpha-core"))
 
@@ -95,7 +96,7 @@ def test_what_another_run_made_anew_keeps_its_entry(
     """A scan takes its time, in which another publisher may replace the image: its entry is not written over."""
     run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-core"])
     for step in ("build", "test"):
-        getattr(run, step)()
+        do(run, step)
     other = registry.run(catalogue, date=NEXT, only=["alpha-core"], force=True, packages="2")
     other.build()
     made = other.agenda.known["alpha-core", "amd64"]
@@ -121,11 +122,11 @@ def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
     for only in (["alpha-*"], []):
         run = registry.run(catalogue, date=NEXT, only=only)
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(scan, "summarise", judge)
+            patch.setattr(judging, "summarise", judge)
             run.scan(rules(), ScannerFailed("none", "make scanner"))
     for key in [key for key in run.agenda.present if key[0] == "omega-base"]:
         run.agenda.present.discard(key)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(scan, "summarise", judge)
+        patch.setattr(judging, "summarise", judge)
         run.scan(rules(), ScannerFailed("none", "make scanner"))
     assert found == [False, True, True]

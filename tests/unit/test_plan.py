@@ -12,9 +12,11 @@ from conftest import ROOT, SMALL, changed, parse, write_locks
 from counting import calls
 
 from bench import synthetic
-from rosml import command, forecast, plan
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, Image
+from rosml.base.errors import RosmlError
+from rosml.cli import command
+from rosml.images.image_set import Catalogue, Image
+from rosml.machine import disk
+from rosml.publish import shards as dealing
 from scripts import generate_bake
 
 
@@ -32,7 +34,7 @@ def everything(image: Image) -> bool:
 
 
 def test_a_shard(small: Catalogue) -> None:
-    shards = plan.plan(small, 4).shards
+    shards = dealing.plan(small, 4).shards
     assert [shard.name for shard in shards] == ["amd64-1", "amd64-2", "arm64-1", "arm64-2"]
     first = shards[0]
     assert (first.architecture, first.platform, first.runner) == ("amd64", "linux/amd64", "amd")
@@ -49,27 +51,27 @@ def test_a_shard(small: Catalogue) -> None:
     # The operating system, three components, and the payloads cuda, common, torch and tensorflow.
     assert first.download_mb == 10 + 3 * 2 + 100 + 30 + 200 + 150
     payloads = (1000 + 100) + (300 + 30) + (2000 + 200) + (1500 + 150)
-    assert first.disk_mb == (100 + 2 * 10) + 3 * (20 + 2 * 2) + 2 * payloads + forecast.RESERVE_MB
+    assert first.disk_mb == (100 + 2 * 10) + 3 * (20 + 2 * 2) + 2 * payloads + disk.RESERVE_MB
     assert first.seconds == (100 + 3 * 20) // 10 + (1000 + 300 + 2000 + 1500) // 100 + 12 * 5 == 124
     assert [shard.seconds for shard in shards] == [124, 77, 74, 42]
 
 
 def test_what_a_shard_has_already_costs_nothing(small: Catalogue) -> None:
     """Both distributions need CUDA, which is assembled once: 10 s, and 2 * 1100 MB; their Pythons differ."""
-    apart, together = plan.plan(small, 4).shards, plan.plan(small, 2).shards
+    apart, together = dealing.plan(small, 4).shards, dealing.plan(small, 2).shards
     assert [shard.seconds for shard in together] == [124 + 77 - 10, 74 + 42]
     assert together[0].payloads.count("cuda-cu1") == 1
     saved = apart[0].disk_mb + apart[1].disk_mb - together[0].disk_mb
-    assert saved == 2 * 1000 + 2 * 100 + forecast.RESERVE_MB
+    assert saved == 2 * 1000 + 2 * 100 + disk.RESERVE_MB
     assert apart[0].download_mb + apart[1].download_mb - together[0].download_mb == 100
 
 
 def test_a_further_shard_goes_where_it_takes_longest(small: Catalogue) -> None:
-    assert [shard.name for shard in plan.plan(small, 3).shards] == ["amd64-1", "amd64-2", "arm64-1"]
+    assert [shard.name for shard in dealing.plan(small, 3).shards] == ["amd64-1", "amd64-2", "arm64-1"]
 
 
 def test_only_what_is_included(small: Catalogue) -> None:
-    found = plan.plan(small, 4, lambda image: image.target == "alpha-desktop-torch-cpu").shards
+    found = dealing.plan(small, 4, lambda image: image.target == "alpha-desktop-torch-cpu").shards
     assert [(shard.name, shard.targets) for shard in found] == [
         ("arm64-1", ("alpha-core", "alpha-base", "alpha-desktop", "alpha-desktop-torch-cpu"))
     ]
@@ -80,7 +82,7 @@ def test_distributions_that_share_come_together() -> None:
     """Two on each of eight operating systems, all equally long; the second ones where the first ones are."""
     catalogue = parse(synthetic.matrix(16 * synthetic.IMAGES))
     system = {name: row.os for name, row in catalogue.matrix.distributions.items()}
-    for shard in plan.plan(catalogue, 16).shards:
+    for shard in dealing.plan(catalogue, 16).shards:
         assert len(shard.distributions) == 2
         assert len({system[name] for name in shard.distributions}) == 1
 
@@ -90,7 +92,7 @@ def test_distributions_that_share_come_together() -> None:
 
 @pytest.mark.parametrize("number", [2, 3, 7, 12, 20, 99])
 def test_every_plan(big: Catalogue, number: int) -> None:
-    found = plan.plan(big, number)
+    found = dealing.plan(big, number)
     assert len(found.shards) == min(number, 20)
     wanted = {(image.target, architecture) for image in big.images for architecture in image.architectures}
     built = [(target, shard.architecture) for shard in found.shards for target in shard.targets]
@@ -110,21 +112,21 @@ def test_every_plan(big: Catalogue, number: int) -> None:
 @pytest.mark.parametrize("number", [4, 8, 12])
 def test_balanced(big: Catalogue, number: int) -> None:
     """No shard takes longer than its fair share of all the work and the longest unit together."""
-    units = plan.plan(big, 99).shards
+    units = dealing.plan(big, 99).shards
     longest = max(unit.seconds for unit in units)
-    shards = plan.plan(big, number).shards
+    shards = dealing.plan(big, number).shards
     assert max(shard.seconds for shard in shards) <= sum(unit.seconds for unit in units) / number + longest
 
 
 def test_more_machines_never_take_longer(big: Catalogue) -> None:
-    times = [max(shard.seconds for shard in plan.plan(big, number).shards) for number in range(2, 22)]
+    times = [max(shard.seconds for shard in dealing.plan(big, number).shards) for number in range(2, 22)]
     assert times == sorted(times, reverse=True)
     assert times[0] > 4 * times[-1]
 
 
 def test_same_input_same_bytes(big: Catalogue) -> None:
-    text = plan.as_json(plan.plan(big, 7))
-    assert text == plan.as_json(plan.plan(parse(synthetic.matrix(10 * synthetic.IMAGES)), 7, everything))
+    text = dealing.as_json(dealing.plan(big, 7))
+    assert text == dealing.as_json(dealing.plan(parse(synthetic.matrix(10 * synthetic.IMAGES)), 7, everything))
     assert re.findall(r"\b20\d\d-\d\d-\d\d\b", text) == []
 
 
@@ -134,14 +136,14 @@ def test_order_of_the_matrix_does_not_make_it_worse() -> None:
     times = set()
     for order in orders:
         catalogue = parse("\n".join([f"{head}distributions:", *order, ""]))
-        times.add(max(shard.seconds for shard in plan.plan(catalogue, 4).shards))
+        times.add(max(shard.seconds for shard in dealing.plan(catalogue, 4).shards))
     assert len(times) == 1
 
 
 def test_work_grows_with_the_images_and_not_with_their_square() -> None:
     """Ten times the images; with their square it would be 100 times the work."""
     few, many = (parse(synthetic.matrix(images)) for images in (1_000, 10_000))
-    assert calls(lambda: plan.plan(many, 20)) < 12 * calls(lambda: plan.plan(few, 20))
+    assert calls(lambda: dealing.plan(many, 20)) < 12 * calls(lambda: dealing.plan(few, 20))
 
 
 # ---- Errors ----------------------------------------------------------------------------------------------------------
@@ -158,7 +160,7 @@ ERRORS: dict[str, tuple[str, int, str, str]] = {
 def test_errors(name: str) -> None:
     text, number, message, remedy = ERRORS[name]
     with pytest.raises(RosmlError) as caught:
-        plan.plan(parse(text), number)
+        dealing.plan(parse(text), number)
     assert message in caught.value.message
     assert remedy in caught.value.remedy
     assert caught.value.exit_code == 2
@@ -167,20 +169,20 @@ def test_errors(name: str) -> None:
 def test_an_architecture_that_nothing_is_built_for_needs_no_runner() -> None:
     text = changed(", runner: arm", "", changed("default_stack: cpu", "default_stack: cu1"))
     text = text.replace("architectures: [amd64, arm64]", "architectures: [amd64]")
-    assert [shard.architecture for shard in plan.plan(parse(text), 1).shards] == ["amd64"]
+    assert [shard.architecture for shard in dealing.plan(parse(text), 1).shards] == ["amd64"]
 
 
 @pytest.mark.parametrize("shards", [0, -1])
 def test_no_machines(shards: int, small: Catalogue) -> None:
     with pytest.raises(RosmlError) as caught:
-        plan.plan(small, shards)
+        dealing.plan(small, shards)
     assert (caught.value.message, caught.value.exit_code) == (f"{shards} machines can build nothing", 2)
     assert caught.value.remedy == "say how many there are, one or more: make plan SHARDS=8"
 
 
 def test_nothing_to_plan(small: Catalogue) -> None:
     with pytest.raises(RosmlError, match="nothing to plan") as caught:
-        plan.plan(small, 2, lambda image: False)
+        dealing.plan(small, 2, lambda image: False)
     assert "make locks" in caught.value.remedy
 
 
@@ -225,7 +227,7 @@ def test_json(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[
     assert run("--matrix", small_file, "--shards", "3", "--json") == 0
     found = json.loads(capsys.readouterr().out)
     assert found["version"] == 1
-    assert found["shards"] == [plan.facts(shard) for shard in plan.plan(small, 3).shards]
+    assert found["shards"] == [dealing.facts(shard) for shard in dealing.plan(small, 3).shards]
     assert found["shards"][0].keys() == {
         "name", "architecture", "platform", "runner", "distributions", "targets", "payloads", "estimates",
     }  # fmt: skip
@@ -235,7 +237,7 @@ def test_json(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[
 def test_output(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     output = small_file.with_name("plan.json")
     assert run("--matrix", small_file, "--shards", "3", "--output", output) == 0
-    assert output.read_text() == plan.as_json(plan.plan(small, 3))
+    assert output.read_text() == dealing.as_json(dealing.plan(small, 3))
     done = capsys.readouterr()
     assert (done.out, "plan.json: written" in done.err) == ("", True)
 
@@ -250,5 +252,5 @@ def test_table(small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_real_matrix_has_a_plan(real: Catalogue) -> None:
     units = {(image.distribution, name) for image in real.images for name in image.architectures}
-    assert len(plan.plan(real, 100).shards) == len(units)
+    assert len(dealing.plan(real, 100).shards) == len(units)
     assert (ROOT / "matrix.yaml").read_text().count("runner:") == len(real.matrix.architectures)

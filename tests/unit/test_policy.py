@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 from scanning import POLICY, rules
 
-from rosml import policy
-from rosml.errors import RosmlError
-from rosml.problems import InputError
-from rosml.source import parse
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError
+from rosml.matrix.source import parse
+from rosml.scan import policy
 
 ROOT = Path(__file__).resolve().parents[2]
 

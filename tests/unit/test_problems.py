@@ -8,9 +8,10 @@ import pytest
 from conftest import SMALL, changed, parse
 from counting import calls
 
-from rosml import expand, model, source
-from rosml.errors import RosmlError
-from rosml.problems import InputError, Problem, dotted, listed, near
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError, Problem, dotted, listed, near
+from rosml.images import load
+from rosml.matrix import model, source
 
 ZEROS = "sha256:" + "1" * 64
 
@@ -585,24 +586,24 @@ CONTENT = {
 def test_content(name: str) -> None:
     content, expected = CONTENT[name]
     with pytest.raises(InputError) as caught:
-        expand.catalogue(source.parse(content))
+        load.catalogue(source.parse(content))
     assert str(caught.value) == expected
 
 
 def test_byte_order_mark() -> None:
-    assert expand.catalogue(source.parse(b"\xef\xbb\xbf" + SMALL.encode())).images
+    assert load.catalogue(source.parse(b"\xef\xbb\xbf" + SMALL.encode())).images
 
 
 def test_missing_file(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match=r"none\.yaml: no such file") as caught:
-        expand.load(tmp_path / "none.yaml")
+        load.load(tmp_path / "none.yaml")
     assert caught.value.exit_code == 2
     assert caught.value.remedy
 
 
 def test_folder(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="cannot be read: Is a directory") as caught:
-        expand.load(tmp_path)
+        load.load(tmp_path)
     assert caught.value.exit_code == 2
 
 
@@ -610,19 +611,19 @@ def test_link_that_leads_to_itself(tmp_path: Path) -> None:
     link = tmp_path / "loop.yaml"
     link.symlink_to(link)
     with pytest.raises(RosmlError, match=r"loop\.yaml: cannot be read: Too many levels of symbolic links"):
-        expand.load(link)
+        load.load(link)
 
 
 def test_file_name_with_nul() -> None:
     with pytest.raises(RosmlError, match="cannot be read"):
-        expand.load(Path("a\0b"))
+        load.load(Path("a\0b"))
 
 
 def test_huge_file(tmp_path: Path) -> None:
     file = tmp_path / "huge.yaml"
     file.write_bytes(b"#" * (source.MAX_BYTES + 1))
     with pytest.raises(RosmlError, match="larger than 128 KiB") as caught:
-        expand.load(file)
+        load.load(file)
     assert caught.value.exit_code == 2
 
 

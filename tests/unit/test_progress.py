@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 
-from rosml import progress
-from rosml.progress import BuildProgress, Step
+from rosml.machine import progress
+from rosml.machine.progress import BuildProgress, Step
 
 DAY = "2026-11-21T11:03:"
 ROS = (

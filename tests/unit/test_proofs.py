@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from rosml.errors import RosmlError
+from rosml.base.errors import RosmlError
 from tests import proof, suite
 from tests.proof import FOLDER, ROOT, Proof, Proved
 from tests.suite import Outcome

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from projects import git
 
-from rosml import provenance
-from rosml.provenance import Definition, Machine
+from rosml.publish import provenance
+from rosml.publish.provenance import Definition, Machine
 
 DATE = "2026-11-22T03:00:00Z"
 DIGEST = "sha256:" + "1" * 64

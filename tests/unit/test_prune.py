@@ -13,11 +13,15 @@ from memory_registry import DAY, PREFIX, Place, place
 from projects import BASE
 from stubs import services
 
-from rosml import expand, ledger, promote, prune, standing
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.oci import Manifest
-from rosml.prune import Pruner
+from rosml.base.errors import RosmlError
+from rosml.cli import tables
+from rosml.images import locked
+from rosml.images.image_set import Catalogue
+from rosml.matrix import names
+from rosml.publish import prune, status
+from rosml.publish.prune import Pruner
+from rosml.records import ledger, tag_moves
+from rosml.registry.oci import Manifest
 
 FIRST = date(2026, 9, 1)
 
@@ -118,9 +122,9 @@ def test_a_record_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalog
 def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
     now = "2026-10-08T03:00:00Z"
 
-    def states(**options: object) -> dict[str, standing.Standing]:
+    def states(**options: object) -> dict[str, status.Standing]:
         run = nights.run(catalogue, **options)  # type: ignore[arg-type]
-        found = standing.standings(run.agenda, nights.registry, PREFIX, now, run.serving)
+        found = status.standings(run.agenda, nights.registry, PREFIX, now, run.serving)
         return {item.target: item for item in found}
 
     found = states()
@@ -142,8 +146,8 @@ def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
     nights.publish(catalogue, only=["omega-core"], architectures=("amd64",), serving=("amd64",))
     assert states(serving=("amd64",))["omega-core"].state == "published", "what is not served is not missed"
     assert states()["omega-core"].state == "stale"
-    assert standing.age(None) == "" and standing.age(59) == "59 s" and standing.age(7300) == "2 h"
-    assert '"failed": 1' in standing.as_json(list(found.values()))
+    assert status.age(None) == "" and status.age(59) == "59 s" and status.age(7300) == "2 h"
+    assert '"failed": 1' in status.as_json(list(found.values()))
 
 
 def test_what_cannot_be_had_is_told_apart(
@@ -157,10 +161,10 @@ def test_what_cannot_be_had_is_told_apart(
     here.publish(catalogue, only=["alpha-core"], date="2026-11-19T03:00:00Z")
     here.services = services(project, docker_hub=False, mirror=True)
     lock = next(name for name in catalogue.by_target[BASE].locks if name.endswith("/torch.txt"))
-    lacking = expand.with_locks(catalogue, catalogue.locks - {lock})
+    lacking = locked.with_locks(catalogue, catalogue.locks - {lock})
     (project / lock).unlink()
     run = here.run(lacking, only=["alpha-core", "alpha-base", BASE, "alpha-core-ml-cu1"])
-    found = list(standing.standings(run.agenda, here.registry, PREFIX, DAY))
+    found = list(status.standings(run.agenda, here.registry, PREFIX, DAY))
     states = {item.target: (item.state, item.reason) for item in found if not item.target.startswith("payload")}
     why = "unbuildable here: docker.io/library/ubuntu:24.04 is on Docker Hub, which does not answer"
     assert states == {
@@ -169,9 +173,9 @@ def test_what_cannot_be_had_is_told_apart(
         BASE: ("unlocked", "1 of its locks are missing"),
         "alpha-core-ml-cu1": ("unlocked", "1 of its locks are missing"),
     }
-    counts = json.loads(standing.as_json(found))["counts"]
+    counts = json.loads(status.as_json(found))["counts"]
     assert (counts["published"], counts["unbuildable"], counts["unlocked"]) == (1, 1, 2)
-    standing.print_table(found)
+    tables.print_status(found)
     lines = {line.split()[0]: " ".join(line.split()[1:]) for line in capsys.readouterr().out.splitlines() if line}
     assert lines["image"] == "state age platforms why"
     assert lines["alpha-core"] == "published 3 d amd64, arm64"
@@ -188,7 +192,7 @@ def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, c
     here.today = FIRST + timedelta(days=35)
     found = here.find()
     record = next(name for name in nights.registry.tags(f"{PREFIX}/ledger") if name == "undo.20261006T030000Z")
-    moves = [move for move in promote.moves(ledger.Ledger(nights.registry, PREFIX), record) if move.old]
+    moves = [move for move in tag_moves.read_moves(ledger.Ledger(nights.registry, PREFIX), record) if move.old]
     assert moves
     list(here.remove(found))
     for move in moves:
@@ -208,7 +212,7 @@ def test_a_tag_of_somebody_else_stays(nights: Place, catalogue: Catalogue) -> No
 def test_how_images_stand_after_a_failure_is_over(nights: Place, catalogue: Catalogue, project: Path) -> None:
     def state(target: str) -> tuple[str, str]:
         run = nights.run(catalogue, only=["alpha"])
-        found = standing.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+        found = status.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
         return next((item.state, item.reason) for item in found if item.target == target)
 
     script = project / "components/ros/install.sh"
@@ -225,7 +229,7 @@ def test_an_index_that_cannot_be_made_has_failed(nights: Place, catalogue: Catal
     odd = {("alpha-core", "arm64"): {"org.opencontainers.image.version": "another"}}
     nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", odd=odd)
     run = nights.run(catalogue, only=["alpha"])
-    found = {i.target: i for i in standing.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
+    found = {i.target: i for i in status.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
     assert found["alpha-core"].state == "failed" and "not the same on all" in found["alpha-core"].reason
 
 
@@ -235,7 +239,7 @@ def test_a_date_that_is_none_has_no_age(nights: Place, catalogue: Catalogue, dat
     content = {"manifests": None, "annotations": {"io.rosml.date": date}}
     nights.registry.put_manifest(path, "alpha-core", content, "application/json")
     run = nights.run(catalogue, only=["alpha-core"])
-    (found,) = standing.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+    (found,) = status.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
     assert (found.state, found.age, found.platforms) == ("stale", None, ())
 
 
@@ -314,7 +318,7 @@ def test_looking_asks_at_most_twice_for_an_image_of_a_night(
         before = here.registry.reads
         Pruner(here.registry, PREFIX, catalogue, FIRST + timedelta(days=100), days, newest).find()
         asked.append(here.registry.reads - before)
-        dated = [tag for name in repositories for tag in here.tagged(name) if prune.DATED.search(tag)]
+        dated = [tag for name in repositories for tag in here.tagged(name) if names.DATED.search(tag)]
         images.append(len(dated))
     more = images[5] - images[1]
     assert more >= 4 * 10, "nights without new images say nothing"

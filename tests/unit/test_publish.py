@@ -18,11 +18,15 @@ import pytest
 from conftest import ROOT, SMALL, changed, parse, write_locks
 from stubs import buildx, calls, executable, services
 
-from rosml import base_images, command, expand, ledger, summary, sync
-from rosml.errors import RosmlError
-from rosml.inputs import Inputs
-from rosml.ledger import Entry
-from rosml.publish import Publisher, Result, TestsFailed, require_buildable
+from rosml.bake.inputs import Inputs
+from rosml.base.errors import RosmlError
+from rosml.build import sync
+from rosml.build.publisher import Publisher, Result, TestsFailed, require_buildable
+from rosml.cli import command, summary
+from rosml.images import apt_source, image_set, locked
+from rosml.machine import base_images
+from rosml.records import ledger
+from rosml.records.ledger import Entry
 from scripts import publish as script
 
 TARGET = "alpha-base-torch-cu1"
@@ -87,7 +91,7 @@ class Stage:
 
     folder: Path
     registry: str
-    catalogue: expand.Catalogue
+    catalogue: image_set.Catalogue
     said: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -131,7 +135,7 @@ class Stage:
 
 
 @pytest.fixture
-def stage(tmp_path: Path, registry: str, small: expand.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
+def stage(tmp_path: Path, registry: str, small: image_set.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
     free(monkeypatch, 1_000_000)
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     monkeypatch.setattr(sync, "published", lambda source: SYNC)
@@ -192,7 +196,7 @@ def test_the_builder_is_told_of_when_ros_repository_is(stage: Stage, monkeypatch
     """A new state is a new argument; where nobody can be asked, what is known of last time keeps the builder's cache."""
     stage.write("buildx", (stage.folder / "buildx").read_text().replace("case $1", 'env >"$here/env-$1"\ncase $1', 1))
 
-    def silent(source: sync.Source) -> str:
+    def silent(source: apt_source.Source) -> str:
         raise RosmlError("nobody answers", "wait")
 
     monkeypatch.setattr(sync, "published", silent)
@@ -263,7 +267,7 @@ def test_another_architecture_is_built_and_tested_and_gets_no_tag(stage: Stage) 
 def test_one_architecture_needs_no_lock_of_another(stage: Stage) -> None:
     catalogue = parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}"))
     present = {lock for payload in catalogue.payloads for lock in payload.locks} - {"locks/cpu/amd64/3.12/torch.txt"}
-    image = expand.with_locks(catalogue, present).image("alpha-core-torch-cpu")
+    image = locked.with_locks(catalogue, present).image("alpha-core-torch-cpu")
     require_buildable(image, "arm64")
     for architecture in ("", "amd64"):
         with pytest.raises(RosmlError, match="cannot be built yet"):
@@ -304,11 +308,11 @@ def test_a_test_fails(stage: Stage) -> None:
 def test_payloads_beyond_the_budget_fail(stage: Stage) -> None:
     """The tag's budget is a test like any other."""
 
-    def budget(megabytes: int) -> expand.Catalogue:
+    def budget(megabytes: int) -> image_set.Catalogue:
         catalogue = parse(
             changed("  parts:\n    cu1:", f"  budgets: {{cu1: {{torch: {megabytes}}}}}\n  parts:\n    cu1:")
         )
-        return expand.with_locks(catalogue, {lock for payload in catalogue.payloads for lock in payload.locks})
+        return locked.with_locks(catalogue, {lock for payload in catalogue.payloads for lock in payload.locks})
 
     stage.write("manifest.json", '{"layers": [{"digest": "x", "size": 2000000}, {"digest": "y", "size": 2000001}]}')
     stage.catalogue = budget(4)

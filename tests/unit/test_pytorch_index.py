@@ -23,9 +23,9 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
-from rosml import lock
-from rosml.errors import RosmlError
-from rosml.lock import Elsewhere, Request
+from rosml.base.errors import RosmlError
+from rosml.locks import resolve
+from rosml.locks.resolve import Elsewhere, Request
 
 ASSEMBLE = (ROOT / "components/payload/assemble.sh").read_text()
 
@@ -154,14 +154,14 @@ def test_a_lock_of_a_wheel_that_is_there_alone_can_be_made_and_installed(
 ) -> None:
     for key, value in index.environment.items():
         monkeypatch.setenv(key, value)
-    pins = lock.resolve(REQUEST, lock.Uv(uv))
+    pins = resolve.resolve(REQUEST, resolve.Uv(uv))
     digest = hashlib.sha256(index.wheels["torch"][1]).hexdigest()
     assert [(pin.name, pin.version, pin.hashes) for pin in pins if pin.name == "torch"] == [
         ("torch", "2.10.0+cpu", (f"sha256:{digest}",))
     ]
     assert len(index.asked) == 1, "one index, known to uv"
 
-    text = lock.render(REQUEST, "torch", lock.split(pins, REQUEST.roots)["torch"])
+    text = resolve.render(REQUEST, "torch", resolve.split(pins, REQUEST.roots)["torch"])
     (tmp_path / "torch.txt").write_text(text)
     assert not any(host in text for host in index.asked)
     # The line of the assembly that decides where wheels come from, and the call that follows it.
@@ -182,8 +182,8 @@ def test_a_lock_of_a_wheel_that_is_there_alone_can_be_made_and_installed(
 def test_an_index_that_does_not_answer(uv: str, monkeypatch: pytest.MonkeyPatch, index: Index) -> None:
     for key, value in {**index.environment, "HTTPS_PROXY": "http://127.0.0.1:1"}.items():
         monkeypatch.setenv(key, value)
-    with pytest.raises(lock.Unreachable, match="PyTorch's own index does not answer") as caught:
-        lock.resolve(REQUEST, lock.Uv(uv))
+    with pytest.raises(resolve.Unreachable, match="PyTorch's own index does not answer") as caught:
+        resolve.resolve(REQUEST, resolve.Uv(uv))
     assert "make locks" in caught.value.remedy
 
 
@@ -193,5 +193,5 @@ def test_an_index_without_the_wheel(uv: str, monkeypatch: pytest.MonkeyPatch, in
     for key, value in index.environment.items():
         monkeypatch.setenv(key, value)
     with pytest.raises(RosmlError, match="does not resolve") as caught:
-        lock.resolve(REQUEST, lock.Uv(uv))
-    assert not isinstance(caught.value, lock.Unreachable)
+        resolve.resolve(REQUEST, resolve.Uv(uv))
+    assert not isinstance(caught.value, resolve.Unreachable)

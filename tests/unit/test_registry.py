@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 from stubs import answering_registry, calls, executable, services
 
-from rosml import registry
-from rosml.errors import RosmlError
-from rosml.registry import Layer
-from rosml.services import Services
+from rosml.base.errors import RosmlError
+from rosml.machine import regctl
+from rosml.machine.regctl import Layer
+from rosml.machine.services import Services
 
 DIGEST = "sha256:" + "1" * 64
 
@@ -31,7 +31,7 @@ def having(tmp_path: Path, address: str, text: str, **changes: Any) -> Services:
 
 def test_layers(tmp_path: Path, address: str) -> None:
     found = having(tmp_path, address, f'echo \'{{"layers": [{{"digest": "{DIGEST}", "size": 7, "mediaType": "x"}}]}}\'')
-    assert registry.layers(found, f"r@{DIGEST}") == (Layer(DIGEST, 7),)
+    assert regctl.layers(found, f"r@{DIGEST}") == (Layer(DIGEST, 7),)
     assert calls(tmp_path) == [f"manifest get --format raw-body r@{DIGEST}"]
 
 
@@ -40,23 +40,23 @@ def test_stored(tmp_path: Path, address: str) -> None:
     layers = '{"digest": "l", "size": 7}, {"digest": "l", "size": 7}'
     answer = f'{{"layers": [{layers}], "config": {{"digest": "c", "size": 3}}}}'
     found = having(tmp_path, address, f"case $2 in get) echo '{answer}' ;; head) echo 99 ;; esac")
-    assert registry.stored(found, f"r@{DIGEST}") == {"l": 7, "c": 3, DIGEST: 99}
+    assert regctl.stored(found, f"r@{DIGEST}") == {"l": 7, "c": 3, DIGEST: 99}
 
 
 def test_delete(tmp_path: Path, address: str) -> None:
-    registry.delete(having(tmp_path, address, ""), f"r@{DIGEST}")
+    regctl.delete(having(tmp_path, address, ""), f"r@{DIGEST}")
     assert calls(tmp_path) == [f"manifest delete r@{DIGEST}"]
 
 
 def test_config(tmp_path: Path, address: str) -> None:
     found = having(tmp_path, address, 'echo \'{"config": {"Cmd": ["bash"]}}\'')
-    assert registry.image_config(found, "r:t", "linux/arm64") == {"config": {"Cmd": ["bash"]}}
+    assert regctl.image_config(found, "r:t", "linux/arm64") == {"config": {"Cmd": ["bash"]}}
     assert calls(tmp_path) == ["image config --platform linux/arm64 r:t"]
 
 
 def test_index(tmp_path: Path, address: str) -> None:
     found = having(tmp_path, address, f"echo {DIGEST}")
-    assert registry.create_index(found, "r", ["sha256:a", "sha256:b"], {"b": "2", "a": "1"}) == DIGEST
+    assert regctl.create_index(found, "r", ["sha256:a", "sha256:b"], {"b": "2", "a": "1"}) == DIGEST
     assert calls(tmp_path) == [
         "index create --by-digest --format {{.Manifest.GetDescriptor.Digest}}"
         " --annotation a=1 --annotation b=2 --ref r@sha256:a --ref r@sha256:b r"
@@ -64,18 +64,18 @@ def test_index(tmp_path: Path, address: str) -> None:
 
 
 def test_tag(tmp_path: Path, address: str) -> None:
-    registry.tag(having(tmp_path, address, ""), "r", DIGEST, "latest")
+    regctl.tag(having(tmp_path, address, ""), "r", DIGEST, "latest")
     assert calls(tmp_path) == [f"image copy r@{DIGEST} r:latest"]
 
 
 def test_digest(tmp_path: Path, address: str) -> None:
-    assert registry.digest(having(tmp_path, address, f"echo {DIGEST}"), "r:t") == DIGEST
+    assert regctl.digest(having(tmp_path, address, f"echo {DIGEST}"), "r:t") == DIGEST
     assert calls(tmp_path) == ["manifest head r:t"]
 
 
 @pytest.mark.parametrize("words", ["failed: r:t: manifest Not Found", "unexpected http status 404"])
 def test_no_such_tag(tmp_path: Path, address: str, words: str) -> None:
-    assert registry.digest(having(tmp_path, address, f"echo noise >&2; echo '{words}' >&2; exit 1"), "r:t") == ""
+    assert regctl.digest(having(tmp_path, address, f"echo noise >&2; echo '{words}' >&2; exit 1"), "r:t") == ""
 
 
 @pytest.mark.parametrize("reference", ["r:t", "r404:t", "127.0.0.1:40404/r:not found"])
@@ -83,44 +83,44 @@ def test_another_failure_is_not_a_missing_tag(tmp_path: Path, address: str, refe
     """Whatever the reference is called: a port, too, can hold 404."""
     found = having(tmp_path, address, "echo 'http status 500' >&2; exit 1")
     with pytest.raises(RosmlError, match="http status 500"):
-        registry.digest(found, reference)
+        regctl.digest(found, reference)
 
 
 def test_failure_says_the_last_line(tmp_path: Path, address: str) -> None:
     with pytest.raises(RosmlError) as caught:
-        registry.tag(having(tmp_path, address, "echo one >&2; echo denied >&2; exit 1"), "r", DIGEST, "t")
+        regctl.tag(having(tmp_path, address, "echo one >&2; echo denied >&2; exit 1"), "r", DIGEST, "t")
     assert caught.value.message == f"regctl image copy r@{DIGEST} r:t: denied"
     with pytest.raises(RosmlError, match=r"r:t: exit code 3$"):
-        registry.tag(having(tmp_path, address, "exit 3"), "r", DIGEST, "t")
+        regctl.tag(having(tmp_path, address, "exit 3"), "r", DIGEST, "t")
 
 
 def test_registry_is_down(tmp_path: Path) -> None:
     """Also when regctl's words hint at something else; and no tag is missing because of it."""
     for words in ("denied", "not found"):
         with pytest.raises(RosmlError, match=r"the local registry at 127\.0\.0\.1:1 does not answer") as caught:
-            registry.digest(having(tmp_path, "127.0.0.1:1", f"echo '{words}' >&2; exit 1"), "r:t")
+            regctl.digest(having(tmp_path, "127.0.0.1:1", f"echo '{words}' >&2; exit 1"), "r:t")
         assert caught.value.remedy == "run 'make up'"
 
 
 def test_registry_hangs(tmp_path: Path, address: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(registry, "SECONDS", 0.1)
+    monkeypatch.setattr(regctl, "SECONDS", 0.1)
     with pytest.raises(RosmlError, match="did not answer within 0 s: manifest head r:t") as caught:
-        registry.digest(having(tmp_path, address, "exec sleep 5"), "r:t")
+        regctl.digest(having(tmp_path, address, "exec sleep 5"), "r:t")
     assert caught.value.remedy == "run 'make up'"
 
 
 def test_regctl_is_gone(tmp_path: Path, address: str) -> None:
     with pytest.raises(RosmlError, match="cannot run /nowhere/regctl: No such file") as caught:
-        registry.digest(services(tmp_path, address), "r:t")
+        regctl.digest(services(tmp_path, address), "r:t")
     assert caught.value.remedy == "run 'make up'"
 
 
 @pytest.mark.parametrize("answer", ["[]", "null", "3", "", "<html>"])
 def test_answer_that_is_no_object(tmp_path: Path, address: str, answer: str) -> None:
     with pytest.raises(RosmlError, match="answer to manifest get --format raw-body r:t is no JSON object"):
-        registry.manifest(having(tmp_path, address, f"echo '{answer}'"), "r:t")
+        regctl.manifest(having(tmp_path, address, f"echo '{answer}'"), "r:t")
 
 
 def test_environment(tmp_path: Path, address: str) -> None:
     found = having(tmp_path, address, 'echo "$REGCTL_CONFIG $SSL_CERT_FILE"', ca_bundle="/ca.pem")
-    assert registry.regctl(found, "version") == f"{tmp_path}/.state/regctl/config.json /ca.pem\n"
+    assert regctl.regctl(found, "version") == f"{tmp_path}/.state/regctl/config.json /ca.pem\n"

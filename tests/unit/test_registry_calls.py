@@ -8,8 +8,8 @@ import pytest
 from memory_registry import MemoryRegistry
 from registry_stand_in import standing_in
 
-from rosml import oci
-from rosml.client import Client
+from rosml.registry import oci
+from rosml.registry.protocol import Client
 from tests.registry_calls import CALLS
 
 

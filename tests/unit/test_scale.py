@@ -10,13 +10,15 @@ from memory_registry import NEXT, place
 from projects import copy
 from stubs import services
 
-from rosml import expand, report, source
-from rosml.expand import Catalogue, Image, Payload
+from rosml.cli import report
+from rosml.images import load
+from rosml.images.image_set import Catalogue, Image, Payload
+from rosml.matrix import source
 
 
 def whole(root: Path) -> Catalogue:
     """The project's matrix with all its locks: those that cannot be resolved yet are empty files, which do for an input."""
-    found = expand.catalogue(source.read(ROOT / "matrix.yaml"))
+    found = load.catalogue(source.read(ROOT / "matrix.yaml"))
     for lock in found.locks:
         if not (root / lock).is_file():
             (root / lock).parent.mkdir(parents=True, exist_ok=True)

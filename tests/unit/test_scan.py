@@ -16,12 +16,13 @@ from registry_stand_in import standing_in
 from scanning import HOST, NOW, VERSION, Memory, World, advisory, digest, image, rules, shelf
 from stubs import services
 
-from rosml import oci, sbom, scan, trivy
-from rosml.errors import RosmlError
-from rosml.programs import pinned_version
-from rosml.scan import Outcome
-from rosml.services import Services
-from rosml.trivy import ScannerFailed, Trivy
+from rosml.base.errors import RosmlError
+from rosml.base.programs import pinned_version
+from rosml.machine.services import Services
+from rosml.registry import oci
+from rosml.scan import judge, sbom, trivy
+from rosml.scan.judge import Outcome
+from rosml.scan.trivy import ScannerFailed, Trivy
 from scripts import publish
 
 IGNORE = "- {id: CVE-2026-1, reason: not reachable, expires: 2027-01-31}\n"
@@ -34,16 +35,16 @@ def world(tmp_path: Path) -> World:
     return World(tmp_path, advisories=known)
 
 
-def scanned(world: World, *images: scan.Image, memory: Memory | None = None, **options: Any) -> scan.Run:
+def scanned(world: World, *images: judge.Image, memory: Memory | None = None, **options: Any) -> judge.Run:
     """Scans images with a database that was fetched anew."""
     program = world.trivy(**options.pop("trivy", {}))
     found = options.pop("rules", None) or rules()
     program.fetch(found.policy.database)
     facts = {"now": NOW, "whole": True, **options}
-    return scan.scan_images(images, found, program, shelf(memory), **facts)
+    return judge.scan_images(images, found, program, shelf(memory), **facts)
 
 
-def base(world: World) -> scan.Part:
+def base(world: World) -> judge.Part:
     return world.part("alpha-base", "bash", "libc6", ros=True)
 
 
@@ -282,7 +283,7 @@ def test_an_sbom_is_read_from_the_registry_by_digest(world: World) -> None:
 
 # ---- the database ---------------------------------------------------------------------------------------------------
 def test_no_database(world: World) -> None:
-    run = scan.scan_images(
+    run = judge.scan_images(
         [image("a", base(world)), image("b", base(world))], rules(), world.trivy(), shelf(), now=NOW, whole=True
     )
     assert [it.outcome for it in run.images] == [Outcome.SCANNER_FAILED] * 2
@@ -298,7 +299,7 @@ def test_a_damaged_database(world: World, text: str) -> None:
     program = world.trivy()
     program.fetch(rules().policy.database)
     (program.folder / "db/metadata.json").write_text(text)
-    run = scan.scan_images([image("a", base(world))], rules(), program, shelf(), now=NOW, whole=True)
+    run = judge.scan_images([image("a", base(world))], rules(), program, shelf(), now=NOW, whole=True)
     assert run.outcome is Outcome.SCANNER_FAILED
     assert "is damaged" in run.images[0].reason
 
@@ -405,7 +406,7 @@ def test_no_state_to_share() -> None:
 def test_a_database_that_changes_during_the_run(world: World) -> None:
     program = world.trivy()
     program.fetch(rules().policy.database)
-    scanner = scan.Scanner(program, shelf(), program.database())
+    scanner = judge.Scanner(program, shelf(), program.database())
     part = base(world)
     world.advisories = {"bash": [advisory("CVE-2026-3")]}
     world.write()
@@ -471,7 +472,7 @@ def test_an_sbom_of_another_scanner_is_made_anew(
         other = shelf(memory, change.get("scanner", f"trivy {VERSION}"))
     other.store(part.repository, part.digest, sbom.Sbom(b"{}"))
     program.fetch(rules().policy.database)
-    run = scan.scan_images([image("a", part)], rules(), program, shelf(memory), now=NOW, whole=True)
+    run = judge.scan_images([image("a", part)], rules(), program, shelf(memory), now=NOW, whole=True)
     assert run.images[0].packages == 2
     assert len(memory.attached[part.repository, part.digest]) == 2
 
@@ -572,7 +573,7 @@ def test_shards_are_summed_up(world: World) -> None:
     found = rules(IGNORE + IGNORE.replace("CVE-2026-1", "CVE-2026-9"))
     one = scanned(world, image("alpha-base", base(world)), rules=found, whole=False)
     two = scanned(world, image("c", world.part("c", "bash", ros=True)), rules=found, whole=False)
-    whole = scan.summarise([*one.images, *two.images], found, NOW.date(), whole=True)
+    whole = judge.summarise([*one.images, *two.images], found, NOW.date(), whole=True)
     assert [problem.split(": ")[2][:10] for problem in whole.problems] == ["CVE-2026-9"]
 
 
@@ -580,7 +581,7 @@ def test_shards_with_different_databases(world: World) -> None:
     one = scanned(world, image("c", world.part("c", "bash", ros=True)))
     world.advisories = {}
     two = scanned(world, image("c", world.part("c", "bash", ros=True)))
-    run = scan.summarise([*one.images, *two.images], rules(), NOW.date(), whole=True)
+    run = judge.summarise([*one.images, *two.images], rules(), NOW.date(), whole=True)
     assert run.problems == ("the images were held against 2 states of the database: give all shards the same one",)
     assert run.outcome is Outcome.POLICY_FAILED
 
@@ -589,8 +590,8 @@ def test_entries_expire_by_the_runs_date(world: World) -> None:
     """Whatever the machine's clock says by the time an image is scanned."""
     program = world.trivy()
     program.fetch(rules().policy.database)
-    scanner = scan.Scanner(program, shelf(), program.database())
+    scanner = judge.Scanner(program, shelf(), program.database())
     part = base(world)
     world.write()
     for day, outcome in ((date(2027, 1, 31), Outcome.CLEAN), (date(2027, 2, 1), Outcome.POLICY_FAILED)):
-        assert scan.scan("alpha-base", "amd64", [part], rules(IGNORE), scanner, day).outcome is outcome
+        assert judge.scan("alpha-base", "amd64", [part], rules(IGNORE), scanner, day).outcome is outcome

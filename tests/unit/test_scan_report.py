@@ -9,9 +9,10 @@ from typing import Any
 
 import pytest
 
-from rosml import scan_report
-from rosml.scan import Finding, Outcome, Run, Scanned
-from rosml.trivy import Database
+from rosml.cli import tables
+from rosml.scan import sarif as reporting
+from rosml.scan.judge import Finding, Outcome, Run, Scanned
+from rosml.scan.trivy import Database
 
 STATE = Database("2026-11-22T00:00:00Z", "2026-11-22T03:00:00Z", f"sha256:{'1' * 64}", "example.org/db:2")
 
@@ -32,7 +33,7 @@ def scanned(outcome: Outcome = Outcome.POLICY_FAILED, **changes: Any) -> Scanned
 
 def test_sarif() -> None:
     """The parts of SARIF 2.1.0 that viewers need; what is ignored is there, as suppressed."""
-    document = scan_report.sarif(scanned())
+    document = reporting.sarif(scanned())
     assert document["version"] == "2.1.0"
     (run,) = document["runs"]
     assert run["automationDetails"] == {"id": "scan/alpha-base-torch-cu1/amd64"}
@@ -60,7 +61,7 @@ def test_sarif() -> None:
 
 def test_sarif_of_a_scanner_that_failed() -> None:
     """An empty list of results would be good news without it."""
-    (run,) = scan_report.sarif(scanned(Outcome.SCANNER_FAILED, findings=(), database=None))["runs"]
+    (run,) = reporting.sarif(scanned(Outcome.SCANNER_FAILED, findings=(), database=None))["runs"]
     assert run["results"] == []
     assert not run["invocations"][0]["executionSuccessful"]
     assert run["invocations"][0]["toolExecutionNotifications"] == [{"level": "error", "message": {"text": "a reason"}}]
@@ -69,9 +70,9 @@ def test_sarif_of_a_scanner_that_failed() -> None:
 def test_reports_are_written(tmp_path: Path) -> None:
     """One SARIF file for each image, and one with all that is known of all."""
     run = Run((scanned(),))
-    sarif, whole = scan_report.write(tmp_path / "reports", run)
+    sarif, whole = reporting.write(tmp_path / "reports", run)
     assert sarif.name == "alpha-base-torch-cu1.amd64.sarif"
-    assert json.loads(sarif.read_text()) == scan_report.sarif(run.images[0])
+    assert json.loads(sarif.read_text()) == reporting.sarif(run.images[0])
     (record,) = json.loads(whole.read_text())["images"]
     assert record == json.loads(json.dumps(run.images[0].to_json())) and record["findings"]
     assert json.loads(whole.read_text())["exit_code"] == 3
@@ -81,7 +82,7 @@ def test_table(capsys: pytest.CaptureFixture[str]) -> None:
     run = Run(
         (scanned(notes=("alpha-base: a note",)), scanned(notes=("alpha-base: a note",))), ("scan.yaml:6:3: over",)
     )
-    scan_report.print_run(run)
+    tables.print_scan(run)
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == "alpha-base-torch-cu1 amd64: policy failed: a reason (3 packages)"
     assert lines[1].split() == ["severity", "advisory", "package", "installed", "fixed", "in", "part"]
@@ -99,5 +100,5 @@ def test_table(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_table_of_everything(capsys: pytest.CaptureFixture[str]) -> None:
-    scan_report.print_run(Run((scanned(),)), everything=True)
+    tables.print_scan(Run((scanned(),)), everything=True)
     assert sum("CVE-" in line for line in capsys.readouterr().out.splitlines()) == len(FINDINGS)

@@ -19,12 +19,16 @@ from hypothesis import strategies as st
 from memory_registry import DAY, NEXT, MemoryRegistry
 from registry_stand_in import StandIn, standing_in
 
-from rosml import base_images, command, expand, oci, upstream
-from rosml.services import Services
+from rosml.build import package_state
+from rosml.cli import command
+from rosml.images import load
+from rosml.machine import base_images
+from rosml.machine.services import Services
+from rosml.registry import oci
 from scripts import catalogue as catalogue_script
 from scripts import compose, generate_bake, lock, publish
 
-REAL = expand.load(ROOT / "matrix.yaml")
+REAL = load.load(ROOT / "matrix.yaml")
 PUBLISHED = "bookworm-core*"
 """What is in the registry: images of one architecture and of both, that stand on the same."""
 
@@ -32,7 +36,7 @@ CODES = {0, 1, 2, 3, 4}
 """Exit codes as documented: done, failed, wrong input, and two of scans."""
 
 SCRIPTS = {"generate_bake": generate_bake, "catalogue": catalogue_script, "compose": compose, "lock": lock}
-LOAD = expand.load
+LOAD = load.load
 COMMANDS: dict[str, click.Command] = {
     **{f"publish {name}": found for name, found in publish.cli.commands.items()},
     **{name: module.main for name, module in SCRIPTS.items()},
@@ -117,8 +121,8 @@ def around(shop: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
     """Commands of the checkout, on a machine of one kind, which reaches nothing but the registry."""
     for module in (publish, generate_bake, catalogue_script, compose, lock):
         monkeypatch.setattr(module, "ROOT", shop.root)
-    monkeypatch.setattr(expand, "load", lambda *_: REAL)
-    monkeypatch.setattr(upstream, "state", lambda *_: "monday")
+    monkeypatch.setattr(load, "load", lambda *_: REAL)
+    monkeypatch.setattr(package_state, "state", lambda *_: "monday")
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     monkeypatch.setattr(oci, "WAIT", 0.001)
     monkeypatch.setattr("signal.signal", lambda *_: None)
@@ -336,7 +340,7 @@ def test_payloads_are_planned_where_their_images_cannot_be_built(
     shop: Shop, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With a matrix elsewhere, whose locks are those of the checkout."""
-    monkeypatch.setattr(expand, "load", LOAD)
+    monkeypatch.setattr(load, "load", LOAD)
     own = shutil.copy(ROOT / "matrix.yaml", tmp_path / "own.yaml")
     words = ["--registry", "{host}/nothing", "--matrix", str(own), "--only", "jazzy-core*", "--json"]
     code, out, err = ended(shop, "publish plan", words, capsys)

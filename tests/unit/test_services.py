@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from stubs import load
 
-from rosml.errors import RosmlError
-from rosml.services import Services
+from rosml.base.errors import RosmlError
+from rosml.machine.services import Services
 
 
 def test_load(tmp_path: Path) -> None:

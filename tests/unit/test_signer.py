@@ -9,11 +9,11 @@ import pytest
 from memory_registry import HOST, LATER, NEXT, PREFIX, Pen, Place, Run, place
 from stubs import calls, executable, services
 
-from rosml import signer
-from rosml.agenda import INDEX
-from rosml.expand import Catalogue
-from rosml.pipeline import Outcome
-from rosml.signer import PATIENCE, Signer, SignerFailed
+from rosml.images.image_set import Catalogue
+from rosml.publish import sign
+from rosml.publish.pipeline import Outcome
+from rosml.publish.sign import PATIENCE, Signer, SignerFailed
+from rosml.records.ledger import INDEX
 
 ONLY = ["alpha-core", "omega-core"]
 REFERENCE = "127.0.0.1:5000/rosml/ros@sha256:1"
@@ -76,7 +76,7 @@ def test_keyless(root: Path) -> None:
     assert found.identity == "https://forge.example/me/rosml/.github/workflows/nightly.yml@refs/heads/main"
     assert found.ensure("ghcr.io/me/rosml/ros@sha256:1")
     assert [call for call in calls(root) if " sign " in call] == ["cosign sign --yes ghcr.io/me/rosml/ros@sha256:1"]
-    assert f"--certificate-identity {found.identity} --certificate-oidc-issuer {signer.ISSUER}" in calls(root)[-1]
+    assert f"--certificate-identity {found.identity} --certificate-oidc-issuer {sign.ISSUER}" in calls(root)[-1]
 
 
 @pytest.mark.parametrize("missing", list(WORKFLOW))

@@ -9,12 +9,13 @@ from pathlib import Path
 
 import pytest
 
-from rosml import sync
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.model import Matrix, RosArchive
+from rosml.base.errors import RosmlError
+from rosml.build import sync
+from rosml.images import apt_source
+from rosml.images.image_set import Catalogue
+from rosml.matrix.model import Matrix, RosArchive
 
-SOURCE = sync.Source("live", "", "http://live.test/ros2/ubuntu", "noble")
+SOURCE = apt_source.Source("live", "", "http://live.test/ros2/ubuntu", "noble")
 
 
 @pytest.fixture
@@ -29,17 +30,17 @@ def matrix(real: Catalogue) -> Matrix:
 
 
 def test_as_the_matrix_says(matrix: Matrix) -> None:
-    found = sync.source(matrix, "jazzy", {})
+    found = apt_source.source(matrix, "jazzy", {})
     assert found == SOURCE
-    final = sync.source(matrix, "noetic", {})
-    assert final == sync.Source("final", "", "http://old.test/noetic/final", "focal")
-    assert sync.source(matrix, "bookworm", {}) is None
+    final = apt_source.source(matrix, "noetic", {})
+    assert final == apt_source.Source("final", "", "http://old.test/noetic/final", "focal")
+    assert apt_source.source(matrix, "bookworm", {}) is None
 
 
 def test_otherwise_for_once(matrix: Matrix) -> None:
-    found = sync.source(matrix, "foxy", {"ROS_CHANNEL": "live"})
+    found = apt_source.source(matrix, "foxy", {"ROS_CHANNEL": "live"})
     assert found and found.address == "http://live.test/ros2/ubuntu"
-    found = sync.source(matrix, "jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
+    found = apt_source.source(matrix, "jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"})
     assert found and found.address == "http://old.test/jazzy/2026-08-07"
 
 
@@ -58,7 +59,7 @@ def test_otherwise_for_once(matrix: Matrix) -> None:
 )
 def test_what_there_is_not(real: Catalogue, name: str, environ: dict[str, str], words: str) -> None:
     with pytest.raises(RosmlError, match=words) as caught:
-        sync.source(real.matrix, name, environ)
+        apt_source.source(real.matrix, name, environ)
     assert caught.value.exit_code == 2
     assert caught.value.remedy
 
@@ -126,7 +127,7 @@ def test_remembered(tmp_path: Path) -> None:
     assert sync.remembered(tmp_path, SOURCE) == ""
     sync.remember(tmp_path, SOURCE, "2026-11-20T21:14:09Z")
     assert sync.remembered(tmp_path, SOURCE) == "2026-11-20T21:14:09Z"
-    other = sync.Source("final", "", "http://old.test/noetic/final", "focal")
+    other = apt_source.Source("final", "", "http://old.test/noetic/final", "focal")
     assert sync.remembered(tmp_path, other) == ""
     (tmp_path / "ros-sync.json").write_text("[1]")
     assert sync.remembered(tmp_path, SOURCE) == ""

@@ -15,10 +15,11 @@ import yaml
 from bakes import evaluated, printed
 from conftest import ROOT, SMALL, WHEELS, changed, parse
 
-from rosml import bake, expand, targets
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.targets import Context, Dependency, NoInput, Overridable, Target, Value
+from rosml.bake import bake_file, targets
+from rosml.bake.targets import Context, Dependency, NoInput, Overridable, Target, Value
+from rosml.base.errors import RosmlError
+from rosml.images import load, locked
+from rosml.images.image_set import Catalogue
 
 # ---- What Python says ------------------------------------------------------------------------------------------------
 
@@ -27,7 +28,7 @@ class Caller:
     """Who calls bake, with values for its variables."""
 
     def __init__(self, catalogue: Catalogue, given: Mapping[str, str]) -> None:
-        self.variables = {**bake.variables(catalogue.matrix), **given}
+        self.variables = {**bake_file.variables(catalogue.matrix), **given}
         self.digests: dict[str, str] = json.loads(self.variables["DIGESTS"] or "{}")
         self.dates: dict[str, str] = json.loads(self.variables["ROS_SYNC_DATES"] or "{}")
 
@@ -97,7 +98,7 @@ class Caller:
 
 
 def unlocked(catalogue: Catalogue, *absent: str) -> Catalogue:
-    return expand.with_locks(catalogue, [lock for lock in catalogue.locks if not any(word in lock for word in absent)])
+    return locked.with_locks(catalogue, [lock for lock in catalogue.locks if not any(word in lock for word in absent)])
 
 
 def turned(text: str) -> str:
@@ -114,7 +115,7 @@ RMW = changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [r
 BOTH = changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64], cpu: [amd64, arm64]}", WHEELS)
 
 MATRICES: dict[str, Callable[[], Catalogue]] = {
-    "ours": lambda: expand.load(ROOT / "matrix.yaml"),
+    "ours": lambda: load.load(ROOT / "matrix.yaml"),
     "small": lambda: parse(SMALL),
     "from wheels": lambda: parse(WHEELS),
     "without locks": lambda: unlocked(parse(WHEELS), "locks/"),
@@ -135,7 +136,9 @@ def catalogue(name: str) -> Catalogue:
 def callers(catalogue: Catalogue) -> dict[str, dict[str, str]]:
     """Values of the bake file's variables by what a caller says: nothing, or something for every variable."""
     published = [*(image.target for image in catalogue.images), *(payload.name for payload in catalogue.payloads)]
-    systems = [name for name in bake.variables(catalogue.matrix) if name.startswith("OS_") and name != "OS_APT_MIRROR"]
+    systems = [
+        name for name in bake_file.variables(catalogue.matrix) if name.startswith("OS_") and name != "OS_APT_MIRROR"
+    ]
     rows = list(catalogue.matrix.distributions)
     everything = {
         "REGISTRY": "registry.test:5001/some/where",
@@ -182,14 +185,14 @@ def differences(catalogue: Catalogue, text: str, given: Mapping[str, str], folde
 @pytest.mark.parametrize("name", MATRICES)
 def test_every_target_is_what_buildx_makes_of_it(name: str, says: str, tmp_path: Path) -> None:
     found = catalogue(name)
-    assert differences(found, bake.render(found), callers(found)[says], tmp_path) == {}
+    assert differences(found, bake_file.render(found), callers(found)[says], tmp_path) == {}
 
 
 @pytest.mark.parametrize("name", MATRICES)
 def test_every_group_is_what_buildx_makes_of_it(name: str, tmp_path: Path) -> None:
     found = catalogue(name)
     file = tmp_path / "bake.hcl"
-    file.write_text(bake.render(found))
+    file.write_text(bake_file.render(found))
     if not found.groups:
         with pytest.raises(RosmlError, match="failed to find target default"):
             evaluated("default", file=file)
@@ -207,8 +210,8 @@ def test_every_group_is_what_buildx_makes_of_it(name: str, tmp_path: Path) -> No
 def test_no_variable_is_left_unsaid(name: str) -> None:
     found = catalogue(name)
     said = callers(found)["everything"]
-    assert said.keys() == bake.variables(found.matrix).keys()
-    assert all(said[variable] not in ("", default) for variable, default in bake.variables(found.matrix).items())
+    assert said.keys() == bake_file.variables(found.matrix).keys()
+    assert all(said[variable] not in ("", default) for variable, default in bake_file.variables(found.matrix).items())
 
 
 UNKNOWN = {
@@ -227,7 +230,7 @@ UNKNOWN = {
     "a platform": ("platforms = platforms(image.platforms)\n  contexts", "platforms = image.platforms\n  contexts"),
     "a secret": ('["id=ca-bundle,src=${CA_BUNDLE}"]', '["id=ca-bundle,src=${CA_BUNDLE}", "id=new,env=NEW"]'),
 }  # fmt: skip
-"""What somebody may write into the graph, and not into rosml/targets.py."""
+"""What somebody may write into the graph, and not into rosml/bake/targets.py."""
 
 
 @pytest.mark.parametrize("name", UNKNOWN)
@@ -235,7 +238,7 @@ def test_an_expression_that_python_does_not_know_is_found(name: str, tmp_path: P
     """It may hold a fact of the matrix, and an image that it decides would not be built anew."""
     found = catalogue("another order")  # where the system that assembles is not the one of every payload
     old, new = UNKNOWN[name]
-    text = bake.render(found)
+    text = bake_file.render(found)
     assert text.count(old) == 1
     text = text.replace(old, new)
     assert any(differences(found, text, given, tmp_path) for given in callers(found).values())

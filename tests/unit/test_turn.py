@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from rosml.publish import stored_blobs
-from rosml.turn import turn
+from rosml.base.file_lock import turn
+from rosml.build.publisher import stored_blobs
 
 
 def hold(file: Path, begun: Event, end: Event) -> None:

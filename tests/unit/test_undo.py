@@ -9,9 +9,11 @@ from pathlib import Path
 import pytest
 from registry_stand_in import StandIn, standing_in
 
-from rosml import command, ledger, oci, pipeline
-from rosml.labels import TITLE
-from rosml.ledger import INDEX, Entry, Ledger
+from rosml.cli import command
+from rosml.images.labels import TITLE
+from rosml.records import ledger
+from rosml.records.ledger import INDEX, Entry, Ledger
+from rosml.registry import oci
 from scripts import publish as script
 
 PREFIX = "me/rosml"
@@ -41,7 +43,7 @@ def index(client: oci.Registry, repository: str, title: str, night: str) -> str:
     image = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": config, "layers": []}
     digest = client.put_manifest(path, "", image)
     member = {**oci.descriptor(oci.IMAGE, oci.encoded(image)), "platform": {"os": "linux", "architecture": "amd64"}}
-    said = {TITLE: title, pipeline.DATE: night}
+    said = {TITLE: title, ledger.DATE: night}
     content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [member], "annotations": said}
     assert member["digest"] == digest
     return client.put_manifest(path, "", content, oci.INDEX)

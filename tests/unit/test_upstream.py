@@ -10,10 +10,11 @@ from collections.abc import Iterator
 import pytest
 from conftest import WHEELS, changed, parse
 
-from rosml import sync, upstream
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.model import Matrix
+from rosml.base.errors import RosmlError
+from rosml.build import package_state
+from rosml.images import apt_source
+from rosml.images.image_set import Catalogue
+from rosml.matrix.model import Matrix
 
 RELEASE = """\
 Origin: Debian
@@ -99,21 +100,21 @@ def at(address: str, image: str = "docker.io/library/ubuntu:26.04") -> Matrix:
 def test_another_list_of_packages_is_another_state(mirror: Mirror, row: str, path: str, what: str) -> None:
     """Of the release, its updates and its security, for either architecture; wherever a row's ROS is from, its images have
     packages of the system."""
-    before = upstream.state(at(mirror.address), row, {})
+    before = package_state.state(at(mirror.address), row, {})
     assert f"debian {ROWS[row]} " in before
     assert sorted(mirror.asked) == sorted([*PATHS[ROWS[row]], *([SYNC] if row == "alpha" else [])])
-    assert upstream.state(at(mirror.address), row, {}) == before
+    assert package_state.state(at(mirror.address), row, {}) == before
     mirror.files[path] = RELEASE.format(**FACTS | {what: "d" * 64}).encode()
-    assert upstream.state(at(mirror.address), row, {}) != before
+    assert package_state.state(at(mirror.address), row, {}) != before
 
 
 @pytest.mark.parametrize("row", ROWS)
 def test_another_date_alone_is_none(mirror: Mirror, row: str) -> None:
     """Nor are the lists of packages that no image is installed from."""
-    before = upstream.state(at(mirror.address), row, {})
+    before = package_state.state(at(mirror.address), row, {})
     later = RELEASE.format(**FACTS | {"date": "Sun, 22 Nov 2026 16:00:00 UTC", "other": "e" * 64}).encode()
     mirror.files |= {path: later for paths in PATHS.values() for path in paths}
-    assert upstream.state(at(mirror.address), row, {}) == before
+    assert package_state.state(at(mirror.address), row, {}) == before
 
 
 @pytest.mark.parametrize(("row", "path"), EVERY)
@@ -131,48 +132,48 @@ def test_what_is_not_there_is_an_error(mirror: Mirror, row: str, path: str, body
     if body is not None:
         mirror.files[path] = body
     with pytest.raises(RosmlError, match=words) as caught:
-        upstream.state(at(mirror.address), row, {})
+        package_state.state(at(mirror.address), row, {})
     assert path in caught.value.message and caught.value.remedy
 
 
 def test_a_mirror_is_asked_in_the_place_of_the_archive(mirror: Mirror) -> None:
-    before = upstream.state(at(mirror.address), "omega", {})
+    before = package_state.state(at(mirror.address), "omega", {})
     mirror.files = {f"/debian.test{path}": body for path, body in mirror.files.items()}
-    assert upstream.state(at("http://debian.test"), "omega", {"OS_APT_MIRROR": f"{mirror.address}/"}) == before
+    assert package_state.state(at("http://debian.test"), "omega", {"OS_APT_MIRROR": f"{mirror.address}/"}) == before
 
 
 def test_nobody_who_answers() -> None:
     with pytest.raises(RosmlError, match="does not answer"):
-        upstream.state(at("http://127.0.0.1:1"), "omega", {})
+        package_state.state(at("http://127.0.0.1:1"), "omega", {})
 
 
 def test_a_copy_of_the_base_image_is_watched_too(mirror: Mirror) -> None:
     """The archive is the system's, wherever its base image is."""
     copied = at(mirror.address, image="registry.test/mirror/system:1")
-    assert upstream.state(copied, "omega", {}) == upstream.state(at(mirror.address), "omega", {})
+    assert package_state.state(copied, "omega", {}) == package_state.state(at(mirror.address), "omega", {})
 
 
 def test_each_repository_has_its_own_state(mirror: Mirror) -> None:
     """As the provenance of an image names them; the build fails where ROS's is of another date by then."""
     matrix = at(mirror.address)
-    found = upstream.state(matrix, "alpha", {})
+    found = package_state.state(matrix, "alpha", {})
     ros, archive = found.split(", ")
-    assert upstream.ros_date(found) == upstream.ros_date(DATE) == ros == DATE
-    assert upstream.repositories(matrix, "alpha", found) == [
+    assert package_state.ros_date(found) == package_state.ros_date(DATE) == ros == DATE
+    assert package_state.repositories(matrix, "alpha", found) == [
         (f"{mirror.address}/ros2/ubuntu", DATE),
         (mirror.address, archive),
     ]
-    own = upstream.state(matrix, "omega", {})
-    assert upstream.ros_date(own) == upstream.ros_date("") == ""
-    assert upstream.repositories(matrix, "omega", own) == [(mirror.address, own)]
-    assert upstream.repositories(matrix, "omega", "") == []
+    own = package_state.state(matrix, "omega", {})
+    assert package_state.ros_date(own) == package_state.ros_date("") == ""
+    assert package_state.repositories(matrix, "omega", own) == [(mirror.address, own)]
+    assert package_state.repositories(matrix, "omega", "") == []
 
 
 def test_a_system_without_an_archive(mirror: Mirror) -> None:
     """Nobody is asked for it, and ROS's own repository decides alone."""
     matrix = parse(WHEELS.replace("http://ros.test", mirror.address)).matrix
-    assert upstream.state(matrix, "alpha", {}) == DATE
-    assert upstream.state(matrix, "sigma", {}) == ""
+    assert package_state.state(matrix, "alpha", {}) == DATE
+    assert package_state.state(matrix, "sigma", {}) == ""
     assert mirror.asked == [SYNC]
 
 
@@ -183,12 +184,12 @@ def test_a_fixed_package_reaches_every_row(real: Catalogue, mirror: Mirror) -> N
         mirror.files, mirror.asked = {}, []
         environ = dict.fromkeys(("OS_APT_MIRROR", "ROS_APT_MIRROR"), mirror.address)
         system = real.matrix.operating_systems[facts.os]
-        urls = list(upstream.releases(real.matrix, facts.os, environ))
+        urls = list(package_state.releases(real.matrix, facts.os, environ))
         mirror.files |= {url.removeprefix(mirror.address): lists for url in urls}
-        if source := sync.source(real.matrix, row, {}):
+        if source := apt_source.source(real.matrix, row, {}):
             path = source.address.removeprefix("http:/")
             mirror.files[f"{path}/dists/{source.codename}/InRelease"] = b"Date: Fri, 20 Nov 2026 21:14:09 UTC\n"
-        assert upstream.state(real.matrix, row, environ), row
+        assert package_state.state(real.matrix, row, environ), row
         asked = {path.split("/dists/")[1] for path in mirror.asked if path.endswith("/Release")}
         wanted = {f"{system.suite}{pocket}/Release" for pocket in ("", "-updates", "-security")}
         assert asked == (wanted if system.archive else set()), row

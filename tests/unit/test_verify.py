@@ -9,14 +9,14 @@ from typing import Any
 import pytest
 from conftest import changed, parse
 
-from rosml import verify
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue
-from rosml.verify import Outcome, Report
+from rosml.base.errors import RosmlError
+from rosml.build import structure_tests
+from rosml.build.structure_tests import Outcome, Report
+from rosml.images.image_set import Catalogue
 
 
 def test_labels(small: Catalogue) -> None:
-    assert verify.expected_labels(small.image("alpha-core-torch-cu1")) == {
+    assert structure_tests.expected_labels(small.image("alpha-core-torch-cu1")) == {
         "io.rosml.distribution": "alpha",
         "io.rosml.component": "core",
         "io.rosml.framework": "torch",
@@ -28,11 +28,11 @@ def test_labels(small: Catalogue) -> None:
         "io.rosml.cuda": "12.8.90",
         "io.rosml.cudnn": "9.10.2.21",
     }
-    assert "io.rosml.stack" not in verify.expected_labels(small.image("alpha-core"))
+    assert "io.rosml.stack" not in structure_tests.expected_labels(small.image("alpha-core"))
 
 
 def test_environment(small: Catalogue) -> None:
-    env = verify.expected_environment(small.image("alpha-core-ml-cu1"))
+    env = structure_tests.expected_environment(small.image("alpha-core-ml-cu1"))
     versions = {name: env.get(f"{name}_VERSION") for name in ("ROS", "TORCH", "TENSORFLOW", "CUDA", "CUDNN")}
     assert versions == {
         "ROS": "2",
@@ -42,12 +42,14 @@ def test_environment(small: Catalogue) -> None:
         "CUDNN": "9.10.2.21",
     }
     assert (env["ROS_DISTRO"], env["WORKSPACE"], env["DOCKER_UID"]) == ("alpha", "/docker-ros/ws", "")
-    assert not {"TORCH_VERSION", "CUDA_VERSION"} & verify.expected_environment(small.image("alpha-core")).keys()
+    assert (
+        not {"TORCH_VERSION", "CUDA_VERSION"} & structure_tests.expected_environment(small.image("alpha-core")).keys()
+    )
 
 
 def test_ros_distro_of_its_own() -> None:
     catalogue = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: of-its-own\n"))
-    assert verify.expected_environment(catalogue.image("alpha-core"))["ROS_DISTRO"] == "of-its-own"
+    assert structure_tests.expected_environment(catalogue.image("alpha-core"))["ROS_DISTRO"] == "of-its-own"
 
 
 def test_what_the_test_stage_gets(tmp_path: Path, small: Catalogue) -> None:
@@ -64,7 +66,7 @@ def test_what_the_test_stage_gets(tmp_path: Path, small: Catalogue) -> None:
     }
     folder = tmp_path / "a" / "metadata"
     for _ in range(2):
-        verify.write_metadata(folder, image, config)
+        structure_tests.write_metadata(folder, image, config)
     assert json.loads((folder / "config.json").read_text()) == {
         "config": {
             "Env": ["A=b"],
@@ -84,13 +86,13 @@ def test_what_the_test_stage_gets(tmp_path: Path, small: Catalogue) -> None:
 @pytest.mark.parametrize("config", [{}, {"config": {}}, {"config": {"Env": None, "Labels": None, "Cmd": None}}])
 def test_config_that_says_nothing(config: dict[str, Any]) -> None:
     empty = {"Env": [], "Entrypoint": [], "Cmd": [], "WorkingDir": "", "Labels": {}}
-    assert verify.flat_config(config) == {"config": empty}
+    assert structure_tests.flat_config(config) == {"config": empty}
 
 
 def test_labels_in_one_order() -> None:
     """The same labels are the same bytes: otherwise the builder would run the same tests again."""
     one, other = ({"config": {"Labels": dict(items)}} for items in (LABELS, reversed(LABELS)))
-    assert json.dumps(verify.flat_config(one)) == json.dumps(verify.flat_config(other))
+    assert json.dumps(structure_tests.flat_config(one)) == json.dumps(structure_tests.flat_config(other))
 
 
 LABELS = [("io.rosml.os", "x"), ("io.rosml.ros", "2")]
@@ -104,7 +106,7 @@ def reported(folder: Path, **files: str) -> Report:
     folder.mkdir(exist_ok=True)
     for name, text in files.items():
         (folder / f"{name}.json").write_text(text)
-    return verify.read_report(folder, tuple(files) or ("contract",))
+    return structure_tests.read_report(folder, tuple(files) or ("contract",))
 
 
 def results(*results: dict[str, Any]) -> str:
@@ -128,7 +130,7 @@ def test_report(tmp_path: Path) -> None:
 
 def test_no_report_at_all(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="left no report") as caught:
-        verify.read_report(tmp_path / "gone", ("contract",))
+        structure_tests.read_report(tmp_path / "gone", ("contract",))
     assert caught.value.remedy == "run it again"
 
 

@@ -8,13 +8,18 @@ from pathlib import Path
 import pytest
 from conftest import ROOT, WHEELS, changed, parse, write_locks
 
-from rosml import lock, missing, rules, sync, targets
-from rosml.errors import RosmlError
-from rosml.expand import Catalogue, load, with_locks
-from rosml.explain import explain, why_not
-from rosml.inputs import TARGET, Inputs
-from rosml.problems import InputError
-from rosml.publish import require_buildable
+from rosml.bake import targets
+from rosml.bake.inputs import TARGET, Inputs
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError
+from rosml.build.publisher import require_buildable
+from rosml.images import apt_source, missing
+from rosml.images.explain import explain, why_not
+from rosml.images.image_set import Catalogue
+from rosml.images.load import load
+from rosml.images.locked import with_locks
+from rosml.locks import resolve
+from rosml.matrix import rules
 
 LOCK = "locks/sigma/amd64/3.12/ros.txt"
 ROW = "distributions.sigma"
@@ -67,7 +72,7 @@ def test_explain_says_where_ros_comes_from(wheels: Catalogue) -> None:
 
 def test_no_other_channel(wheels: Catalogue) -> None:
     with pytest.raises(RosmlError, match="the ROS packages of sigma are wheels: there is no other channel"):
-        sync.source(wheels.matrix, "sigma", {"ROS_CHANNEL": "final"})
+        apt_source.source(wheels.matrix, "sigma", {"ROS_CHANNEL": "final"})
 
 
 # ---- Mistakes --------------------------------------------------------------------------------------------------------
@@ -181,17 +186,17 @@ def test_a_lock_of_other_wheels_is_none(wheels: Catalogue, tmp_path: Path) -> No
 
 
 def test_request(wheels: Catalogue) -> None:
-    (found,) = [item for item in lock.requests(wheels) if item.ros]
+    (found,) = [item for item in resolve.requests(wheels) if item.ros]
     assert (found.stack, found.architecture, found.python, found.numpy) == ("sigma", "amd64", "3.12", "<2")
     assert found.roots == {"ros-alpha-rclpy": "ros-alpha-rclpy[fastrtps]==7.1.6", "ros-std-msgs": "ros-std-msgs==5.3.6"}
     assert str(found) == "distribution sigma, Python 3.12, amd64 (ros-alpha-rclpy and ros-std-msgs)"
-    assert lock.render(found, "ros", []).startswith("# ROS of sigma, Python 3.12, amd64.\n")
+    assert resolve.render(found, "ros", []).startswith("# ROS of sigma, Python 3.12, amd64.\n")
 
 
 def test_the_committed_lock_has_nothing_that_the_system_has(real: Catalogue) -> None:
     (item,) = real.wheels
     text = (ROOT / item.locks[0]).read_text()
-    pins = {pin.name for pin in lock.parse(text)}
+    pins = {pin.name for pin in resolve.parse(text)}
     assert not pins & {"numpy", *real.matrix.operating_systems[item.os].provides}
     assert {"ros-rclpy", "ros-rmw-fastrtps-cpp", "ros-sensor-msgs"} <= pins
     assert not re.search(r"https?://|--(extra-)?index-url", text)

@@ -38,7 +38,7 @@ def ca_bundle(env: Mapping[str, str]) -> str:
 def registry_certificates(env: Mapping[str, str]) -> dict[str, list[str]]:
     """Files with the authorities that are trusted for registries, by host, where Docker looks for them.
 
-    rosml/certificates.py, which speaks to registries later, looks likewise.
+    rosml/registry/certificates.py, which speaks to registries later, looks likewise.
     """
     own = env.get("DOCKER_CONFIG") or os.path.join(os.path.expanduser("~"), ".docker")
     found: dict[str, list[str]] = {}

@@ -1,0 +1,246 @@
+"""A catalogue -> the text of docker-bake.hcl: tables with the facts, and `graph.hcl`, which says what follows from them.
+
+The graph is written by hand, the same for every catalogue. `targets` says what follows in Python.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+from rosml.bake import targets
+from rosml.bake.hcl import Code, aligned, block, key, literal, pairs, text
+from rosml.images import labels
+from rosml.images.expand import FLOATING, long_tests
+from rosml.images.image_set import Catalogue, Image, Payload
+from rosml.matrix import names, rules
+from rosml.matrix.model import FOR_ANY_PYTHON, PARTS, UNTESTED, Matrix
+
+GRAPH = Path(__file__).with_name("graph.hcl")
+"""What is made of the tables."""
+
+
+def render(catalogue: Catalogue) -> str:
+    """The bake file. Depends on nothing but the catalogue."""
+    return "\n".join([*_tables(catalogue), _groups(catalogue), _graph()])
+
+
+def excerpt(catalogue: Catalogue, roots: Iterable[str]) -> str:
+    """The bake file with some targets and what they stand on, and no more than others of the same rows.
+
+    buildx evaluates a whole file, which takes seconds for some hundred images.
+
+    Args:
+        roots: targets of images, of their tests, of payloads; others are in every bake file.
+    """
+    images: set[str] = set()
+    payloads: set[str] = set()
+    for root in roots:
+        image = catalogue.by_target.get(root) or catalogue.by_target.get(root.removesuffix(names.test_target("")))
+        while image:
+            images.add(image.target)
+            payloads.update(image.parts)
+            image = catalogue.by_target.get(image.parent)
+        payloads.add(root.removeprefix(names.payload_target("")))
+    some = replace(
+        catalogue,
+        images=tuple(image for image in catalogue.images if image.target in images),
+        payloads=tuple(payload for payload in catalogue.payloads if payload.name in payloads),
+    )
+    return "\n".join([*_tables(some), _graph()])
+
+
+def variables(matrix: Matrix) -> dict[str, str]:
+    """The default of every variable by its name."""
+    return {name: default for name, default, _ in _variables(matrix)}
+
+
+@cache
+def _graph() -> str:
+    return GRAPH.read_text(encoding="utf-8")
+
+
+_HEADER = """\
+# Generated from matrix.yaml by scripts/generate_bake.py, with rosml/bake/graph.hcl below it: change one of them, then run
+#   make generate
+#
+#   PLATFORM=linux/amd64 docker buildx bake {target}   builds an image, and what it stands on, for one platform
+#   docker buildx bake {target}-test                   runs its structure tests inside the build
+#   docker buildx bake --print <target>                     shows what would be built
+#   docker buildx bake --list targets                       lists all targets, --list variables what can be set
+"""
+
+
+def _tables(catalogue: Catalogue) -> Iterator[str]:
+    matrix = catalogue.matrix
+    yield _HEADER.format(target=matrix.default.group[0])
+    for variable, default, description in _variables(matrix):
+        yield block("variable", variable, {"description": description, "default": default})
+    yield "# ---- Tables ".ljust(119, "-") + "\n"
+    yield _table(
+        "systems", "Operating systems.", _tall({name: _system(matrix, name) for name in matrix.operating_systems})
+    )
+    about = "Each component with all that it is built on, the lowest first."
+    yield _table("components", about, aligned({name: rules.chain(matrix, name) for name in matrix.components}))
+    about = "Versions that go together. frameworks: those that can have them, the smallest first."
+    yield _table("stacks", about, _tall({name: _stack(matrix, name) for name in matrix.stacks}))
+    about = (
+        "What images carry. counted: whose versions a tag names. stacks: the platforms that all of it has wheels for."
+    )
+    yield _table("frameworks", about, _tall({name: _framework(matrix, name) for name in matrix.frameworks}))
+    yield (
+        "\n".join(["# What is taken where nothing is named, and how things are called.", *aligned(_words(matrix))])
+        + "\n"
+    )
+    about = "covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why."
+    yield _table("distributions", about, _tall(_distributions(catalogue)))
+    about = "What is assembled once, on a system, and joined to many images."
+    yield _table("payloads", about, (f"{literal(_payload(payload))}," for payload in catalogue.payloads), "[]")
+
+
+Lines = Sequence[Mapping[str, object]]
+"""A row of a table, in lines."""
+
+
+def _table(name: str, about: str, rows: Iterable[str], brackets: str = "{}") -> str:
+    return "\n".join([f"# {about}", f"{name} = {brackets[0]}", *(f"  {row}" for row in rows), brackets[1]]) + "\n"
+
+
+def _tall(rows: Mapping[str, Lines]) -> Iterator[str]:
+    """Rows that take more than a line."""
+    for name, lines in rows.items():
+        yield "\n".join([f"{key(name)} = {{", *(f"    {', '.join(pairs(line))}" for line in lines), "  }"])
+
+
+def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
+    """Name, default and description of every variable."""
+    yield "REGISTRY", matrix.registry, "where images live, without https://"
+    for os in matrix.operating_systems:
+        yield names.os_variable(os), targets.base_image(matrix, os), f"base image of {os}"
+    yield "PLATFORM", "", "build for this platform only, such as linux/amd64; if empty, for all that a target has"
+    yield "SOURCE_DATE_EPOCH", targets.EPOCH, "time of every file, in seconds since 1970"
+    yield "REVISION", "", "commit that is built, for a label"
+    yield "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
+    yield "ROS_SYNC_DATES", "", 'JSON text: the dates of ROS\'s repositories, {"jazzy": "2026-11-20T21:14:09Z"}'
+    yield "ROS_CHANNEL", "", "live, snapshot or final, in the place of what matrix.yaml says (make image CHANNEL=final)"
+    yield "ROS_SNAPSHOT", "", "day of the snapshot where ROS_CHANNEL is snapshot: YYYY-MM-DD"
+    yield "CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer"
+    mirror = "mirror of the hosts that ros_archive names, such as http://host:3142; never part of an image"
+    yield "ROS_APT_MIRROR", "", mirror
+    archive = "mirror of the hosts that base images' apt sources name, such as http://host:3142; never part of an image"
+    yield "OS_APT_MIRROR", "", archive
+    for proxy in targets.PROXIES:
+        yield proxy, "", "for build steps; never part of an image"
+
+
+def _system(matrix: Matrix, name: str) -> Lines:
+    facts = matrix.operating_systems[name]
+    image, platforms = Code(names.os_variable(name)), _platforms(matrix, facts.architectures)
+    return [
+        {"image": image, "python": facts.python, "numpy": facts.numpy, "platforms": platforms},
+        {"tools": facts.tools},
+    ]
+
+
+def _platforms(matrix: Matrix, architectures: Iterable[str]) -> list[str]:
+    return [matrix.architectures[name].platform for name in architectures]
+
+
+def _stack(matrix: Matrix, name: str) -> Lines:
+    facts = matrix.stacks[name]
+    versions = {item: version for item in rules.COUNTED if (version := getattr(facts, item))}
+    taking = labels.smallest_first(rules.frameworks(matrix, name))
+    return [{"accelerator": facts.accelerator, "frameworks": taking}, {"versions": versions}]
+
+
+def _framework(matrix: Matrix, name: str) -> Lines:
+    facts = matrix.frameworks[name]
+    releases = rules.families(facts)
+    stacks = [stack for stack in matrix.stacks if facts.parts and name in rules.frameworks(matrix, stack)]
+    parts = [part for part in PARTS if part in facts.parts]
+    return [
+        {"repository": facts.repository, "parts": parts, "releases": releases},
+        {"versions": rules.counted(facts), "counted": releases or (rules.counted(facts) and ("cuda",))},
+        {"stacks": {stack: _platforms(matrix, rules.joined_for(matrix, name, stack)) for stack in stacks}},
+    ]
+
+
+def _words(matrix: Matrix) -> dict[str, object]:
+    """What is no row of a table."""
+    return {
+        "plain": rules.plain(matrix),
+        "assembler": matrix.default.assembler,
+        "source": matrix.source,
+        "short_component": FLOATING,
+        "short_names": names.SHORT,
+        "titles": labels.TITLES,
+        "parts": PARTS,
+        "brings": {part: labels.brought(part) for part in PARTS},
+        "for_any_python": FOR_ANY_PYTHON,
+        "untested": UNTESTED,
+    }
+
+
+def _distributions(catalogue: Catalogue) -> dict[str, Lines]:
+    """A row for each distribution that has images."""
+    images: dict[str, list[Image]] = {}
+    for image in catalogue.images:
+        images.setdefault(image.distribution, []).append(image)
+    rows = catalogue.matrix.distributions
+    return {name: _distribution(catalogue.matrix, name, images[name]) for name in rows if name in images}
+
+
+def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
+    facts = matrix.distributions[name]
+    alone = [image for image in images if image.stack is None]
+    kinds = {_key(image): image for image in images}
+    platforms = _platforms(matrix, rules.architectures(matrix, name, rules.plain(matrix), None))
+    short = [tag.split(":")[1] for image in alone if image.component == FLOATING for tag in image.tags[1:]]
+    tools, long = targets.tools(matrix, name), set(long_tests(facts))
+    stacks: dict[str, list[str]] = {}
+    for image in kinds.values():
+        if image.stack:
+            stacks.setdefault(image.framework, []).append(image.stack)
+    return [
+        {"os": facts.os, "ros": str(facts.ros), "ros_distro": facts.ros_distro or name, "platforms": platforms},
+        {"default_stack": facts.default_stack, "tags": short, "experimental": facts.experimental},
+        {
+            "rmw": ",".join(facts.rmw),
+            "wheels": targets.wheels(facts.wheels),
+            "tools": "" if tools == matrix.operating_systems[facts.os].tools else tools,
+        },
+        {"packages": {image.component: image.packages for image in alone}},
+        {"apt": targets.apt_arguments(matrix, name, facts.apt) if facts.apt else None},
+        {"stacks": stacks},
+        {"covered": [kind for kind, image in kinds.items() if not long.issubset(image.tests)]},
+        {"unlocked": {kind: targets.unlocked(image) for kind, image in kinds.items() if not image.locked}},
+    ]
+
+
+def _key(image: Image) -> str:
+    """What tells images of a distribution and component apart: `torch-cu128`."""
+    return f"{image.framework}-{image.stack}" if image.stack else image.framework
+
+
+def _payload(payload: Payload) -> dict[str, object]:
+    return {
+        "part": payload.part,
+        "stack": payload.stack,
+        "python": payload.python,
+        "os": payload.os,
+        "platforms": payload.platforms,
+    }
+
+
+def _groups(catalogue: Catalogue) -> str:
+    """The groups of the axes, as far as they have a target: what those have in common, so that a new row adds a line."""
+    present, found = catalogue.groups, {}
+    if "default" in present:
+        found["default"] = literal(present["default"])
+    for axis in ("distributions", "components", "frameworks", "stacks"):
+        for name in getattr(catalogue.matrix, axis):
+            if name in present:
+                found[name] = f"having({text(axis.removesuffix('s'))}, {text(name)})"
+    return "".join(f"group {text(name)} {{ targets = {members} }}\n" for name, members in found.items())

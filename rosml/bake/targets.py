@@ -1,0 +1,283 @@
+"""A catalogue -> its bake targets as plain data, for whoever asks what a target depends on.
+
+`graph.hcl` says the same to buildx; tests/unit/test_targets.py compares what buildx makes of the bake file with this, for
+every target and whatever the bake file's variables say.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from rosml.images import labels, missing
+from rosml.images.image_set import PAYLOADS, Catalogue, Image, Payload
+from rosml.matrix import names, rules
+from rosml.matrix.model import Apt, Matrix
+
+EPOCH = "1767225600"
+"""2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
+
+PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
+"""What build steps get of the caller's network."""
+
+FILE_LIST = "file-list"
+"""The target that lists the files of its context `listed`."""
+
+
+@dataclass(frozen=True)
+class Overridable:
+    """A fact of the matrix that a variable of the bake file may override.
+
+    Attributes:
+        variable: its value counts unless it is empty. fact: what counts otherwise, and decides the inputs.
+    """
+
+    variable: str
+    fact: str
+
+
+@dataclass(frozen=True)
+class Dependency:
+    """A context that is another target, or its image in the registry where DIGESTS names that.
+
+    Attributes:
+        target: what is built if nothing is said.
+        name: the key in DIGESTS; empty where it is always built. repository: where the image is, without the registry.
+    """
+
+    target: str
+    name: str = ""
+    repository: str = ""
+
+
+@dataclass(frozen=True)
+class NoInput:
+    """A value that holds no fact of the matrix: the caller of bake decides it, or it follows from what is an input anyway.
+
+    Attributes:
+        what: `variable`: what one says, if anything; `sync date`: when ROS's repository of a distribution was published;
+            `root`: where a payload's files are in its context; `base name`, `base digest`: of the image that a variable
+            names; `created`: SOURCE_DATE_EPOCH as a date.
+        of: the variable, distribution or payload.
+    """
+
+    what: Literal["variable", "sync date", "root", "base name", "base digest", "created"]
+    of: str
+
+
+Value = str | Overridable | NoInput
+"""An argument or label: a fact, or what a variable decides. Whatever else would decide one gets a type of its own here."""
+
+Context = Dependency | Overridable
+"""A context: another target, or the base image that a variable names."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """What buildx is told of a target.
+
+    Attributes:
+        stage: of the Dockerfile. platforms: all that it can be built for; empty: the builder's own.
+        tags: `repository:tag` without the registry.
+    """
+
+    stage: str
+    contexts: Mapping[str, Context]
+    arguments: Mapping[str, Value]
+    platforms: tuple[str, ...] = ()
+    tags: tuple[str, ...] = ()
+    labels: Mapping[str, Value] = field(default_factory=dict)
+    description: str = ""
+
+
+def of(catalogue: Catalogue) -> dict[str, Target]:
+    """Every target by its name."""
+    return dict(_targets(catalogue))
+
+
+def _targets(catalogue: Catalogue) -> Iterator[tuple[str, Target]]:
+    matrix = catalogue.matrix
+    assembler = matrix.default.assembler
+    description = "the files of the image that its context `listed` is"
+    yield FILE_LIST, Target(FILE_LIST, {"os": _system(matrix, assembler)}, _common(), description=description)
+    for os in dict.fromkeys(image.os for image in catalogue.images):
+        facts = matrix.operating_systems[os]
+        platforms = tuple(matrix.architectures[name].platform for name in facts.architectures)
+        arguments = {**_common(), "NUMPY": facts.numpy}
+        yield names.os_target(os), Target("base", {"os": _system(matrix, os)}, arguments, platforms)
+    for payload in catalogue.payloads:
+        yield from _payload(matrix, payload)
+    for image in catalogue.images:
+        yield image.target, _joined(catalogue, image) if image.stack else _ros(catalogue, image)
+        contexts: dict[str, Context] = {"os": _system(matrix, assembler), "image": _dependency(image)}
+        arguments = {**_common(), "TESTS": " ".join(image.tests), "EXPECT": _expected(catalogue, image)}
+        yield image.test_target, Target("test", contexts, arguments, image.platforms)
+
+
+def _common() -> dict[str, Value]:
+    """The arguments of every target."""
+    epoch = Overridable("SOURCE_DATE_EPOCH", EPOCH)
+    return {"SOURCE_DATE_EPOCH": epoch, **{proxy: NoInput("variable", proxy) for proxy in PROXIES}}
+
+
+def base_image(matrix: Matrix, os: str) -> str:
+    """The base image of an operating system, as a context."""
+    system = matrix.operating_systems[os]
+    return f"docker-image://{system.image}@{system.digest}"
+
+
+def _system(matrix: Matrix, os: str) -> Overridable:
+    return Overridable(names.os_variable(os), base_image(matrix, os))
+
+
+def _dependency(image: Image) -> Dependency:
+    return Dependency(image.target, image.target, image.repository)
+
+
+def _ros(catalogue: Catalogue, image: Image) -> Target:
+    """An image without a framework: a component on the one below it, the lowest on the operating system."""
+    matrix = catalogue.matrix
+    distribution = matrix.distributions[image.distribution]
+    parent = catalogue.by_target.get(image.parent)
+    contexts: dict[str, Context] = {"parent": _dependency(parent) if parent else Dependency(image.parent)}
+    arguments: dict[str, Value] = {**_common(), "ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
+    if image.packages:
+        arguments["ROS_PACKAGES"] = image.packages
+    if parent is None:
+        arguments["ROS_TOOLS"] = tools(matrix, image.distribution)
+    if distribution.apt:
+        arguments |= {
+            name: Overridable(name, fact) if name in CHANNEL else fact
+            for name, fact in apt_arguments(matrix, image.distribution, distribution.apt).items()
+        }
+        arguments["ROS_SYNC_DATE"] = NoInput("sync date", image.distribution)
+    if distribution.wheels:  # the stage takes uv from what assembles payloads, which stands on the system's base image
+        arguments |= {"ROS_ROW": image.distribution, "PYTHON": image.python}
+        contexts["os"] = _system(matrix, image.os)
+    stage = "ros-wheels" if distribution.wheels else "ros"
+    return Target(stage, contexts, arguments, image.platforms, image.tags, _labels(matrix, image), unlocked(image))
+
+
+CHANNEL = ("ROS_CHANNEL", "ROS_SNAPSHOT")
+"""Arguments of a distribution that variables of the same names may override."""
+
+
+def apt_arguments(matrix: Matrix, name: str, apt: Apt) -> dict[str, str]:
+    """The facts about ROS's own apt repository that the packages of a distribution come from."""
+    facts = {
+        "ROS_CHANNEL": apt.channel,
+        "ROS_SNAPSHOT": apt.date.isoformat() if apt.date else "",
+        "ROS_CODENAME": matrix.operating_systems[matrix.distributions[name].os].codename or "",
+        "ROS_LIVE_ADDRESS": rules.ros_live(matrix, name),
+        "ROS_SNAPSHOT_ADDRESS": rules.ros_snapshot(matrix, name, "{day}"),
+    }
+    source = rules.ros_apt_source(matrix, name)
+    return facts | ({"ROS_APT_SOURCE": source} if source else {})
+
+
+def tools(matrix: Matrix, name: str) -> str:
+    """The Debian packages that come with a distribution's lowest component: the developers' tools, and what else speaks
+    DDS beside ROS's default."""
+    distribution = matrix.distributions[name]
+    added = (f"ros-{distribution.ros_distro or name}-{rmw.replace('_', '-')}" for rmw in distribution.rmw)
+    return " ".join([distribution.tools or matrix.operating_systems[distribution.os].tools, *added])
+
+
+def unlocked(image: Image) -> str:
+    """What to say of a target that cannot be built yet; empty where it can be."""
+    return "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}"
+
+
+def _joined(catalogue: Catalogue, image: Image) -> Target:
+    """An image with a framework: payloads joined to a ROS image."""
+    matrix = catalogue.matrix
+    payloads = {catalogue.payload_by_name[name].part: name for name in image.parts}
+    contexts: dict[str, Context] = {"ros": _dependency(catalogue.by_target[image.parent])}
+    contexts |= {
+        f"part-{part}": Dependency(names.files_target(name), name, PAYLOADS) for part, name in payloads.items()
+    }
+    arguments: dict[str, Value] = {**_common(), "ACCELERATOR": matrix.stacks[image.stack or ""].accelerator}
+    arguments |= {f"{part.upper().replace('-', '_')}_ROOT": NoInput("root", name) for part, name in payloads.items()}
+    arguments |= {f"{name.upper()}_VERSION": version for name, version in _counted(image).items()}
+    found = _labels(matrix, image)
+    return Target(image.framework, contexts, arguments, image.platforms, image.tags, found, unlocked(image))
+
+
+def _counted(image: Image) -> dict[str, str]:
+    """The versions that labels and the environment name."""
+    return {name: version for name, version in image.versions.items() if name in labels.VERSIONS}
+
+
+def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
+    variable = names.os_variable(image.os)
+    distribution = matrix.distributions[image.distribution]
+    found: dict[str, Value] = {
+        f"{labels.OCI}licenses": "Apache-2.0",
+        labels.REVISION: NoInput("variable", "REVISION"),
+        f"{labels.OCI}created": NoInput("created", "SOURCE_DATE_EPOCH"),
+        f"{labels.OCI}base.name": NoInput("base name", variable),
+        f"{labels.OCI}base.digest": NoInput("base digest", variable),
+        f"{labels.PREFIX}distribution": image.distribution,
+        f"{labels.PREFIX}framework": image.framework,
+        f"{labels.PREFIX}os": image.os,
+        f"{labels.PREFIX}python": image.python,
+        f"{labels.PREFIX}ros": str(image.ros),
+        **{f"{labels.PREFIX}{name}": version for name, version in _counted(image).items()},
+        **labels.named(
+            image.distribution, image.component, str(image.ros), image.framework, image.stack, image.versions
+        ),
+    }
+    if matrix.source:
+        found[labels.SOURCE] = matrix.source
+    if image.stack:
+        found[f"{labels.PREFIX}stack"] = image.stack
+    if distribution.apt:
+        found[f"{labels.PREFIX}ros.sync"] = NoInput("sync date", image.distribution)
+    if distribution.experimental:
+        found[f"{labels.PREFIX}experimental"] = "true"
+    return found
+
+
+def _payload(matrix: Matrix, payload: Payload) -> Iterator[tuple[str, Target]]:
+    """A payload's files below /out, and the payload as an image of its own."""
+    contexts = {"os": _system(matrix, payload.os)}
+    arguments: dict[str, Value] = {
+        **_common(),
+        "PART": payload.part,
+        "STACK": payload.stack,
+        "PYTHON": payload.python,
+        "WHEEL_PYTHON": matrix.operating_systems[payload.os].python,
+        "ACCELERATOR": matrix.stacks[payload.stack].accelerator,
+    }
+    stack = matrix.stacks[payload.stack]
+    versions = {name: version for name in labels.VERSIONS if (version := getattr(stack, name))}
+    taking = {name: parts for name, parts in rules.frameworks(matrix, payload.stack).items() if payload.part in parts}
+    found = labels.of_payload(payload.part, payload.stack, payload.python, versions, taking)
+    yield names.files_target(payload.name), Target("payload-files", contexts, arguments, payload.platforms)
+    tags = (f"{PAYLOADS}:{payload.name}",)
+    yield payload.target, Target("payload", contexts, arguments, payload.platforms, tags, found)
+
+
+def _expected(catalogue: Catalogue, image: Image) -> str:
+    """What tags and labels promise, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
+    distribution = catalogue.matrix.distributions[image.distribution]
+    packages: dict[str, str] = {}
+    ros: Image | None = image
+    while ros:
+        if ros.packages:
+            packages[f"packages_{ros.component.replace('-', '_')}"] = ros.packages.replace(" ", ",")
+        ros = catalogue.by_target.get(ros.parent)
+    facts = {"os": image.os, "python": image.python, "ros": str(image.ros), "ros_distro": image.ros_distro}
+    if distribution.rmw:
+        facts["rmw"] = ",".join(distribution.rmw)
+    if distribution.wheels:
+        facts["wheels"] = wheels(distribution.wheels)
+    facts |= {**dict(reversed(packages.items())), **image.versions}
+    return " ".join(f"{name}={fact}" for name, fact in facts.items())
+
+
+def wheels(requirements: tuple[str, ...]) -> str:
+    """Python packages with their versions, without extras: `ros-jazzy-rclpy==7.1.6,ros-std-msgs==5.3.6`."""
+    return ",".join(re.sub(r"\[.*\]", "", item) for item in requirements)

@@ -1,0 +1,106 @@
+"""Problems in an input file: where, what, and what to do about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from rosml.base.errors import RosmlError
+
+Path = tuple[str | int, ...]
+"""The way from a file's top to a value: keys, and indexes of lists."""
+
+SHOWN = 50
+"""How many problems one message spells out; a broken file can hold thousands."""
+
+SOUGHT = 600
+"""Among how many names near matches are sought, so that a broken file does not take seconds to explain; the full matrix
+has about 500 images."""
+
+LONGEST = 500
+"""Characters of a problem's path, and of its text: a broken file can hold a number of 100,000 digits."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One problem. `line` and `column` count from 1; `path` is empty where the file as a whole is meant."""
+
+    line: int
+    column: int
+    path: str
+    text: str
+
+    def message(self, file: str) -> str:
+        """The problem as editors and terminals link it: `file:line:column: path: text`."""
+        place = f"{file}:{self.line}:{self.column}"
+        return ": ".join(part for part in (place, _shortened(self.path), _shortened(self.text)) if part)
+
+
+def _shortened(text: str) -> str:
+    """A text with its beginning, which says what is wrong, and its end, which says what to do about it."""
+    return text if len(text) <= LONGEST else f"{text[: LONGEST * 2 // 3]}…{text[-LONGEST // 3 :]}"
+
+
+class InputError(RosmlError):
+    """A file with problems: all of them, in the order of the file. The exit code is 2."""
+
+    def __init__(self, file: str, problems: Iterable[Problem]) -> None:
+        self.problems = tuple(
+            sorted(set(problems), key=lambda problem: (problem.line, problem.column, problem.path, problem.text))
+        )
+        lines = [problem.message(file) for problem in self.problems[:SHOWN]]
+        if len(self.problems) > SHOWN:
+            lines.append(f"{file}: and more; the first {SHOWN} problems are shown")
+        super().__init__("\n".join(lines), exit_code=2)
+
+
+def dotted(path: Path) -> str:
+    """A path for people: `distributions.jazzy.components[2]`."""
+    text = ""
+    for step in path:
+        if isinstance(step, int):
+            text += f"[{step}]"
+        else:
+            text += f".{step}" if text else step
+    return text
+
+
+def listed(names: Sequence[str], last: str = "and") -> str:
+    """Names in a sentence: `a`, `a and b`, `a, b and c`."""
+    return f" {last} ".join(part for part in (", ".join(names[:-1]), *names[-1:]) if part)
+
+
+SOME = 4
+"""How many names are shown where there may be hundreds."""
+
+
+def some(names: Iterable[str]) -> str:
+    """The first names of many: `a, b, c, d and 7 more`."""
+    known = list(names)
+    more = len(known) - SOME
+    return ", ".join(known) if more <= 1 else f"{', '.join(known[:SOME])} and {more} more"
+
+
+def counted(number: int, what: str) -> str:
+    """A number of things: `1 image`, `2 images`."""
+    return f"{number} {what}{'s'[: number != 1]}"
+
+
+def near(name: str, known: Iterable[str]) -> str:
+    """The remedy for an unknown name: near matches, or all known names where they are few.
+
+    Returns:
+        `did you mean 'x'?`, `known: a, b, c`, or nothing.
+    """
+    from difflib import get_close_matches  # only needed when something is wrong
+
+    names = list(known)
+    if matches := get_close_matches(name[:100], names[:SOUGHT], n=3):
+        return f"did you mean {listed([repr(match) for match in matches], last='or')}?"
+    return f"known: {', '.join(names)}" if 0 < len(names) <= 12 else ""
+
+
+def unknown(kind: str, name: str, known: Iterable[str]) -> str:
+    """The sentence about a name that nothing has: `no stack named 'cu129'; did you mean 'cu128'?`."""
+    names = list(known)
+    return "; ".join(part for part in (f"no {kind} named {name!r}", near(name, names)) if part)

@@ -1,0 +1,21 @@
+"""Bytes and seconds as people read them."""
+
+from __future__ import annotations
+
+
+def size(count: int) -> str:
+    """Bytes for people, in decimal units as registries count: ``3.61 GB``."""
+    value = float(count)
+    for unit in ("B", "kB", "MB", "GB"):
+        if value < 1000 or unit == "GB":
+            return f"{value:.0f} B" if unit == "B" else f"{value:.2f} {unit}" if unit == "GB" else f"{value:.1f} {unit}"
+        value /= 1000
+    raise AssertionError("unreachable")
+
+
+def duration(seconds: float) -> str:
+    """``75.2`` -> ``1 min 15 s``; short ones keep a decimal."""
+    if seconds < 60:
+        return f"{seconds:.1f} s"
+    whole = round(seconds)
+    return f"{whole // 60} min {whole % 60} s"

@@ -1,0 +1,88 @@
+"""Lists the files of an image that was pushed, and attaches the list to it."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.build.push import write_excerpt
+from rosml.images.image_set import Catalogue
+from rosml.join.file_lists import ARTIFACT, MEDIA_TYPE, unpacked
+from rosml.join.layers import platform
+from rosml.machine import base_images, buildx
+from rosml.machine.services import Services
+from rosml.matrix import names
+from rosml.registry.oci import Manifest, Registry
+
+TARGET = "file-list"
+"""The bake target that makes a list."""
+
+
+def attach_files(
+    services: Services,
+    catalogue: Catalogue,
+    registry: Registry,
+    repository: str,
+    digest: str,
+    say: Callable[[str], None],
+) -> list[str]:
+    """Lists the files of an image that was pushed, for each of its platforms, and attaches the lists to it.
+
+    The builder mounts the image, which it has where it built it, and runs nothing of it: no emulation is needed.
+    A manifest that has its list keeps it.
+
+    Args:
+        services: the builder. catalogue: for the system whose tools make the list.
+        registry: where the image is. repository: its path there. digest: of a manifest, or of an index.
+        say: told what is going on, a line at a time.
+
+    Returns:
+        Digests of the lists' artifacts that were attached now.
+
+    Raises:
+        RosmlError: the image is not there; the build failed; the registry refuses.
+    """
+    attached = []
+    for manifest in _manifests(registry, repository, digest):
+        if registry.referrers(repository, manifest.digest, ARTIFACT):
+            continue
+        say(f"list the files of {repository}@{manifest.digest}")
+        data = _made(services, catalogue, registry, repository, manifest)
+        attached.append(registry.attach(repository, manifest.descriptor, ARTIFACT, data, MEDIA_TYPE))
+    return attached
+
+
+def _manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
+    """A manifest itself, or those of an index that are for a platform."""
+    found = registry.manifest(repository, digest)
+    if found is None:
+        raise RosmlError(f"{registry.host}/{repository}@{digest} is not there", "push it first")
+    if not found.is_index:
+        return [found]
+    entries = [entry for entry in found.content["manifests"] if "unknown" not in platform(entry.get("platform", {}))]
+    return [manifest for entry in entries for manifest in _manifests(registry, repository, entry["digest"])]
+
+
+def _made(services: Services, catalogue: Catalogue, registry: Registry, repository: str, manifest: Manifest) -> bytes:
+
+    config: dict[str, Any] = registry.json_blob(repository, manifest.content["config"]["digest"])
+    os_name = catalogue.matrix.default.assembler
+    base = base_images.ensure(services, catalogue.matrix.operating_systems[os_name], say=lambda _: None)
+    file = write_excerpt(services, catalogue, TARGET)
+    (services.state / "tmp").mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
+        sets = (
+            f"{TARGET}.output=type=local,dest={folder}",
+            f"{TARGET}.platform={platform(config)}",
+            f"{TARGET}.contexts.listed=docker-image://{registry.host}/{repository}@{manifest.digest}",
+        )
+        variables = {names.os_variable(os_name): f"docker-image://{base}"}
+        short = manifest.digest.partition(":")[2][:12]
+        buildx.run(services, buildx.Bake(TARGET, f"{TARGET}-{short}", file, sets, variables))
+        data = (Path(folder) / "files.gz").read_bytes()
+    if not unpacked(data):
+        raise RosmlError(f"the list of the files of {repository}@{manifest.digest} is empty", "run it again")
+    return data

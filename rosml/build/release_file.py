@@ -1,0 +1,60 @@
+"""Reads what an apt repository says of itself: its Release file, directly or from a mirror."""
+
+from __future__ import annotations
+
+import re
+
+import httpx
+
+from rosml.base.errors import RosmlError
+
+SECONDS = 20.0
+MIRROR = re.compile(r"https?://[A-Za-z0-9._~:@/-]+")
+"""As components/build/network.sh and components/ros/apt.sh take it."""
+
+
+def address(official: str, mirror: str, variable: str) -> str:
+    """Where a repository is asked: below a mirror, each host is a folder.
+
+    Args:
+        official: its address, http. mirror: of the mirror; none if empty. variable: what names it.
+
+    Raises:
+        RosmlError: the mirror is no address (exit code 2).
+    """
+    if not mirror:
+        return official
+    if not MIRROR.fullmatch(mirror):
+        raise RosmlError(f"{variable} is not an address", "set it to one such as http://host:3142", exit_code=2)
+    return f"{mirror.rstrip('/')}/{official.removeprefix('http://')}"
+
+
+def read(url: str, limit: int, variable: str) -> str:
+    """The text of a Release file. A user and password in its address are sent, and never told.
+
+    Args:
+        url: where it is. limit: bytes of it that are read. variable: what names a mirror.
+
+    Raises:
+        RosmlError: it does not answer.
+    """
+    text = b""
+    try:
+        with httpx.stream("GET", url, timeout=SECONDS, follow_redirects=True) as answer:
+            answer.raise_for_status()
+            for block in answer.iter_bytes():
+                text += block
+                if len(text) >= limit:
+                    break
+    except httpx.HTTPStatusError as error:
+        reason = f"HTTP Error {error.response.status_code}"
+    except (httpx.HTTPError, httpx.InvalidURL) as error:
+        reason = str(error) or type(error).__name__
+    else:
+        return text[:limit].decode(errors="replace")
+    raise RosmlError(f"{shown(url)} does not answer ({reason})", f"check the network, HTTP_PROXY and {variable}")
+
+
+def shown(url: str) -> str:
+    """An address without the user and password in it."""
+    return re.sub("//[^/]*@", "//", url)

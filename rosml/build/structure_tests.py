@@ -1,0 +1,188 @@
+"""Structure tests of a published image: what they are told, and what they found."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.images.image_set import Image
+
+LABEL = "io.rosml."
+"""Prefix of the labels that say what an image is made of."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One structure test: the file it is in, its name, whether it passed, its duration in seconds, what it said."""
+
+    file: str
+    name: str
+    passed: bool
+    seconds: float
+    detail: str = ""
+
+
+def within_budget(budget: int, found: int) -> Outcome:
+    """The test of a tag's size budget.
+
+    Args:
+        budget: MB (10^6 bytes) that the payloads of the tag may have in the registry.
+        found: bytes that they have.
+    """
+    detail = f"{found / 1e6:.0f} MB; matrix.yaml: disk.budgets allows {budget} MB"
+    return Outcome("size", "the payloads keep within the tag's budget", found <= budget * 1_000_000, 0.0, detail)
+
+
+@dataclass(frozen=True)
+class Report:
+    """All structure tests of an image, the size of its unpacked root file system in bytes, and the versions of what it
+    holds, as they were recorded when its parts were built."""
+
+    outcomes: tuple[Outcome, ...]
+    unpacked: int
+    versions: Mapping[str, str] = field(default_factory=dict)
+
+    def with_outcome(self, outcome: Outcome) -> Report:
+        """The report with one more test."""
+        return replace(self, outcomes=(*self.outcomes, outcome))
+
+    @property
+    def passed(self) -> int:
+        """How many tests passed."""
+        return sum(outcome.passed for outcome in self.outcomes)
+
+    @property
+    def failed(self) -> tuple[Outcome, ...]:
+        """Those that did not."""
+        return tuple(outcome for outcome in self.outcomes if not outcome.passed)
+
+
+def expected_labels(image: Image) -> dict[str, str]:
+    """Labels that say what an image is made of, from the matrix."""
+    facts = {
+        "distribution": image.distribution,
+        "component": image.component,
+        "framework": image.framework,
+        "os": image.os,
+        "python": image.python,
+        "ros": str(image.ros),
+        **({"stack": image.stack} if image.stack else {}),
+        **{
+            name: version
+            for name, version in image.versions.items()
+            if name in ("torch", "tensorflow", "cuda", "cudnn")
+        },
+    }
+    return {LABEL + name: value for name, value in facts.items()}
+
+
+def expected_environment(image: Image) -> dict[str, str]:
+    """Environment that the runtime contract promises, from the matrix."""
+    promised = {
+        "LANG": "C.utf8",
+        "WORKSPACE": "/docker-ros/ws",
+        "DOCKER_USER": "dockeruser",
+        "DOCKER_UID": "",
+        "DOCKER_GID": "",
+        "NVIDIA_VISIBLE_DEVICES": "all",
+        "NVIDIA_DRIVER_CAPABILITIES": "all",
+        "ROS_DISTRO": image.ros_distro,
+        "ROS_VERSION": str(image.ros),
+    }
+    for name in ("torch", "tensorflow", "cuda", "cudnn"):
+        if name in image.versions:
+            promised[f"{name.upper()}_VERSION"] = image.versions[name]
+    return promised
+
+
+def metadata_test(image: Image) -> dict[str, Any]:
+    """The structure test of an image's config, in container-structure-test's schema."""
+    return {
+        "schemaVersion": "2.0.0",
+        "metadataTest": {
+            "envVars": [{"key": key, "value": value} for key, value in expected_environment(image).items()],
+            "labels": [{"key": key, "value": value} for key, value in expected_labels(image).items()],
+            "entrypoint": ["/tini", "--", "/entrypoint.sh"],
+            "cmd": ["bash"],
+            "workdir": "/docker-ros/ws",
+        },
+    }
+
+
+def flat_config(config: Mapping[str, Any]) -> dict[str, Any]:
+    """The part of an OCI config that container-structure-test's host driver reads.
+
+    Only what is tested: a label that changes with every commit would make the builder run the same tests again.
+    """
+    inner = config.get("config", {})
+    labels = inner.get("Labels") or {}
+    return {
+        "config": {
+            "Env": inner.get("Env") or [],
+            "Entrypoint": inner.get("Entrypoint") or [],
+            "Cmd": inner.get("Cmd") or [],
+            "WorkingDir": inner.get("WorkingDir", ""),
+            "Labels": {key: value for key, value in sorted(labels.items()) if key.startswith(LABEL)},
+        }
+    }
+
+
+def write_metadata(folder: Path, image: Image, config: Mapping[str, Any]) -> None:
+    """Writes the build context `metadata` of the test stage."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "metadata.yaml").write_text(json.dumps(metadata_test(image), indent=1))  # JSON is YAML
+    (folder / "config.json").write_text(json.dumps(flat_config(config), indent=1))
+
+
+def read_report(folder: Path, files: tuple[str, ...]) -> Report:
+    """Reads what the test stage exported. A file without a report, or without a test, counts as one failure.
+
+    Raises:
+        RosmlError: there is no report at all.
+    """
+    if not folder.is_dir():
+        raise RosmlError(f"the structure tests left no report in {folder}", "run it again")
+    outcomes: list[Outcome] = []
+    for file in files:
+        outcomes += _outcomes(folder, file)
+    try:
+        unpacked = int((folder / "unpacked").read_text().split()[0]) * 1024
+    except (OSError, ValueError, IndexError):
+        unpacked = 0
+    return Report(tuple(outcomes), unpacked, _versions(folder / "versions"))
+
+
+def _versions(file: Path) -> dict[str, str]:
+    """Versions by name from lines such as `torch 2.10.0`; none where there is no file."""
+    if not file.is_file():
+        return {}
+    lines = (line.split(maxsplit=1) for line in file.read_text(errors="replace").splitlines())
+    return {line[0]: line[1] for line in lines if len(line) == 2}
+
+
+def _outcomes(folder: Path, file: str) -> list[Outcome]:
+    try:
+        results = json.loads((folder / f"{file}.json").read_text())["Results"]
+    except (OSError, ValueError, KeyError, TypeError):
+        log = folder / f"{file}.log"
+        return [
+            Outcome(file, "the test runner", False, 0.0, log.read_text()[-2000:] if log.exists() else "did not start")
+        ]
+    if not results:
+        return [Outcome(file, "the test file", False, 0.0, "it holds no test")]
+    return [
+        Outcome(
+            file,
+            str(result["Name"]).removeprefix("Command Test: "),
+            bool(result["Pass"]),
+            result.get("Duration", 0) / 1e9,
+            "\n".join(
+                filter(None, [*(result.get("Errors") or []), result.get("Stdout", ""), result.get("Stderr", "")])
+            )[-3000:],
+        )
+        for result in results
+    ]

@@ -1,0 +1,113 @@
+"""The tables of images in README.md, rendered from the catalogue between two markers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images import missing
+from rosml.images.image_set import Catalogue, Image
+from rosml.matrix import rules
+
+BEGIN = "<!-- images: written by scripts/generate_bake.py -->"
+END = "<!-- /images -->"
+
+_CONTENT = {
+    "none": "ROS",
+    "cuda": "ROS, CUDA",
+    "torch": "ROS, PyTorch, libtorch",
+    "tensorflow": "ROS, TensorFlow",
+    "ml": "ROS, PyTorch, libtorch, TensorFlow",
+}
+
+
+def render(readme: str, catalogue: Catalogue) -> str:
+    """The README with the tables of this catalogue.
+
+    Raises:
+        RosmlError: the markers are missing.
+    """
+    head, begin, rest = readme.partition(BEGIN)
+    _, end, tail = rest.partition(END)
+    if not begin or not end:
+        raise RosmlError(
+            f"README.md: the markers {BEGIN} and {END} are missing", "put them back where the table belongs"
+        )
+    return f"{head}{BEGIN}\n{tables(catalogue)}{END}{tail}"
+
+
+def tables(catalogue: Catalogue) -> str:
+    """Images without a lock; distributions with their components; then what images carry, and on which distributions."""
+    head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
+    lines = [*_unlocked(catalogue), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
+    lines += [*_distributions(catalogue)]
+    head = ["image", "content", "distributions", "platforms"]
+    lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(catalogue)]
+    return "\n".join(lines) + "\n"
+
+
+def _unlocked(catalogue: Catalogue) -> Iterator[str]:
+    """Which images cannot be built from the locks that are there, and what makes those; nothing where all can be."""
+    rows: dict[str, dict[str, None]] = {}
+    lacking = [image for image in catalogue.images if not image.locked]
+    for image in lacking:
+        rows.setdefault(f"{image.repository}:<d>-<c>-{image.stack}", {})[image.distribution] = None
+    if lacking:
+        remedies = listed(list(dict.fromkeys(missing.remedy(image) for image in lacking))).replace(
+            "'make locks'", "`make locks`"
+        )
+        yield from ("", f"These have no lock yet, and cannot be built before you {remedies}:", "")
+        yield from (f"- `{tag}`: {listed(list(distributions))}" for tag, distributions in rows.items())
+        yield ""
+
+
+def _distributions(catalogue: Catalogue) -> Iterator[str]:
+    matrix = catalogue.matrix
+    for name, distribution in matrix.distributions.items():
+        python = matrix.operating_systems[distribution.os].python
+        eol = f"{distribution.eol}{' (LTS)' if distribution.lts else ''}" if distribution.eol else "rolling"
+        components = ", ".join(distribution.components)
+        only = ", ".join(distribution.architectures)
+        notes = [*(["experimental"] if distribution.experimental else []), *([f"{only} only"] if only else [])]
+        note = f" ({', '.join(notes)})" if notes else ""
+        facts = [f"`{name}`{note}", str(distribution.ros), f"{distribution.os}, {python}", components, eol]
+        number = sum(image.distribution == name for image in catalogue.images)
+        yield f"| {' | '.join([*facts, str(number)])} |"
+
+
+def _contents(catalogue: Catalogue) -> Iterator[str]:
+    rows: dict[tuple[str, str | None], list[Image]] = {}
+    for image in catalogue.images:
+        rows.setdefault((image.framework, image.stack), []).append(image)
+    for images in rows.values():
+        first = images[0]
+        tag = "-".join(filter(None, ["<distribution>-<component>", first.stack]))
+        locked = dict.fromkeys(image.distribution for image in images if image.locked)
+        others = dict.fromkeys(image.distribution for image in images if not image.locked)
+        where = ", ".join(locked) if len(locked) < len(catalogue.matrix.distributions) else "all"
+        if others:
+            where = (
+                f"{where}; without a lock yet: {', '.join(others)}"
+                if locked
+                else f"without a lock yet: {', '.join(others)}"
+            )
+        platforms = ", ".join(dict.fromkeys(platform for image in images for platform in image.platforms))
+        facts = [f"`{first.repository}:{tag}`", _content(catalogue, first), where, platforms]
+        yield f"| {' | '.join(facts)} |"
+
+
+def _content(catalogue: Catalogue, image: Image) -> str:
+    versions = listed([f"{name} {version}" for name, version in image.versions.items() if name != "nccl"])
+    return (
+        _CONTENT.get(image.framework, image.framework) + _abi(catalogue, image) + (f": {versions}" if versions else "")
+    )
+
+
+def _abi(catalogue: Catalogue, image: Image) -> str:
+    """Says which images' C++ libraries cannot be linked together with ROS's."""
+    matrix = catalogue.matrix
+    for family in rules.families(matrix.frameworks[image.framework]):
+        if not matrix.releases.of(family)[image.versions[family]].cxx11_abi:
+            return " (old C++ ABI on amd64: not in one program with ROS's libraries)"
+    return ""

@@ -1,0 +1,1 @@
+"""What people call: commands, tables and reports. Only this package prints."""

@@ -1,0 +1,199 @@
+"""What a publishing run will do, or did: as tables, as JSON, and as the summary of a job in CI."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections import Counter
+from typing import Any
+
+from rosml.base import ci, terminal
+from rosml.base.problems import counted, some
+from rosml.base.units import duration, size
+from rosml.publish import shards as dealing
+from rosml.publish.pipeline import Outcome, Pipeline
+from rosml.publish.plan import Task, changes
+from rosml.publish.plan_file import PLAN_FORMAT
+from rosml.records import ledger
+
+
+def tasks(pipeline: Pipeline) -> list[Task]:
+    """What is to be done about every item."""
+    return [pipeline.agenda.task(item) for item in pipeline.agenda.items]
+
+
+def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
+    """plan.json: what is to be done, and which machine builds what."""
+    found = tasks(pipeline)
+    agenda = pipeline.agenda
+    dealt: list[dict[str, Any]] = []
+    # What is only to be tested needs a machine as well. A scan needs none of a kind.
+    here = [task for task in found if task.item.architecture in agenda.architectures]
+    work = dealing.Work(
+        frozenset(task.item.key for task in here if task.item.making in task.steps),
+        frozenset(task.item.key for task in here if "test" in task.steps),
+    )
+    wanted = {image.target for image in agenda.images}
+    architectures = {name for target, name in work.made | work.tested if target in wanted}
+    if architectures and agenda.catalogue.matrix.rates:
+        # By architecture: a machine of each kind, however few images there are.
+        made = dealing.plan(
+            agenda.catalogue, max(shards, len(architectures)), lambda image: image.target in wanted, work
+        )
+        dealt = [dealing.facts(shard) for shard in made.shards]
+    content = {
+        "version": PLAN_FORMAT,
+        "date": agenda.date,
+        "registry": f"{pipeline.host}/{pipeline.prefix}",
+        "architectures": list(agenda.architectures),
+        "serve": list(pipeline.serving),
+        "force": agenda.force,
+        "upstream": agenda.upstream,
+        "targets": [image.target for image in agenda.images],
+        "shards": dealt,
+        "tasks": [task.to_json() | _changed(pipeline, task, why) for task in found if task.steps or task.hindered],
+        "unchanged": sum(not task.steps and not task.hindered for task in found),
+        "remarks": agenda.remarks,
+    }
+    return json.dumps(content, indent=2) + "\n"
+
+
+def tell(text: str) -> None:
+    """Tells CI of a plan: its shards, for the matrix of the jobs that build, and what there is to do."""
+    content = json.loads(text)
+    shards = content["shards"]
+    ci.output("shards", json.dumps([{"name": shard["name"], "runner": shard["runner"]} for shard in shards]))
+    counts = Counter(step for task in content["tasks"] for step in task["steps"])
+    lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
+    lines += [f"- as they should be: {content['unchanged']}", *(f"- {remark}" for remark in content["remarks"]), ""]
+    rows = []
+    for shard in shards:
+        estimates = shard["estimates"]
+        disk, minutes = f"{estimates['disk_mb'] / 1000:.1f}", f"{estimates['seconds'] / 60:.0f}"
+        distributions = ", ".join(shard["distributions"])
+        rows.append((shard["name"], shard["runner"], distributions, str(len(shard["targets"])), minutes, disk))
+    columns = ("shard", "runner", "distributions", "images", "minutes (estimate)", "GB disk (estimate)")
+    found = "\n".join(lines) + "\n" + (ci.table(columns, rows) if rows else "")
+    ci.summary(f"\n## Plan of {content['date']} for {content['registry']}\n\n{found}")
+
+
+def _changed(pipeline: Pipeline, task: Task, why: bool) -> dict[str, Any]:
+    if not why or not task.steps or task.item.key not in pipeline.agenda.known:
+        return {}
+    changed = changes(pipeline.agenda, pipeline.ledger, task.item)
+    return {"inputs": changed} if changed else {}
+
+
+def print_plan(pipeline: Pipeline, why: bool) -> None:
+    """A line for each item that something is to be done about, and counts of the others."""
+    found = tasks(pipeline)
+    table = terminal.table("image", "architecture", "to do", "why", wrapped=["why"])
+    for task in found:
+        if task.steps:
+            changed = _changed(pipeline, task, why).get("inputs", [])
+            reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
+            table.add_row(task.item.target, task.item.architecture, ", ".join(task.steps), reason)
+    out = terminal.console()
+    todo = sum(bool(task.steps) for task in found)
+    if todo:
+        terminal.show(table)
+    hindered = Counter(task.hindered.partition(":")[0] for task in found if task.hindered)
+    rest = "".join(f", {number} {reason}" for reason, number in hindered.items())
+    unchanged = len(found) - todo - sum(hindered.values())
+    out.print(f"{todo} to do, {unchanged} as they should be{rest}", style="dim")
+
+
+def show(pipeline: Pipeline, as_json: bool) -> None:
+    """What a run did, on standard output; and in CI's summary, where there is one."""
+    tell_outcomes(pipeline.outcomes, pipeline.agenda.date, pipeline.uploaded, pipeline.started, as_json)
+    ci.summary(markdown(pipeline, pipeline.outcomes))
+
+
+def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
+    """Outcomes of a command on standard output.
+
+    Args:
+        date: of the run. uploaded: bytes that the registry got. started: when it began, by the monotonic clock.
+        as_json: as an object, and not as a table.
+    """
+    seconds = time.monotonic() - started
+    if as_json:
+        print(json.dumps(_data(outcomes, date, uploaded, seconds), indent=2))
+    else:
+        _print_table(outcomes, f"{size(uploaded)} uploaded, {duration(seconds)}")
+
+
+def as_data(pipeline: Pipeline) -> dict[str, Any]:
+    """What a run did, as plain data."""
+    seconds = time.monotonic() - pipeline.started
+    return _data(pipeline.outcomes, pipeline.agenda.date, pipeline.uploaded, seconds)
+
+
+def _data(outcomes: list[Outcome], date: str, uploaded: int, seconds: float) -> dict[str, Any]:
+    return {
+        "date": date,
+        "seconds": round(seconds, 2),
+        "uploaded": uploaded,
+        "counts": dict(Counter(f"{outcome.step} {outcome.state}" for outcome in outcomes)),
+        "outcomes": [outcome.to_json() for outcome in outcomes],
+    }
+
+
+def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
+    """Those that people want to read of: what was done or failed; what merely waits is counted."""
+    return [outcome for outcome in outcomes if outcome.state != "waits"]
+
+
+def _print_table(outcomes: list[Outcome], effort: str) -> None:
+    columns = ("step", "image", "architecture", "state", "time", "what")
+    table = terminal.table(*columns, right=["time"], wrapped=["what"])
+    colours = {"done": "green", "failed": "red", "waits": "yellow"}
+    for outcome in _interesting(outcomes):
+        state = f"[{colours[outcome.state]}]{outcome.state}[/]"
+        reason = outcome.reason.splitlines()[0] if outcome.reason else ""
+        table.add_row(outcome.step, outcome.target, outcome.architecture, state, duration(outcome.seconds), reason)
+    if table.row_count:
+        terminal.show(table)
+    out = terminal.console()
+    for reason, number in _waiting(outcomes).items():
+        out.print(f"waits: {number} times: {reason}", style="yellow", markup=False)
+    counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
+    text = ", ".join(f"{step}: {number} {state}" for (step, state), number in counts.items())
+    out.print(text or "nothing to do: everything is as it should be", style="dim")
+    out.print(effort, style="dim")
+
+
+def _effort(pipeline: Pipeline) -> str:
+    """What a run cost: bytes and time."""
+    return f"{size(pipeline.uploaded)} uploaded, {duration(time.monotonic() - pipeline.started)}"
+
+
+def _waiting(outcomes: list[Outcome]) -> Counter[str]:
+    return Counter(outcome.reason for outcome in outcomes if outcome.state == "waits")
+
+
+def markdown(pipeline: Pipeline, outcomes: list[Outcome]) -> str:
+    """The summary of a job in CI."""
+    counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
+    touched = {(outcome.target, outcome.architecture) for outcome in outcomes}
+    alone = [task for task in tasks(pipeline) if task.item.key not in touched]
+    skipped = sum(not task.steps and not task.hindered for task in alone)
+    lines = ["", f"## Publishing run of {pipeline.agenda.date}", ""]
+    lines += [f"- {step}: {number} {state}" for (step, state), number in counts.items()]
+    lines += [f"- {skipped} left alone, as they should be", f"- {_effort(pipeline)}", ""]
+    rows = _interesting(outcomes)
+    if rows:
+        lines += ["| step | image | architecture | state | time | size | digest | what |", "|" + " --- |" * 8]
+    for outcome in rows:
+        entry = pipeline.agenda.known.get((outcome.target, outcome.architecture or ledger.INDEX))
+        facts = (
+            size(entry.size) if entry and entry.size else "",
+            f"`{entry.digest[:19]}`" if entry and entry.digest else "",
+        )
+        reason = outcome.reason.splitlines()[0].replace("|", "\\|") if outcome.reason else ""
+        lines.append(
+            f"| {outcome.step} | `{outcome.target}` | {outcome.architecture} | {outcome.state} |"
+            f" {duration(outcome.seconds)} | {facts[0]} | {facts[1]} | {reason} |"
+        )
+    lines += [f"- waits, {counted(number, 'time')}: {reason}" for reason, number in _waiting(outcomes).items()]
+    return "\n".join(lines) + "\n"

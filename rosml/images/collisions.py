@@ -1,0 +1,86 @@
+"""Names that two things of an image set would share, and defaults that name what there is not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from rosml.base.problems import Path as Place
+from rosml.base.problems import listed, unknown
+from rosml.images.explain import why_not
+from rosml.images.image_set import Catalogue
+from rosml.matrix import names, rules
+from rosml.matrix.model import (
+    ANY_PYTHON,
+    FOR_ANY_PYTHON,
+    Part,
+)
+
+
+def collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
+    """Names that two things would share, and names in `default` that nothing has."""
+    owners: dict[str, str] = {}  # of targets and tags
+    yield from _shared_by_images(catalogue, owners)
+    yield from _shared_by_payloads(catalogue)
+    yield from _taken(catalogue, owners)
+    yield from _unusable_defaults(catalogue)
+
+
+def _shared_by_images(catalogue: Catalogue, owners: dict[str, str]) -> Iterator[tuple[Place, str]]:
+    """Targets and tags that two images would share; and writes down whose they are."""
+    for image in catalogue.images:
+        for target in (image.target, image.test_target):
+            if target in owners:
+                text = f"{image.target} and {owners[target]} would both be the target {target}; rename one"
+                yield ("distributions", image.distribution), text
+            owners.setdefault(target, image.target)
+        for tag in image.tags:
+            if owners.setdefault(tag, image.target) != image.target:
+                text = f"{image.target} and {owners[tag]} would both have the tag {tag}; rename one"
+                yield ("distributions", image.distribution), text
+
+
+def _shared_by_payloads(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
+    """Names that the payloads of two stacks would share."""
+    sources: dict[str, tuple[Part, str, str]] = {}
+    for stack, python, framework in {(image.stack, image.python, image.framework): None for image in catalogue.images}:
+        for part in (
+            rules.parts(catalogue.matrix.frameworks[framework], catalogue.matrix.stacks[stack]) if stack else ()
+        ):
+            source = (part, stack or "", ANY_PYTHON if part in FOR_ANY_PYTHON else python)
+            name = names.payload_name(*source)
+            if sources.setdefault(name, source) != source:
+                yield (
+                    ("stacks", source[1]),
+                    f"{source[1]} and {sources[name][1]} would share the payload {name}; rename one",
+                )
+
+
+def _taken(catalogue: Catalogue, owners: Mapping[str, str]) -> Iterator[tuple[Place, str]]:
+    """Groups and payloads whose names are those of targets."""
+    taken = owners.keys() | {payload.target for payload in catalogue.payloads}
+    for axis in ("distributions", "components", "frameworks", "stacks"):
+        for name in getattr(catalogue.matrix, axis):
+            if name in taken:
+                yield (axis, name), f"the group {name} would have the name of a target; rename it"
+    for payload in catalogue.payloads:
+        if payload.name in owners:  # both are keys of DIGESTS
+            text = f"{payload.name} is the name of a payload and of an image; rename one"
+            yield ("stacks", payload.stack), text
+        if payload.target in owners:
+            yield ("stacks", payload.stack), f"{payload.target} is a payload and an image; rename one"
+
+
+def _unusable_defaults(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
+    """Default stacks and targets that there are not."""
+    carried = {(image.distribution, image.stack) for image in catalogue.images if len(image.parts) > 1}
+    for name, distribution in catalogue.matrix.distributions.items():
+        if (name, distribution.default_stack) not in carried and any(row == name and stack for row, stack in carried):
+            there = dict.fromkeys(stack for row, stack in carried if row == name and stack)
+            text = f"no framework exists for {name} on stack {distribution.default_stack}; there is {listed(sorted(there))}"
+            yield ("distributions", name, "default_stack"), text
+    default = catalogue.matrix.default
+    targets: list[tuple[Place, str]] = [(("default", "target"), default.target)]
+    targets += [(("default", "group", index), name) for index, name in enumerate(default.group)]
+    for path, name in targets:
+        if name not in catalogue.by_target:
+            yield path, why_not(catalogue, name) or unknown("image", name, catalogue.by_target)

@@ -1,0 +1,235 @@
+"""The facts of a matrix -> every image and payload that they allow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rosml.images.image_set import Catalogue, Image, Payload, Wheels
+from rosml.matrix import names, rules
+from rosml.matrix.model import (
+    ANY_PYTHON,
+    FAMILY_OF,
+    FOR_ANY_PYTHON,
+    UNTESTED,
+    Distribution,
+    Framework,
+    Matrix,
+    Part,
+    Size,
+    Stack,
+)
+
+
+def long_tests(distribution: Distribution) -> tuple[str, ...]:
+    """What an image is tested with unless another one covers it: a workspace is built, each component's programs run, pip
+    installs. ROS from wheels has no messages to build and no components, and is so small that pip is tried in all."""
+    ros = f"ros{distribution.ros}"
+    return ("pip",) if distribution.wheels else (f"{ros}-workspace", f"{ros}-components", "pip")
+
+
+def expand(matrix: Matrix) -> Catalogue:
+    """Every image and payload of a matrix whose references hold."""
+    images = tuple(_images(matrix))
+    return Catalogue(matrix, images, tuple(_payloads(matrix, images)), tuple(_wheels(matrix)))
+
+
+def combinations(matrix: Matrix) -> Iterator[tuple[str, str, str, str | None]]:
+    """Distribution, component, framework and stack of everything that could be asked for."""
+    kinds = [
+        (framework, stack)
+        for framework, facts in matrix.frameworks.items()
+        for stack in (matrix.stacks if facts.parts else (None,))
+    ]
+    for distribution in matrix.distributions:
+        for framework, stack in kinds:
+            for component in matrix.components:
+                yield distribution, component, framework, stack
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """What images of one distribution with one framework and stack have in common.
+
+    `covering`: the frameworks whose images have all their layers and more.
+    """
+
+    framework: str
+    facts: Framework
+    stack: str | None
+    architectures: tuple[str, ...]
+    payloads: tuple[Payload, ...]
+    versions: dict[str, str]
+    covering: tuple[str, ...] = ()
+
+
+def _images(matrix: Matrix) -> Iterator[Image]:
+    latest = _latest(matrix)
+    for name, distribution in matrix.distributions.items():
+        for framework, facts in matrix.frameworks.items():
+            for stack in matrix.stacks if facts.parts else (None,):
+                if rules.stack_reason(matrix, name, framework, stack) is None:
+                    kind = _kind(matrix, name, distribution, framework, stack)
+                    for component in matrix.components:
+                        if component in distribution.present:
+                            yield _image(matrix, name, distribution, component, kind, name == latest)
+
+
+def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str, stack: str | None) -> _Kind:
+    facts = matrix.frameworks[framework]
+    architectures = rules.architectures(matrix, name, framework, stack)
+    python = matrix.operating_systems[distribution.os].python
+    if stack is None:
+        return _Kind(framework, facts, None, architectures, (), {})
+    parts = rules.parts(facts, matrix.stacks[stack])
+    payloads = tuple(_payload(matrix, part, stack, python, architectures) for part in parts)
+    covering = tuple(
+        other
+        for other, more in matrix.frameworks.items()
+        if facts.releases
+        and set(facts.releases) < set(more.releases)
+        and rules.stack_reason(matrix, name, other, stack) is None
+        and set(architectures) <= set(rules.architectures(matrix, name, other, stack))
+    )
+    return _Kind(framework, facts, stack, architectures, payloads, _versions(facts, matrix.stacks[stack]), covering)
+
+
+def _versions(framework: Framework, stack: Stack) -> dict[str, str]:
+    return {name: version for name in rules.counted(framework) if (version := getattr(stack, name))}
+
+
+def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
+    chain = _chain(matrix, distribution, component)
+    ros_image = names.image_target(name, component)
+    below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os)
+    target = names.image_target(name, component, kind.framework, kind.stack)
+    groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
+    ros = f"ros{distribution.ros}"
+    ml = ["ml"] if len(kind.facts.releases) > 1 else []
+    apt = [ros, *(f"{ros}-{link}" for link in chain)]
+    long = long_tests(distribution) if distribution.wheels or not kind.covering else ()
+    shared = [payload.part for payload in kind.payloads if payload.part not in UNTESTED]
+    wheels = _wheels_of(matrix, name, kind.architectures)
+    return Image(
+        target=target,
+        distribution=name,
+        component=component,
+        framework=kind.framework,
+        stack=kind.stack,
+        os=distribution.os,
+        python=matrix.operating_systems[distribution.os].python,
+        ros=distribution.ros,
+        ros_distro=distribution.ros_distro or name,
+        architectures=kind.architectures,
+        platforms=tuple(matrix.architectures[architecture].platform for architecture in kind.architectures),
+        versions=kind.versions,
+        repository=kind.facts.repository,
+        tags=_tags(distribution, name, component, kind, latest),
+        groups=(*groups, "default") if target in matrix.default.group else tuple(groups),
+        parent=ros_image if kind.stack else below,
+        packages="" if kind.stack else _packages(matrix, name, distribution, component),
+        wheels=() if kind.stack else distribution.wheels,
+        parts=tuple(payload.name for payload in kind.payloads),
+        tests=("contract", *([f"{ros}-wheels"] if distribution.wheels else apt), *shared, *ml, *long),
+        covered=tuple(names.image_target(name, component, other, kind.stack) for other in kind.covering),
+        locks=(
+            *(lock for item in wheels for lock in item.locks),
+            *(lock for item in kind.payloads for lock in item.locks),
+        ),
+        disk=Size.total(
+            matrix.disk.os,
+            *(matrix.disk.components[link] for link in chain),
+            *(payload.disk for payload in kind.payloads),
+        ),
+        budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.framework),
+    )
+
+
+def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:
+    """The components that one is built on, lowest first, itself last; those that the distribution lacks are skipped."""
+    return tuple(link for link in rules.chain(matrix, component) if link in distribution.present)
+
+
+def _packages(matrix: Matrix, name: str, distribution: Distribution, component: str) -> str:
+    metapackage = matrix.components[component].metapackage or component
+    ros_distro = distribution.ros_distro or name
+    return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
+
+
+def _tags(distribution: Distribution, name: str, component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
+    main = names.main_tag(name, component, kind.stack)
+    tags = list(dict.fromkeys((main, names.spelled_tag(main, kind.versions))))
+    if component == FLOATING and kind.stack in (None, distribution.default_stack):
+        tags += [name, *(["latest"] if latest else [])]
+    return tuple(f"{kind.facts.repository}:{tag}" for tag in tags)
+
+
+FLOATING = "base"
+"""The component of the short tags: `ros:jazzy` is `ros:jazzy-base`."""
+
+
+def _latest(matrix: Matrix) -> str | None:
+    """The newest long-term distribution that has the component of the short tags: the one that lives longest. None that
+    is experimental."""
+    rows = matrix.distributions.items()
+    lasting = [(row.eol, name, row) for name, row in rows if row.lts and row.eol and not row.experimental]
+    living = [(eol, name) for eol, name, row in lasting if FLOATING in row.present]
+    return max(living)[1] if living else None
+
+
+def _wheels(matrix: Matrix) -> Iterator[Wheels]:
+    """Of each distribution without Debian packages."""
+    for name in matrix.distributions:
+        yield from _wheels_of(matrix, name, rules.built_for(matrix, name))
+
+
+def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tuple[Wheels, ...]:
+    """The wheels that ROS comes from on some architectures; none where it comes from Debian packages."""
+    distribution = matrix.distributions[name]
+    python = matrix.operating_systems[distribution.os].python
+    locks = tuple(names.lock_path(name, architecture, python, names.ROS) for architecture in architectures)
+    found = Wheels(name, distribution.os, python, distribution.wheels, architectures, locks)
+    return (found,) if distribution.wheels else ()
+
+
+def _payload(matrix: Matrix, part: Part, stack: str, python: str, architectures: tuple[str, ...]) -> Payload:
+    pythons = _pythons(matrix, part, stack) if part in FOR_ANY_PYTHON else (python,)
+    fitting = sorted(name for name, system in matrix.operating_systems.items() if system.python in pythons)
+    assembler = matrix.default.assembler
+    os = assembler if assembler in fitting or not fitting else fitting[0]
+    if part in FOR_ANY_PYTHON:
+        python = ANY_PYTHON
+    return Payload(
+        name=names.payload_name(part, stack, python),
+        part=part,
+        stack=stack,
+        python=python,
+        os=os,
+        architectures=architectures,
+        platforms=tuple(matrix.architectures[architecture].platform for architecture in architectures),
+        locks=tuple(names.lock_path(stack, architecture, python, part) for architecture in architectures),
+        disk=matrix.disk.parts[stack][part],
+    )
+
+
+def _pythons(matrix: Matrix, part: Part, stack: str) -> tuple[str, ...]:
+    """The Pythons of the wheels that a part for any Python is taken from; none where the wheels say the same themselves."""
+    family = FAMILY_OF.get(part)
+    return matrix.releases.of(family)[matrix.stacks[stack].release(family) or ""].python if family else ()
+
+
+def _payloads(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Payload]:
+    """Each payload that an image needs, once, for all architectures that any image needs it for."""
+    needed: dict[tuple[str, str], dict[Part, set[str]]] = {}
+    for image in images:
+        if image.stack:
+            parts = needed.setdefault((image.stack, image.python), {})
+            for part in rules.parts(matrix.frameworks[image.framework], matrix.stacks[image.stack]):
+                parts.setdefault(part, set()).update(image.architectures)
+    merged: dict[str, tuple[Part, str, str, set[str]]] = {}
+    for (stack, python), parts in needed.items():
+        for part, wanted in parts.items():
+            name = names.payload_name(part, stack, ANY_PYTHON if part in FOR_ANY_PYTHON else python)
+            merged.setdefault(name, (part, stack, python, set()))[3].update(wanted)
+    for part, stack, python, wanted in merged.values():
+        yield _payload(matrix, part, stack, python, tuple(name for name in matrix.architectures if name in wanted))

@@ -1,0 +1,226 @@
+"""Why an image exists, or why it does not."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from datetime import date
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import counted, listed, unknown
+from rosml.images import apt_source, missing
+from rosml.images.expand import FLOATING
+from rosml.images.image_set import Catalogue, Image
+from rosml.matrix import names, rules
+from rosml.matrix.model import Apt, Matrix
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a name asks for. `stack` is None where the name has none."""
+
+    distribution: str
+    component: str
+    framework: str
+    stack: str | None
+
+
+@dataclass(frozen=True)
+class Explained:
+    """What there is to say of a name.
+
+    Attributes:
+        target: the image, payload or group that the name means; the name itself where there is none.
+        exists: whether there is one, with its lock or without.
+        text: the facts behind it, or one sentence about why the facts rule it out.
+    """
+
+    target: str
+    exists: bool
+    text: str
+
+
+def explain(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.environ) -> str:
+    """The text of `explained`."""
+    return explained(catalogue, name, environ).text
+
+
+def explained(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.environ) -> Explained:
+    """Why there is an image, payload or group of a name, or why not.
+
+    Args:
+        catalogue: what there is.
+        name: of the image, payload or group.
+        environ: `ROS_CHANNEL` and `ROS_SNAPSHOT` name another apt repository of ROS for this time.
+
+    Raises:
+        RosmlError: the name is not understood at all (exit code 2); names near ones. Or there is no such repository.
+    """
+    if not name:
+        raise RosmlError("no image is named", remedy="name one: make explain TARGET=jazzy-robot", exit_code=2)
+    tagged = catalogue.by_tag(name)
+    if image := tagged or catalogue.by_target.get(name.removesuffix("-test"), catalogue.by_target.get(name)):
+        return Explained(image.target, True, _image(catalogue.matrix, image, environ))
+    if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
+        users = sum(payload.name in image.parts for image in catalogue.images)
+        text = f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {counted(users, 'image')}"
+        return Explained(payload.name, True, text)
+    if name in catalogue.groups:
+        listed_by = "make list" if name in ("payloads", "tests") else f"make list GROUP={name}"
+        text = f"{name}: a group of {counted(len(catalogue.groups[name]), 'target')}; see them with: {listed_by}"
+        return Explained(name, True, text)
+    if members := [image for image in catalogue.images if name in image.groups]:
+        text = f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
+        return Explained(name, True, text)
+    if reason := why_not(catalogue, name):
+        return Explained(name, False, reason)
+    raise RosmlError(unknown("image", name, _alike(catalogue, name)), remedy="see all with: make list", exit_code=2)
+
+
+def _alike(catalogue: Catalogue, name: str) -> list[str]:
+    """Among what near names are sought: for a tag, those of its repository."""
+    repository = name.rpartition("/")[2].partition(":")[0] if ":" in name else ""
+    tags = [tag for image in catalogue.images for tag in image.tags if image.repository == repository]
+    return tags or [*catalogue.by_target, *catalogue.groups]
+
+
+def why_not(catalogue: Catalogue, name: str) -> str | None:
+    """One sentence about why a combination does not exist; None where it exists or the name is not understood."""
+    if name in catalogue.by_target:
+        return None
+    for wanted in _readings(catalogue.matrix, name):
+        if sentence := _reason(catalogue, name, wanted):
+            return sentence
+    return None
+
+
+def image(catalogue: Catalogue, name: str) -> Image:
+    """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`.
+
+    Raises:
+        RosmlError: there is none (exit code 2); says why the facts rule it out, or names near ones.
+    """
+    if name not in catalogue.by_target and not catalogue.by_tag(name) and (reason := why_not(catalogue, name)):
+        raise RosmlError(reason, remedy="see all with: make list", exit_code=2)
+    return catalogue.image(name)
+
+
+def _reason(catalogue: Catalogue, name: str, wanted: Wanted) -> str | None:
+    matrix = catalogue.matrix
+    if reason := rules.component_reason(matrix, wanted.distribution, wanted.component):
+        return f"{name} does not exist: {reason}."
+    row, facts = wanted.distribution, matrix.frameworks[wanted.framework]
+    if wanted.stack or not facts.parts:
+        if reason := rules.stack_reason(matrix, row, wanted.framework, wanted.stack):
+            return f"{name} does not exist: {reason}."
+        target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
+        if ":" in name and target in catalogue.by_target:
+            stack = matrix.distributions[row].default_stack
+            return f"there is no tag {name}: short ones are for stack {stack} alone; take {catalogue.by_target[target].tags[0]}."
+        return f"{name} is called {target}."
+    reasons = {stack: rules.stack_reason(matrix, row, wanted.framework, stack) for stack in matrix.stacks}
+    image = wanted.distribution, wanted.component, wanted.framework
+    if there := [names.image_target(*image, stack) for stack, reason in reasons.items() if reason is None]:
+        return f"{name} names no stack; there is {listed(there)}."
+    why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason)) or "there is no stack"
+    return f"{name} does not exist on any stack: {why}."
+
+
+def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
+    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`, or as a tag. Without a component
+    it is that of the short tags: `jazzy-torch` is read as `jazzy-base-torch`."""
+    repository, colon, tag = name.rpartition("/")[2].partition(":")
+    if colon:
+        for framework, facts in matrix.frameworks.items():
+            if facts.repository == repository:
+                yield from _tag_readings(matrix, framework, tag)
+        return
+    for start, distribution, component in _starts(matrix):
+        if name == start and component:
+            yield Wanted(distribution, component, rules.plain(matrix), None)
+        elif name.startswith(f"{start}-"):
+            rest = name[len(start) + 1 :]
+            for framework in matrix.frameworks:
+                if rest == framework:
+                    yield Wanted(distribution, component or FLOATING, framework, None)
+                elif rest.startswith(f"{framework}-") and (stack := rest[len(framework) + 1 :]) in matrix.stacks:
+                    yield Wanted(distribution, component or FLOATING, framework, stack)
+
+
+def _tag_readings(matrix: Matrix, framework: str, tag: str) -> Iterator[Wanted]:
+    """Every way to read a framework's tag as `<distribution>[-<component>][-<stack>]`."""
+    for start, distribution, component in _starts(matrix):
+        if tag == start:
+            yield Wanted(distribution, component or FLOATING, framework, None)
+        elif tag.startswith(f"{start}-") and (stack := tag[len(start) + 1 :]) in matrix.stacks:
+            yield Wanted(distribution, component or FLOATING, framework, stack)
+
+
+def _starts(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
+    """How names may begin, with the distribution and the component; those without a component last."""
+    for distribution in matrix.distributions:
+        for component in matrix.components:
+            yield f"{distribution}-{component}", distribution, component
+    if FLOATING in matrix.components:
+        for distribution in matrix.distributions:
+            yield distribution, distribution, ""
+
+
+def _image(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> str:
+    head = "exists:" if image.locked else "exists, but cannot be built yet:"
+    return "\n".join([f"{image.target} {head}", *(f"  - {fact}" for fact in _facts(matrix, image, environ))])
+
+
+def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
+    """ROS's apt repository, as matrix.yaml names it, or another one for this time."""
+    apt = matrix.distributions[image.distribution].apt
+    if environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"):
+        found = apt_source.source(matrix, image.distribution, environ)
+        if found and apt:
+            otherwise = Apt.model_validate(
+                {"channel": found.channel, "date": date.fromisoformat(found.day) if found.day else None}
+            )
+            text = f"this time, packages come from {_repository(matrix, image, otherwise)}"
+            yield f"{text}; without CHANNEL and SNAPSHOT, from {_repository(matrix, image, apt)}"
+    elif apt and not image.stack:
+        yield f"packages come from {_repository(matrix, image, apt)}"
+
+
+def _repository(matrix: Matrix, image: Image, apt: Apt) -> str:
+    if apt.channel == "live":
+        generation = matrix.distributions[image.distribution].generation
+        source = matrix.operating_systems[image.os].apt_sources.get(generation)
+        pinned = f"set up by {generation}-apt-source {source.version}" if source else "whose setup is not pinned here"
+        return f"ROS's live apt repository, {pinned}"
+    which = f"of {apt.date}" if apt.date else "final, which gets no updates"
+    return f"ROS's apt snapshot: {which}"
+
+
+def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
+    system, distribution = matrix.operating_systems[image.os], matrix.distributions[image.distribution]
+    yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
+    yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
+    if distribution.experimental:
+        yield f"{image.distribution} is experimental: docs/limits.md says what it has, and it never gets the tag latest"
+    if image.stack:
+        stack = matrix.stacks[image.stack]
+        for family in rules.families(matrix.frameworks[image.framework]):
+            release = matrix.releases.of(family)[stack.release(family) or ""]
+            wheels = listed(release.architectures(image.stack))
+            yield f"{family} {stack.release(family)} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
+        yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
+        yield f"it is {image.parent} joined with {listed(image.parts)}"
+    elif image.wheels:
+        yield f"it is {image.parent} with ROS from wheels: {listed(image.wheels)}, and what they need, by {listed(image.locks)}"
+    else:
+        yield f"it is {image.parent} with {image.packages} installed"
+    yield from _where_from(matrix, image, environ)
+    yield f"platforms: {listed(image.platforms)}"
+    for architecture in matrix.architectures:
+        reason = rules.architecture_reason(matrix, image.distribution, image.framework, image.stack, architecture)
+        if architecture not in image.architectures and reason:
+            yield f"not for {architecture}: {reason}"
+    yield f"tags: {listed(image.tags)}"
+    if not image.locked:
+        yield f"{missing.reason(image)}; {missing.remedy(image)}"

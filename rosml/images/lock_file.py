@@ -1,0 +1,64 @@
+"""The text of a lock: what it pins, and whether it is the one that a payload needs now."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rosml.images.image_set import Payload, Wheels
+from rosml.matrix import names
+from rosml.matrix.model import FAMILY_OF, Stack
+
+_PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
+_WHOLE = re.compile(
+    r"(?:#[^\n]*\n)+"
+    r"(?:[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+(?: \\\n    --hash=sha256:[0-9a-f]{64})+\n)+"
+)
+"""A whole lock as `locks/resolve.py` writes it: comments, and versions each with hashes. Anything else was cut or edited."""
+
+
+NVIDIA_PACKAGES = {"cuda": "cuda-runtime", "cudnn": "cudnn", "nccl": "nccl"}
+"""A stack's facts of CUDA, and the packages, without `nvidia-` and a generation, whose versions they are."""
+
+
+def versions(text: str) -> dict[str, str]:
+    """What a lock pins: packages and their versions."""
+    return dict(_PIN.findall(text))
+
+
+def package_name(requirement: str) -> str:
+    """``tensorflow_cpu[x]==2.20.0`` -> ``tensorflow-cpu``, as uv spells it."""
+    return re.sub(r"[-_.]+", "-", re.split(r"[\[=<>!~;\s]", requirement, maxsplit=1)[0]).lower()
+
+
+def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
+    """Facts of a stack, and the packages whose versions they are, for a version of CUDA: up to CUDA 12 names of NVIDIA's
+    packages end in its generation, later only some do."""
+    for fact, package in NVIDIA_PACKAGES.items():
+        yield fact, f"nvidia-{package}"
+        yield fact, f"nvidia-{package}-cu{cuda.split('.')[0]}"
+
+
+def current(text: str, payload: Payload, stack: Stack, architecture: str) -> bool:
+    """Whether a text is the payload's lock: its head says so, it is whole, and it pins what the stack's facts say."""
+    head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
+    if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
+        return False
+    pinned = versions(text)
+    if family := FAMILY_OF.get(payload.part):
+        requirement = stack.requirement(family, architecture) or ""
+        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.release(family)
+    if payload.part == "cuda":
+        facts = {package: getattr(stack, fact) for fact, package in cuda_packages(stack.cuda or "")}
+        return all(pinned[package] == fact for package, fact in facts.items() if package in pinned and fact)
+    return True
+
+
+def current_wheels(text: str, wheels: Wheels, architecture: str) -> bool:
+    """Whether a text is the lock of the wheels that ROS comes from: its head says so, it is whole, and it pins what the
+    matrix names."""
+    head = names.wheels_head(wheels.distribution, architecture, wheels.python)
+    if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
+        return False
+    pinned = versions(text)
+    return all(pinned.get(package_name(wanted)) == wanted.partition("==")[2] for wanted in wheels.requirements)

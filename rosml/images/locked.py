@@ -1,0 +1,88 @@
+"""Which locks are there and hold what the facts say now, and the image set without what lacks one."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection
+from dataclasses import replace
+from pathlib import Path
+
+from rosml.base.errors import RosmlError
+from rosml.base.files import shown
+from rosml.images import lock_file, missing
+from rosml.images.expand import long_tests
+from rosml.images.image_set import Catalogue, Image
+
+
+def current_locks(catalogue: Catalogue, root: Path) -> frozenset[str]:
+    """The locks that can be used: they are there, whole, and hold what the facts say now."""
+    present = locks(root)
+    wheels = frozenset(
+        lock
+        for item in catalogue.wheels
+        for architecture, lock in zip(item.architectures, item.locks, strict=True)
+        if lock in present and lock_file.current_wheels(_text(root / lock), item, architecture)
+    )
+    return wheels | frozenset(
+        lock
+        for payload in catalogue.payloads
+        for architecture, lock in zip(payload.architectures, payload.locks, strict=True)
+        if lock in present
+        and lock_file.current(_text(root / lock), payload, catalogue.matrix.stacks[payload.stack], architecture)
+    )
+
+
+def _text(file: Path) -> str:
+    """A lock's text.
+
+    Raises:
+        RosmlError: it is there and cannot be read: that is another matter than a lock that nobody made yet.
+    """
+    try:
+        return file.read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", "give this user read access") from None
+
+
+def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
+    """A catalogue that knows which of its images and payloads lack a lock."""
+    absent = catalogue.locks.difference(present)
+    lost = absent - missing.waiting(catalogue.matrix, catalogue.payloads)
+
+    def without(image: Image) -> Image:
+        unlocked = tuple(lock for lock in image.locks if lock in absent)
+        return replace(image, unlocked=unlocked, lost=tuple(lock for lock in unlocked if lock in lost))
+
+    images = tuple(without(image) if absent.intersection(image.locks) else image for image in catalogue.images)
+    locked = {image.target for image in images if image.locked}
+
+    def alone(image: Image) -> Image:
+        """With all tests, since none of the images that cover it can be built."""
+        long = long_tests(catalogue.matrix.distributions[image.distribution])
+        return replace(image, tests=tuple(dict.fromkeys((*image.tests, *long))))
+
+    images = tuple(alone(image) if image.covered and locked.isdisjoint(image.covered) else image for image in images)
+    payloads = tuple(
+        replace(payload, unlocked=tuple(lock for lock in payload.locks if lock in absent))
+        for payload in catalogue.payloads
+    )
+    return replace(catalogue, images=images, payloads=payloads)
+
+
+def locks(root: Path) -> frozenset[str]:
+    """The locks that are there, relative to the project's root.
+
+    Raises:
+        RosmlError: a folder cannot be read: that is another matter than locks that nobody made yet.
+    """
+
+    def refuse(error: OSError) -> None:
+        if not isinstance(error, FileNotFoundError):
+            raise RosmlError(f"{shown(Path(error.filename))}: {error.strerror}", "make it a folder that you can read")
+
+    return frozenset(
+        str((Path(folder) / file).relative_to(root))
+        for folder, _, files in os.walk(root / "locks", onerror=refuse)
+        for file in files
+        if file.endswith(".txt") and (Path(folder) / file).is_file()
+    )

@@ -1,0 +1,68 @@
+"""Locks that are not there: those that wait for PyTorch's own index, and those that somebody lost or has yet to make."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import counted, listed, some
+from rosml.images.image_set import Catalogue, Image, Payload
+from rosml.matrix.model import FAMILIES, Family, Matrix
+
+MAKE_LOCKS = "run 'make locks'"
+"""How a lock comes into being that needs the Python package index alone."""
+
+ASK_PYTORCH = f"{MAKE_LOCKS} where the package indexes answer, PyTorch's own among them"
+"""How a lock comes into being whose wheel only PyTorch's own index has, under a digest that the matrix does not know."""
+
+RESTORE = f"{MAKE_LOCKS}; if they were there and got lost: git checkout locks"
+"""What to do about locks that should be there."""
+
+
+def waiting(matrix: Matrix, payloads: Iterable[Payload]) -> frozenset[str]:
+    """Locks that cannot be made before PyTorch's own index was asked: of releases that have wheels `elsewhere` and no
+    digest for a Python, and what is common to such releases alone."""
+    by_lock = {
+        lock: (payload.stack, architecture, payload.python, payload.part)
+        for payload in payloads
+        for architecture, lock in zip(payload.architectures, payload.locks, strict=True)
+    }
+    asking: set[str] = set()
+    others: set[tuple[str, str, str]] = set()
+    for lock, (stack, architecture, python, part) in by_lock.items():
+        if part in FAMILIES:
+            if _asks(matrix, stack, architecture, python, part):
+                asking.add(lock)
+            else:
+                others.add((stack, architecture, python))
+    known = {by_lock[lock][:3] for lock in asking} - others
+    return frozenset(
+        asking | {lock for lock, (*key, part) in by_lock.items() if part == "common" and tuple(key) in known}
+    )
+
+
+def _asks(matrix: Matrix, stack: str, architecture: str, python: str, family: Family) -> bool:
+    facts = matrix.stacks[stack]
+    digests = matrix.releases.of(family)[facts.release(family) or ""].elsewhere.get(stack, {}).get(architecture)
+    return digests is not None and python not in digests
+
+
+def reason(image: Image) -> str:
+    """What an image lacks: `locks/cpu/amd64/3.11/torch.txt is missing`."""
+    return f"{listed(image.unlocked)} {'is' if len(image.unlocked) == 1 else 'are'} missing"
+
+
+def remedy(image: Image) -> str:
+    """How an image comes by its locks."""
+    return MAKE_LOCKS if image.lost else ASK_PYTORCH
+
+
+def lost(catalogue: Catalogue) -> RosmlError | None:
+    """What to say of images whose locks should be there; None where none is missing but those that wait."""
+    images = [image.target for image in catalogue.images if image.lost]
+    if not images:
+        return None
+    locks = list(dict.fromkeys(lock for image in catalogue.images for lock in image.lost))
+    are = "is" if len(locks) == 1 else "are"
+    text = f"{counted(len(images), 'image')} cannot be built ({some(images)}): {some(locks)} {are} missing, or not of the release that matrix.yaml names"
+    return RosmlError(text, RESTORE)

@@ -1,0 +1,77 @@
+"""Images by name, pattern, group and architecture, as people select them."""
+
+from __future__ import annotations
+
+import fnmatch
+from collections.abc import Iterable, Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed, unknown
+from rosml.images.image_set import Catalogue, Image
+
+
+def select(catalogue: Catalogue, only: Sequence[str]) -> tuple[Image, ...]:
+    """The images that patterns, groups or targets name; all if there is none.
+
+    Raises:
+        RosmlError: a pattern names none (exit code 2).
+    """
+    if not only:
+        return catalogue.images
+    wanted: set[str] = set()
+    for pattern in only:
+        found = fnmatch.filter(catalogue.by_target, pattern)
+        if not found and pattern in catalogue.groups:
+            found = [name for name in catalogue.groups[pattern] if name in catalogue.by_target]
+        if not found:
+            raise RosmlError(unknown("image", pattern, catalogue.by_target), "see all with: make list", exit_code=2)
+        wanted.update(found)
+    return tuple(image for image in catalogue.images if image.target in wanted)
+
+
+def require_architectures(catalogue: Catalogue, names: Iterable[str]) -> None:
+    """Checks names of architectures.
+
+    Raises:
+        RosmlError: the matrix has none of that name (exit code 2).
+    """
+    known = catalogue.matrix.architectures
+    for name in names:
+        if name not in known:
+            raise RosmlError(unknown("architecture", name, known), f"there is {', '.join(known)}", exit_code=2)
+
+
+def members(catalogue: Catalogue, groups: Sequence[str] = ()) -> tuple[Image, ...]:
+    """The images that are in all of some groups, those without a lock among them, in the order of the matrix. An
+    architecture counts as the group of the images that exist for it.
+
+    Raises:
+        RosmlError: there is no such group (exit code 2).
+    """
+    known = {group for image in catalogue.images for group in (*image.groups, *image.architectures)}
+    for name in groups:
+        if name not in known:
+            raise RosmlError(unknown("group", name, sorted(known)), f"there is {listed(sorted(known))}", exit_code=2)
+    wanted = set(groups)
+    return tuple(image for image in catalogue.images if wanted <= {*image.groups, *image.architectures})
+
+
+def none_in(catalogue: Catalogue, groups: Sequence[str]) -> str:
+    """What to say where no image is in all of some groups: so, and how to learn why."""
+    return f"no image is in all of {listed(groups)}; see why: make explain TARGET={_example(catalogue, groups)}"
+
+
+def _example(catalogue: Catalogue, groups: Sequence[str]) -> str:
+    """A name to ask about: an image of the other groups where an architecture is what is lacking, or the name that the
+    groups make up, or its pattern."""
+    axes = [name for name in groups if name not in catalogue.matrix.architectures]
+    if len(axes) < len(groups) and (others := members(catalogue, axes)):
+        return others[0].target
+    matrix = catalogue.matrix
+    words = [
+        [name for name in groups if name in axis]
+        for axis in (matrix.distributions, matrix.components, matrix.frameworks, matrix.stacks)
+    ]
+    distribution, component, framework, stack = words
+    readable = len(distribution) == 1 and max(map(len, words)) == 1 and (framework or (component and not stack))
+    return "-".join(name for word in words for name in word) if readable else "<distribution>-<component>-<framework>"

@@ -1,0 +1,274 @@
+"""A ROS image and payloads -> the manifest and config of the image that they make together. Nothing here uses a network.
+
+The same inputs give the same bytes, on any machine and in any order: layers in the order in which the Dockerfile joins
+them, environment and labels as a build of the same target has them.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images import labels
+from rosml.matrix import names
+from rosml.matrix.model import ANY_PYTHON, FOR_ANY_PYTHON
+from rosml.registry import oci
+
+_LAYER = "application/vnd.oci.image.layer.v1.tar"
+_OCI_LAYERS = {
+    "application/vnd.docker.image.rootfs.diff.tar": _LAYER,
+    "application/vnd.docker.image.rootfs.diff.tar.gzip": f"{_LAYER}+gzip",
+    "application/vnd.docker.image.rootfs.diff.tar.zstd": f"{_LAYER}+zstd",
+}
+_DISTRIBUTION, _COMPONENT, _PYTHON, _ROS = (
+    labels.PREFIX + name for name in ("distribution", "component", "python", "ros")
+)
+_PART, _STACK, _FRAMEWORK = (labels.PREFIX + name for name in ("part", "stack", "framework"))
+_FRAMEWORKS = labels.PREFIX + "frameworks"
+
+
+@dataclass(frozen=True)
+class Source:
+    """An image for one platform, as its registry holds it.
+
+    Attributes:
+        name: what the user called it. host, repository, digest: where it is.
+        manifest, config: their content.
+    """
+
+    name: str
+    host: str
+    repository: str
+    digest: str
+    manifest: Mapping[str, Any]
+    config: Mapping[str, Any]
+
+    @property
+    def platform(self) -> str:
+        """`linux/arm64`."""
+        return platform(self.config)
+
+    @property
+    def labels(self) -> Mapping[str, str]:
+        """The labels of its config."""
+        found = (self.config.get("config") or {}).get("Labels")
+        return found if isinstance(found, dict) else {}
+
+    @property
+    def layers(self) -> list[dict[str, Any]]:
+        """Its layers, lowest first, with OCI's media types."""
+        return [
+            {
+                "mediaType": _OCI_LAYERS.get(layer["mediaType"], layer["mediaType"]),
+                "digest": layer["digest"],
+                "size": layer["size"],
+            }
+            for layer in self.manifest["layers"]
+        ]
+
+    @property
+    def diff_ids(self) -> list[str]:
+        """Digests of its layers before they were compressed."""
+        return list(self.config["rootfs"]["diff_ids"])
+
+
+@dataclass(frozen=True)
+class Joined:
+    """An image that is not in a registry yet: its config and manifest as they will be stored, and its layers' sources."""
+
+    platform: str
+    config: bytes
+    manifest: bytes
+    labels: Mapping[str, str]
+    layers: tuple[tuple[dict[str, Any], Source], ...]
+
+    @property
+    def digest(self) -> str:
+        """Of the manifest."""
+        return oci.digest_of(self.manifest)
+
+
+def platform(facts: Mapping[str, Any]) -> str:
+    """The platform that a config, or an index' entry, is for; arm64 has one variant that matters."""
+    variant = facts.get("variant", "")
+    known = f"{facts.get('os', 'unknown')}/{facts.get('architecture', 'unknown')}"
+    return known if not variant or known == "linux/arm64" else f"{known}/{variant}"
+
+
+def join(ros: Source, payloads: Sequence[Source]) -> Joined:
+    """Joins a ROS image and payloads, all for one platform.
+
+    Raises:
+        RosmlError: they do not go together (exit code 2); with the reason and what to do.
+    """
+    _require_ros(ros)
+    for payload in payloads:
+        _require_payload(payload)
+    payloads = sorted(payloads, key=lambda item: (item.labels[_PART], item.name))
+    for payload in payloads:
+        _require_fit(ros, payload)
+    framework, order = _framework(ros, payloads)
+    payloads = sorted(payloads, key=lambda item: order.index(item.labels[_PART]))
+    versions = _versions(payloads)
+    stack = payloads[0].labels[_STACK]
+    merged = _labels(ros, framework, stack, versions)
+    sources = (ros, *payloads)
+    config = oci.encoded(_config(ros, payloads, versions, merged))
+    manifest = {
+        "schemaVersion": 2,
+        "mediaType": oci.IMAGE,
+        "config": oci.descriptor(oci.CONFIG, config),
+        "layers": [layer for source in sources for layer in source.layers],
+    }
+    layers = tuple((layer, source) for source in sources for layer in source.layers)
+    return Joined(ros.platform, config, oci.encoded(manifest), merged, layers)
+
+
+# ---- What goes together ----------------------------------------------------------------------------------------------
+
+
+def _require_ros(ros: Source) -> None:
+    if _PART in ros.labels:
+        text = f"{ros.name} is a payload, and the first image has to be a ROS image"
+        raise RosmlError(text, "name the ROS image first, then the payloads", exit_code=2)
+    for label in (_DISTRIBUTION, _COMPONENT, _PYTHON, _ROS):
+        if not ros.labels.get(label):
+            text = f"{ros.name} is no ROS image of this project: it has no label {label}"
+            raise RosmlError(text, "take one of the repository ros, or one that was built on it", exit_code=2)
+    if stack := ros.labels.get(_STACK):
+        carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {stack}"
+        plain = f"ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
+        raise RosmlError(f"{ros.name} has {carried} already", f"take the ROS image below it, {plain}", exit_code=2)
+    _require_whole(ros)
+
+
+def _require_payload(payload: Source) -> None:
+    for label in (_PART, _STACK, _PYTHON, _FRAMEWORKS):
+        if not payload.labels.get(label):
+            what = "a ROS image" if _DISTRIBUTION in payload.labels else "no payload"
+            text = f"{payload.name} is {what}: it has no label {label}"
+            raise RosmlError(
+                text, "take one of the repository payload, made by this version or a later one", exit_code=2
+            )
+    _require_whole(payload)
+
+
+def _require_whole(source: Source) -> None:
+    try:
+        whole = len(source.layers) == len(source.diff_ids)
+    except (KeyError, TypeError):
+        whole = False
+    if not whole:
+        raise RosmlError(f"{source.name} is no whole image: its config does not list its layers", "push it anew")
+
+
+def _framework(ros: Source, payloads: Sequence[Source]) -> tuple[str, tuple[str, ...]]:
+    """The framework that payloads make, and its parts in their order."""
+    if not payloads:
+        raise RosmlError(f"nothing is to be joined to {ros.name}", "name the payloads after it", exit_code=2)
+    stacks = {item.labels[_STACK]: item.name for item in payloads}
+    if len(stacks) > 1:
+        found = listed([f"{name} is of stack {stack}" for stack, name in stacks.items()])
+        raise RosmlError(f"an image carries one stack: {found}", "take payloads of one stack", exit_code=2)
+    by_part: dict[str, Source] = {}
+    for item in payloads:
+        part = item.labels[_PART]
+        if part in by_part:
+            text = f"part {part} is there twice: {by_part[part].name} and {item.name}"
+            raise RosmlError(text, "leave out one of them", exit_code=2)
+        by_part[part] = item
+    known = [_frameworks(item) for item in payloads]
+    shared = {name: parts for name, parts in known[0].items() if all(name in other for other in known)}
+    stack = payloads[0].labels[_STACK]
+    for name, parts in shared.items():
+        if any(other[name] != parts for other in known):
+            text = f"the payloads do not agree on the parts of framework {name}: they are of different releases"
+            raise RosmlError(text, "take payloads that were published together", exit_code=2)
+        if set(parts) == set(by_part):
+            return name, parts
+    if not shared:
+        text = f"no framework of stack {stack} takes {listed(sorted(by_part))} together"
+        raise RosmlError(text, "make an image for each of them", exit_code=2)
+    name, parts = min(shared.items(), key=lambda item: len(item[1]))
+    missing = [part for part in parts if part not in by_part]
+    text = f"{listed([item.name for item in payloads])} cannot do without {listed(missing)} of stack {stack}"
+    lacking = listed([names.payload_name(part, stack, _python_of(part, ros)) for part in missing])
+    raise RosmlError(text, f"add {lacking}: framework {name} consists of {listed(parts)}", exit_code=2)
+
+
+def _python_of(part: str, ros: Source) -> str:
+    return ANY_PYTHON if part in FOR_ANY_PYTHON else ros.labels[_PYTHON]
+
+
+def _frameworks(payload: Source) -> dict[str, tuple[str, ...]]:
+    try:
+        return labels.frameworks(payload.labels[_FRAMEWORKS])
+    except ValueError:
+        raise RosmlError(
+            f"{payload.name}: its label {_FRAMEWORKS} is damaged", "publish it anew", exit_code=2
+        ) from None
+
+
+def _require_fit(ros: Source, payload: Source) -> None:
+    if payload.platform != ros.platform:
+        text = f"{payload.name} is for {payload.platform}, and {ros.name} for {ros.platform}"
+        raise RosmlError(text, "take images for one platform", exit_code=2)
+    wanted, found = payload.labels[_PYTHON], ros.labels[_PYTHON]
+    if wanted not in (ANY_PYTHON, found):
+        name = names.payload_name(payload.labels[_PART], payload.labels[_STACK], found)
+        text = f"{payload.name} is for Python {wanted}, and {ros.name} has Python {found}"
+        raise RosmlError(text, f"take the payload {name}", exit_code=2)
+
+
+def _versions(payloads: Sequence[Source]) -> dict[str, str]:
+    """What payloads bring, by name."""
+    versions: dict[str, tuple[str, str]] = {}
+    for payload in payloads:
+        for name in labels.VERSIONS:
+            if version := payload.labels.get(labels.PREFIX + name):
+                known, whose = versions.setdefault(name, (version, payload.name))
+                if known != version:
+                    text = f"{whose} has {name} {known}, and {payload.name} has {version}"
+                    raise RosmlError(text, "take payloads that were published together", exit_code=2)
+    return {name: versions[name][0] for name in labels.VERSIONS if name in versions}
+
+
+# ---- What they make --------------------------------------------------------------------------------------------------
+
+
+def _labels(ros: Source, framework: str, stack: str, versions: Mapping[str, str]) -> dict[str, str]:
+    named = labels.named(
+        ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], framework, stack, versions
+    )
+    counted = {labels.PREFIX + name: version for name, version in versions.items()}
+    return {**ros.labels, **named, _FRAMEWORK: framework, _STACK: stack, **counted}
+
+
+def _config(
+    ros: Source, payloads: Sequence[Source], versions: Mapping[str, str], merged: Mapping[str, str]
+) -> dict[str, Any]:
+    config = copy.deepcopy(dict(ros.config))
+    inner = config.setdefault("config", {})
+    environment = {f"{name.upper()}_VERSION": version for name, version in versions.items()}
+    kept = [entry for entry in inner.get("Env") or [] if entry.partition("=")[0] not in environment]
+    inner["Env"] = [*kept, *(f"{name}={value}" for name, value in environment.items())]
+    inner["Labels"] = dict(merged)
+    for payload in payloads:
+        config["rootfs"]["diff_ids"] += payload.diff_ids
+    if config.get("history"):  # one entry for each layer, or none at all
+        config["history"] += [entry for payload in payloads for entry in _history(config, payload)]
+    return config
+
+
+def _history(config: Mapping[str, Any], payload: Source) -> list[dict[str, Any]]:
+    part, stack, python = (payload.labels[name] for name in (_PART, _STACK, _PYTHON))
+    entry = {
+        "created_by": f"COPY --link --from=payload:{names.payload_name(part, stack, python)} / /",
+        "comment": "joined in the registry",
+        **({"created": config["created"]} if "created" in config else {}),
+    }
+    return [entry] * len(payload.diff_ids)

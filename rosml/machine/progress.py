@@ -1,0 +1,225 @@
+"""What BuildKit reports while it builds, as lines for people and durations for the summary.
+
+The input is `buildx --progress rawjson`: one JSON object a line, with steps (`vertexes`) that start and end, and what
+they print (`logs`, base64).
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+import re
+import sys
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from datetime import datetime
+from typing import TextIO
+
+_PREFIX = re.compile(r"^\[(?P<context>[^\]]*)\]\s*(?P<command>.*)$")
+_PART = re.compile(r"source=components/(?P<part>[\w-]+),target=/run/components/part")
+_MOUNT = re.compile(r"--mount=\S+\s*")
+
+HEARTBEAT_SECONDS = 20.0
+"""A step that is silent for as long is named again, so that nobody takes it for dead."""
+
+WAITING = "waiting for the builder"
+"""The phase in which another build had its turn."""
+TAIL_LINES = 20
+"""How many of a step's last lines are shown when it fails."""
+
+
+@dataclass
+class Step:
+    """One step of a build.
+
+    Attributes:
+        name: BuildKit's name, e.g. ``[bookworm-core ros 1/2] RUN …``.
+        started, completed: seconds since the epoch; 0.0 when not known yet.
+        cached: the result was there already.
+        error: what went wrong, or empty.
+        tail: the last lines it printed.
+    """
+
+    name: str
+    started: float = 0.0
+    completed: float = 0.0
+    cached: bool = False
+    error: str = ""
+    tail: deque[str] = field(default_factory=lambda: deque(maxlen=TAIL_LINES))
+
+    @property
+    def seconds(self) -> float:
+        """Duration; 0.0 for a step that was cached or has not ended."""
+        return max(0.0, self.completed - self.started) if self.completed and not self.cached else 0.0
+
+    @property
+    def label(self) -> str:
+        """Short text for people: what the step does, without the plumbing of mounts."""
+        match = _PREFIX.match(self.name)
+        if not match:
+            return self.name
+        context, command = match["context"], match["command"]
+        if part := _PART.search(command):
+            return f"assemble payload part '{part['part']}' from its lock"
+        command = _MOUNT.sub("", command).replace("RUN ", "", 1).strip()
+        return f"[{context}] {' '.join(command.split())}"
+
+    @property
+    def phase(self) -> str:
+        """Which line of the summary the step's time belongs to."""
+        text = self.name
+        if _PART.search(text):
+            return "assemble payloads"
+        if " test" in text.split("]")[0] or "structure-test" in text:
+            return "structure tests"
+        if "exporting" in text or "pushing" in text:
+            return "compress and push"
+        if (" ros " in text or " ros-wheels " in text) and "RUN" in text:
+            return "install ROS packages"
+        if " base " in text and "RUN" in text:
+            return "install essentials"
+        if "COPY --link" in text:
+            return "join payloads"
+        return "other"
+
+    @property
+    def internal(self) -> bool:
+        """A step of BuildKit's own bookkeeping, of no interest to people."""
+        return "internal]" in self.name or " context " in self.name.split("]")[0] or "LINK COPY" in self.name
+
+
+def _seconds(timestamp: str) -> float:
+    """Seconds since the epoch of an RFC 3339 time with any number of digits; 0.0 for Go's zero time."""
+    if not timestamp or timestamp.startswith("0001"):
+        return 0.0
+    text = re.sub(r"\.(\d{1,6})\d*", lambda match: "." + match[1].ljust(6, "0"), timestamp).replace("Z", "+00:00")
+    return datetime.fromisoformat(text).timestamp()
+
+
+class BuildProgress:
+    """Follows one build: prints a line when a step of some length ends, and keeps all steps for the summary.
+
+    Args:
+        out: where lines for people go.
+        log: where everything goes, in plain text.
+        clock: monotonic seconds; replaced in tests.
+
+    Attributes:
+        waited: seconds that the build waited for another one in the same builder before it began.
+    """
+
+    def __init__(
+        self, out: TextIO = sys.stderr, log: TextIO | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        self.steps: dict[str, Step] = {}
+        self.other: deque[str] = deque(maxlen=TAIL_LINES)
+        self.waited = 0.0
+        self._out = out
+        self._log = log
+        self._clock = clock
+        self._begin = clock()
+        self._spoke = clock()
+        self._lock = threading.Lock()
+
+    def follow(self, lines: Iterable[str]) -> None:
+        """Reads lines of rawjson until they end."""
+        ended = threading.Event()
+
+        def beat() -> None:
+            while not ended.wait(HEARTBEAT_SECONDS / 4):
+                with self._lock:
+                    self._heartbeat()
+
+        thread = threading.Thread(target=beat, daemon=True)
+        thread.start()
+        try:
+            for line in lines:
+                with self._lock:
+                    self.feed(line)
+        finally:
+            ended.set()
+            thread.join()
+
+    def feed(self, line: str) -> None:
+        """Takes one line. What is not JSON (warnings, errors of the command itself) is kept for the error message."""
+        try:
+            message = json.loads(line)
+        except ValueError:
+            if line.strip():
+                self.other.append(line.rstrip())
+                self._write_log(line.rstrip())
+            return
+        if not isinstance(message, dict):
+            return
+        for vertex in message.get("vertexes") or []:
+            self._vertex(vertex)
+        for log in message.get("logs") or []:
+            self._logs(log)
+        self._heartbeat()
+
+    def failed(self) -> Step | None:
+        """The step that went wrong, if one did; steps that were only cancelled because of it do not count."""
+        wrong = [step for step in self.steps.values() if step.error and "context canceled" not in step.error]
+        return wrong[0] if wrong else None
+
+    def phases(self) -> dict[str, float]:
+        """Seconds of work by phase, longest first. Steps run side by side: the sum may exceed the wall time."""
+        totals: dict[str, float] = {WAITING: self.waited}
+        for step in self.steps.values():
+            if not step.internal:
+                totals[step.phase] = totals.get(step.phase, 0.0) + step.seconds
+        return dict(sorted(((k, v) for k, v in totals.items() if v >= 0.05), key=lambda item: -item[1]))
+
+    def reused(self) -> list[Step]:
+        """Steps whose result was there already."""
+        return [step for step in self.steps.values() if step.cached and not step.internal]
+
+    def _vertex(self, vertex: dict[str, object]) -> None:
+        digest = str(vertex.get("digest", ""))
+        step = self.steps.setdefault(digest, Step(str(vertex.get("name", ""))))
+        step.name = str(vertex.get("name") or step.name)
+        step.started = step.started or _seconds(str(vertex.get("started") or ""))
+        step.cached = step.cached or bool(vertex.get("cached"))
+        step.error = str(vertex.get("error") or step.error)
+        completed = _seconds(str(vertex.get("completed") or ""))
+        if completed and not step.completed:
+            step.completed = completed
+            self._write_log(f"{'CACHED' if step.cached else f'{step.seconds:.1f} s'} {step.name} {step.error}".rstrip())
+            if not step.internal and not step.cached and not step.error and step.seconds >= 0.5:
+                self.say(f"{step.seconds:6.1f} s  {step.label}")
+
+    def _logs(self, log: dict[str, object]) -> None:
+        step = self.steps.get(str(log.get("vertex", "")))
+        try:
+            text = base64.b64decode(str(log.get("data") or ""), validate=True).decode(errors="replace")
+        except (binascii.Error, ValueError):
+            return
+        for line in text.splitlines():
+            self._write_log(f"    {line}")
+            if step is not None and line.strip():
+                step.tail.append(line.rstrip())
+
+    def _heartbeat(self) -> None:
+        if self._clock() - self._spoke < HEARTBEAT_SECONDS:
+            return
+        running = [step for step in self.steps.values() if step.started and not step.completed and not step.internal]
+        if running:
+            step = min(running, key=lambda item: item.started)
+            last = f": {step.tail[-1].strip()}" if step.tail else ""
+            self.say(f"   …      {step.label}{last}")
+
+    def say(self, text: str) -> None:
+        """A line, with the time since the beginning."""
+        self._spoke = self._clock()
+        elapsed = int(self._clock() - self._begin)
+        line = f"  {elapsed // 60:3d}:{elapsed % 60:02d}  {text}"
+        self._out.write((line if len(line) <= 150 else line[:149] + "…") + "\n")
+        self._out.flush()
+
+    def _write_log(self, text: str) -> None:
+        if self._log is not None:
+            self._log.write(text + "\n")

@@ -1,0 +1,131 @@
+"""What the publisher asks of a registry, through regctl: configs, sizes, indexes and tags."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from dataclasses import dataclass
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.machine.services import REMEDY, Services
+from rosml.registry import certificates
+
+SECONDS = 120.0
+"""Longest that one call may take; none of them moves a layer."""
+
+
+LOOPBACK = re.compile(r"(?:127\.0\.0\.1|localhost|\[::1\])(?::\d+)?(?=/)")
+"""Registries that speak plain http: those of this machine without certificates in certs.d. Set-up tells regctl of the one
+that it started."""
+
+
+@dataclass(frozen=True)
+class Layer:
+    """One layer of an image: its digest as stored (compressed) and its size in bytes."""
+
+    digest: str
+    size: int
+
+
+def regctl(services: Services, *arguments: str) -> str:
+    """Runs regctl and gives what it prints.
+
+    Raises:
+        RosmlError: regctl failed, or the registry does not answer.
+    """
+    loopback = dict.fromkeys(
+        found[0]
+        for argument in arguments
+        if (found := LOOPBACK.match(argument)) and found[0] != services.registry and not certificates.of(found[0])
+    )
+    plain = [option for host in loopback for option in ("--host", f"reg={host},tls=disabled")]
+    command = [services.regctl, *arguments, *plain]
+    try:
+        done = subprocess.run(
+            command, env=services.environment(), capture_output=True, text=True, timeout=SECONDS, check=False
+        )
+    except OSError as error:
+        raise RosmlError(f"cannot run {services.regctl}: {error.strerror}", REMEDY) from None
+    except subprocess.TimeoutExpired:
+        raise RosmlError(f"the registry did not answer within {SECONDS:.0f} s: {' '.join(arguments)}", REMEDY) from None
+    if done.returncode != 0:
+        services.require_registry()  # says so if that is the reason
+        lines = done.stderr.strip().splitlines()
+        raise RosmlError(f"regctl {' '.join(arguments)}: {lines[-1] if lines else f'exit code {done.returncode}'}")
+    return done.stdout
+
+
+def _json(services: Services, *arguments: str) -> dict[str, Any]:
+    try:
+        content = json.loads(regctl(services, *arguments))
+    except ValueError:
+        content = None
+    if not isinstance(content, dict):
+        raise RosmlError(f"the registry's answer to {' '.join(arguments)} is no JSON object")
+    return content
+
+
+def manifest(services: Services, reference: str) -> dict[str, Any]:
+    """The manifest or index behind a reference, as it is stored."""
+    return _json(services, "manifest", "get", "--format", "raw-body", reference)
+
+
+def image_config(services: Services, reference: str, platform: str) -> dict[str, Any]:
+    """The config of an image: entrypoint, environment, labels, diff ids."""
+    return _json(services, "image", "config", "--platform", platform, reference)
+
+
+def layers(services: Services, reference: str) -> tuple[Layer, ...]:
+    """The layers of an image manifest, lowest first."""
+    return tuple(Layer(entry["digest"], entry["size"]) for entry in manifest(services, reference)["layers"])
+
+
+def stored(services: Services, reference: str) -> dict[str, int]:
+    """All that a registry stores for an image manifest, in bytes by digest: its layers, its config, and itself.
+
+    Args:
+        reference: the repository, and the manifest's digest after an ``@``.
+    """
+    content = manifest(services, reference)
+    entries = {entry["digest"]: int(entry["size"]) for entry in (*content["layers"], content["config"])}
+    descriptor = regctl(services, "manifest", "head", "--format", "{{.GetDescriptor.Size}}", reference)
+    return {**entries, reference.rpartition("@")[2]: int(descriptor)}
+
+
+def delete(services: Services, reference: str) -> None:
+    """Removes a manifest by its digest, and tags that point at it. Its layers stay until somebody collects them."""
+    regctl(services, "manifest", "delete", reference)
+
+
+def digest(services: Services, reference: str) -> str:
+    """The digest behind a tag; empty when there is no such tag."""
+    try:
+        return regctl(services, "manifest", "head", reference).strip()
+    except RosmlError as error:
+        reason = error.message.rpartition(f" {reference}: ")[2].lower()  # the reference itself may hold such words
+        if "not found" in reason or "404" in reason:
+            return ""
+        raise
+
+
+def create_index(services: Services, repository: str, digests: list[str], annotations: dict[str, str]) -> str:
+    """Makes an index over image manifests that are in the repository already, without pulling anything.
+
+    It is put by its digest alone: nobody sees it before a tag points at it.
+
+    Returns:
+        The digest of the index.
+    """
+    arguments = ["index", "create", "--by-digest", "--format", "{{.Manifest.GetDescriptor.Digest}}"]
+    for name, value in sorted(annotations.items()):
+        arguments += ["--annotation", f"{name}={value}"]
+    for entry in digests:
+        arguments += ["--ref", f"{repository}@{entry}"]
+    return regctl(services, *arguments, repository).strip()
+
+
+def tag(services: Services, repository: str, target: str, name: str) -> None:
+    """Moves a tag to a digest that is in the repository already."""
+    regctl(services, "image", "copy", f"{repository}@{target}", f"{repository}:{name}")

@@ -1,0 +1,71 @@
+"""An earlier revision of the checkout, read from git, to compare with."""
+
+from __future__ import annotations
+
+import io
+import os
+import subprocess
+import tarfile
+import tempfile
+from pathlib import Path
+
+from rosml.bake.diff import Difference, between
+from rosml.bake.inputs import Inputs
+from rosml.base.errors import RosmlError
+from rosml.base.problems import InputError
+from rosml.images import image_set, load
+from rosml.matrix import source
+
+
+def since(version: str, now: Inputs) -> Difference:
+    """What differs from a git revision, or from another matrix file with everything else as it is now.
+
+    Raises:
+        RosmlError: there is no such version, or this version of the project cannot read it.
+    """
+    if Path(version).is_file():
+        return between(Inputs(now.root, load.load(Path(version))), now)
+    with tempfile.TemporaryDirectory() as folder:
+        _unpack(version, now.root, Path(folder))
+        return between(Inputs(Path(folder), _catalogue(version, Path(folder) / "matrix.yaml")), now)
+
+
+def _catalogue(revision: str, file: Path) -> image_set.Catalogue:
+    if not file.is_file():
+        raise RosmlError(f"revision {revision} has no matrix.yaml", remedy="name a later one", exit_code=2)
+    try:
+        return load.catalogue(source.parse(file.read_bytes(), f"{revision}:matrix.yaml"))
+    except InputError as error:
+        reason = f"this version of the project does not understand the matrix of revision {revision}:\n{error.message}"
+        raise RosmlError(reason, remedy="compare with a later revision", exit_code=2) from None
+
+
+def _unpack(revision: str, root: Path, folder: Path) -> None:
+    """The files of a revision."""
+    commit = _git(root, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
+    if not commit:
+        remedy = "see the revisions with: git log --oneline --all (a shallow clone lacks most: git fetch --unshallow)"
+        raise RosmlError(f"no revision and no file named {revision!r}", remedy=remedy, exit_code=2)
+    content = _git(root, "archive", "--format=tar", commit.decode().strip())
+    try:
+        with tarfile.open(fileobj=io.BytesIO(content)) as archive:
+            for member in archive:  # by ourselves: Python has a filter for it since 3.11.4 only
+                target = os.path.normpath(os.path.join(os.path.dirname(member.name), member.linkname))
+                if member.issym() and target.startswith(("/", "..")):
+                    raise tarfile.TarError(f"{member.name} is a link to {member.linkname}, outside of the checkout")
+            archive.extraction_filter = getattr(tarfile, "data_filter", lambda member, path: member)
+            archive.extractall(folder)
+    except tarfile.TarError as error:
+        raise RosmlError(f"revision {revision} cannot be unpacked: {error}", "compare with another one") from None
+
+
+def _git(root: Path, *arguments: str) -> bytes:
+    """What git says; nothing where it fails silently."""
+    remedy = "call it in a git checkout, or name another matrix file"
+    try:
+        done = subprocess.run(["git", *arguments], cwd=root, capture_output=True, check=False)
+    except FileNotFoundError:
+        raise RosmlError("git is not installed", remedy=remedy) from None
+    if done.returncode and done.stderr:
+        raise RosmlError(f"git cannot read {root}: {done.stderr.decode(errors='replace').strip()}", remedy=remedy)
+    return done.stdout

@@ -1,0 +1,32 @@
+"""What programs that this project calls are told about certificates."""
+
+from __future__ import annotations
+
+import ssl
+from pathlib import Path
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.machine.services import Services
+from rosml.registry.certificates import folders
+
+
+def trusting(services: Services) -> dict[str, str]:
+    """The environment of a program that looks for authorities in a bundle only.
+
+    Raises:
+        RosmlError: the bundle cannot be read or written.
+    """
+    env = services.environment()
+    own = [file for folder in folders() for file in sorted(folder.glob("*/*.crt"))]
+    if not own:
+        return env
+    base = services.ca_bundle or ssl.get_default_verify_paths().cafile or ""
+    try:
+        texts = [file.read_text(errors="replace") for file in (*([Path(base)] if base else []), *own)]
+    except OSError as error:
+        raise RosmlError(f"cannot read {error.filename}: {error.strerror}", "let this user read it") from None
+    bundle = services.state / "cache" / "authorities.pem"
+    bundle.parent.mkdir(parents=True, exist_ok=True)
+    files.write(bundle, "\n".join(texts))
+    return {**env, "SSL_CERT_FILE": str(bundle)}

@@ -1,0 +1,94 @@
+"""Names: one place for how targets, payloads, variables and tags are called."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from rosml.matrix.model import ANY_PYTHON, FAMILIES
+
+DATED = re.compile(r"-(\d{8})(?:\.\d+)?$")
+"""The end of a tag that never moves."""
+
+
+ROS = "ros"
+"""Stands for a part in the locks of distributions that come from wheels: those are named like stacks, which they share
+no name with."""
+
+RESERVED_GROUPS = ("all", "default", "latest", "payloads", "tests")
+"""Groups and tags that do not come from an axis of the matrix."""
+
+SHORT = {"torch": "torch", "tensorflow": "tf", "cuda": "cuda"}
+"""How tags that spell versions out call what they count, as users know it from the predecessor."""
+
+
+def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
+    """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`."""
+    return "-".join([distribution, component] + ([framework, stack] if stack else []))
+
+
+def main_tag(distribution: str, component: str, stack: str | None = None) -> str:
+    """The tag that says what an image is: `jazzy-base-cu128`."""
+    return "-".join([distribution, component, *([stack] if stack else [])])
+
+
+def spelled_tag(main: str, versions: Mapping[str, str]) -> str:
+    """A main tag with the versions of what the image is for: `jazzy-base-cu128-torch2.10.0`; the same without any."""
+    counted: list[str] = [family for family in FAMILIES if family in versions]
+    counted = counted or [name for name in ("cuda",) if name in versions]
+    return "-".join([main, *(f"{SHORT[name]}{versions[name]}" for name in counted)])
+
+
+def test_target(image: str) -> str:
+    """The target that tests an image."""
+    return f"{image}-test"
+
+
+def os_slug(os: str) -> str:
+    """An operating system within a target's name, where bake allows no points."""
+    return os.replace(".", "-")
+
+
+def os_target(os: str) -> str:
+    """The target of an operating system with the essentials."""
+    return f"_os-{os_slug(os)}"
+
+
+def os_variable(os: str) -> str:
+    """The bake variable that holds an operating system's base image."""
+    return "OS_" + os_slug(os).replace("-", "_").upper()
+
+
+def payload_name(part: str, stack: str, python: str) -> str:
+    """A payload: `torch-cu128-py311`; `cuda-cu128` where it is the same for every Python. Also its tag."""
+    return f"{part}-{stack}" + ("" if python == ANY_PYTHON else f"-py{python.replace('.', '')}")
+
+
+def files_target(payload: str) -> str:
+    """The target that assembles a payload's files below /out."""
+    return f"_files-{payload}"
+
+
+def payload_target(payload: str) -> str:
+    """The target of a payload as an image of its own."""
+    return f"payload-{payload}"
+
+
+def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
+    """A payload's lock, relative to the project's root; the Dockerfile spells the same path."""
+    return f"locks/{stack}/{architecture}/{python}/{part}.txt"
+
+
+def lock_head(stack: str, architecture: str, python: str, part: str) -> str:
+    """The first line of a lock: whose it is."""
+    return f"# Part '{part}' of stack {stack}, Python {python}, {architecture}."
+
+
+def wheels_head(distribution: str, architecture: str, python: str) -> str:
+    """The first line of the lock of a distribution that comes from wheels."""
+    return f"# ROS of {distribution}, Python {python}, {architecture}."
+
+
+def dated(tag: str, date: str) -> str:
+    """The tag of a day, which never moves: `jazzy-base-20261122`."""
+    return f"{tag}-{date[:10].replace('-', '')}"

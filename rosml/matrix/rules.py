@@ -1,0 +1,224 @@
+"""Why a combination does not exist. Each rule looks at positive facts and returns one sentence, or None if they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from rosml.base.problems import listed
+from rosml.matrix.model import FAMILIES, PARTS, Family, Framework, Matrix, Part, RosArchive, Stack
+
+NVIDIA = ("cuda", "cudnn", "nccl")
+"""Whose versions the part cuda has."""
+
+COUNTED = (*FAMILIES, *NVIDIA)
+"""All that an image may carry whose versions count."""
+
+
+def component_reason(matrix: Matrix, distribution: str, component: str) -> str | None:
+    """Does the distribution have the component?"""
+    facts = matrix.distributions[distribution]
+    if component in facts.components:
+        return None
+    return f"{distribution} (ROS {facts.ros}) has no {component} metapackage; it has {listed(facts.components)}"
+
+
+def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> str | None:
+    """Can images of a distribution carry the framework on the stack, on any architecture?"""
+    facts, os = matrix.frameworks[framework], matrix.distributions[distribution].os
+    if stack is None or not facts.parts:
+        return _pairing(framework, facts, stack)
+    return (
+        _accelerator(framework, facts, stack, matrix.stacks[stack])
+        or _parts(framework, facts, stack, matrix.stacks[stack])
+        or _releases(framework, facts, stack, matrix.stacks[stack])
+        or _apart(framework, facts, stack, matrix.stacks[stack])
+        or _python(matrix, os, facts, matrix.stacks[stack])
+        or _architectures(matrix, distribution, facts, stack)
+    )
+
+
+def built_for(matrix: Matrix, distribution: str) -> tuple[str, ...]:
+    """The architectures of a distribution: those of its operating system, or the ones among them that it names."""
+    facts = matrix.distributions[distribution]
+    system = matrix.operating_systems[facts.os].architectures
+    return tuple(name for name in system if not facts.architectures or name in facts.architectures)
+
+
+def ros_live(matrix: Matrix, distribution: str) -> str:
+    """The address of ROS's live apt repository for a distribution that gets its packages from ROS."""
+    return _ros_archive(matrix).live.format(generation=matrix.distributions[distribution].generation)
+
+
+def ros_snapshot(matrix: Matrix, distribution: str, day: str) -> str:
+    """The address of a snapshot of it: of a day, such as 2026-08-07, or `final`."""
+    return _ros_archive(matrix).snapshot.format(
+        ros_distro=matrix.distributions[distribution].ros_distro or distribution, day=day
+    )
+
+
+def ros_apt_source(matrix: Matrix, distribution: str) -> str | None:
+    """The address and digest of the package that sets up the live repository; none where matrix.yaml pins none."""
+    facts = matrix.distributions[distribution]
+    system = matrix.operating_systems[facts.os]
+    if (pinned := system.apt_sources.get(facts.generation)) is None:
+        return None
+    address = _ros_archive(matrix).apt_source.format(
+        generation=facts.generation, version=pinned.version, codename=system.codename
+    )
+    return f"{address}@{pinned.digest}"
+
+
+def _ros_archive(matrix: Matrix) -> RosArchive:
+    assert matrix.ros_archive, "references: a distribution with apt needs it"
+    return matrix.ros_archive
+
+
+def architectures(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> tuple[str, ...]:
+    """Architectures with the same content: those of the distribution for which every release has a wheel."""
+    return _with_wheels(matrix, built_for(matrix, distribution), framework, stack)
+
+
+def joined_for(matrix: Matrix, framework: str, stack: str) -> tuple[str, ...]:
+    """Architectures for which every release has a wheel, whatever a distribution is built for."""
+    return _with_wheels(matrix, tuple(matrix.architectures), framework, stack)
+
+
+def _with_wheels(matrix: Matrix, among: Sequence[str], framework: str, stack: str | None) -> tuple[str, ...]:
+    allowed = set(among)
+    if stack is not None:
+        for _, wheels in _available(matrix, matrix.frameworks[framework], stack):
+            allowed &= set(wheels)
+    return tuple(name for name in matrix.architectures if name in allowed)
+
+
+def architecture_reason(
+    matrix: Matrix, distribution: str, framework: str, stack: str | None, architecture: str
+) -> str | None:
+    """Why an image that exists leaves out an architecture."""
+    os = matrix.distributions[distribution].os
+    if architecture not in matrix.operating_systems[os].architectures:
+        return f"images of {os} are built for {listed(matrix.operating_systems[os].architectures)} only"
+    if architecture not in built_for(matrix, distribution):
+        return f"{distribution} exists for {listed(built_for(matrix, distribution))} only"
+    for what, wheels in _available(matrix, matrix.frameworks[framework], stack) if stack else ():
+        if architecture not in wheels:
+            return f"{what} has {stack} wheels for {listed(wheels)} only"
+    return None
+
+
+def plain(matrix: Matrix) -> str:
+    """The framework of images that carry none: the only one without parts."""
+    return next(name for name, framework in matrix.frameworks.items() if not framework.parts)
+
+
+def parts(framework: Framework, stack: Stack) -> tuple[Part, ...]:
+    """The parts that a framework takes of a stack, in the order in which they are joined."""
+    return tuple(part for part in PARTS if part in framework.parts and (part != "cuda" or stack.accelerator == "cuda"))
+
+
+def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[Part, ...]]:
+    """The parts of every framework that a stack can carry, on some operating system and architecture."""
+    facts = matrix.stacks[stack]
+    return {
+        name: parts(framework, facts)
+        for name, framework in matrix.frameworks.items()
+        if (
+            _pairing(name, framework, stack)
+            or _accelerator(name, framework, stack, facts)
+            or _parts(name, framework, stack, facts)
+            or _releases(name, framework, stack, facts)
+            or _apart(name, framework, stack, facts)
+        )
+        is None
+    }
+
+
+def families(framework: Framework) -> tuple[Family, ...]:
+    """The families that a framework has releases of, in a fixed order."""
+    return tuple(family for family in FAMILIES if family in framework.releases)
+
+
+def counted(framework: Framework) -> tuple[str, ...]:
+    """What an image of a framework carries whose versions count, in a fixed order."""
+    return (*families(framework), *(NVIDIA if "cuda" in framework.parts else ()))
+
+
+def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
+    """A component with all that it is built on, the lowest first."""
+    links: list[str] = []
+    link: str | None = component
+    while link:
+        links.insert(0, link)
+        link = matrix.components[link].builds_on
+    return tuple(links)
+
+
+def _pairing(name: str, framework: Framework, stack: str | None) -> str | None:
+    if framework.parts and stack is None:
+        return f"framework {name} needs a stack"
+    if not framework.parts and stack is not None:
+        return f"framework {name} adds nothing to a ROS image, so it has no stack"
+    return None
+
+
+def _accelerator(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
+    if facts.accelerator in framework.accelerators:
+        return None
+    return f"framework {name} needs accelerator {listed(framework.accelerators)}, and stack {stack} has {facts.accelerator}"
+
+
+def _parts(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
+    return None if parts(framework, facts) else f"stack {stack} has nothing that framework {name} takes"
+
+
+def _releases(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
+    lacking = [family for family in families(framework) if facts.release(family) is None]
+    return f"stack {stack} has no release of {listed(lacking)}" if lacking else None
+
+
+def _apart(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
+    if facts.apart is None or len(framework.releases) < 2:
+        return None
+    return f"what framework {name} needs of stack {stack} does not go together ({facts.apart})"
+
+
+def _python(matrix: Matrix, os: str, framework: Framework, stack: Stack) -> str | None:
+    python = matrix.operating_systems[os].python
+    for family in families(framework):
+        releases, version = matrix.releases.of(family), stack.release(family) or ""
+        if python in releases[version].python:
+            continue
+        others = [name for name, release in releases.items() if python in release.python]
+        if not others:
+            return f"no release of {family} has a wheel for Python {python}, the Python of {os}"
+        have = f"{listed(others)} {'has' if len(others) == 1 else 'have'}"
+        return f"{family} {version} has no wheel for Python {python}, the Python of {os} ({have})"
+    return None
+
+
+def _architectures(matrix: Matrix, distribution: str, framework: Framework, stack: str) -> str | None:
+    facts, available = matrix.distributions[distribution], built_for(matrix, distribution)
+    who = distribution if facts.architectures else facts.os
+    common = set(available)
+    for what, wheels in _available(matrix, framework, stack):
+        if not common & set(wheels):
+            if not wheels:
+                return f"{what} has no wheel for stack {stack}"
+            return f"{what} has {stack} wheels for {listed(wheels)} only, and {who} is built for {listed(available)}"
+        common &= set(wheels)
+    return None
+
+
+def _available(matrix: Matrix, framework: Framework, stack: str) -> Iterator[tuple[str, Sequence[str]]]:
+    """What a framework takes of a stack, and the architectures that it has wheels for."""
+    facts = matrix.stacks[stack]
+    wheels = {
+        family: matrix.releases.of(family)[version].architectures(stack)
+        for family in FAMILIES
+        if (version := facts.release(family))
+    }
+    for family in families(framework):
+        yield f"{family} {facts.release(family)}", wheels.get(family, ())
+    if not framework.releases:  # CUDA's libraries come with the releases: they are where any of those is
+        anywhere = [architecture for found in wheels.values() for architecture in found]
+        yield f"CUDA {facts.cuda}", tuple(name for name in matrix.architectures if name in anywhere)

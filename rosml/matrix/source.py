@@ -1,0 +1,289 @@
+"""YAML text -> plain data, and the place of every value in the text.
+
+A strict subset of YAML is read: one document of mappings, lists and scalars. Anchors, aliases, merge keys and tags are
+refused: a few lines of them can expand to gigabytes ("YAML bombs"), and nothing here needs them.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from datetime import date
+from pathlib import Path as FilePath
+from typing import Any
+
+import yaml
+
+from rosml.base.errors import RosmlError
+from rosml.base.files import shown
+from rosml.base.problems import InputError, Path, Problem, dotted
+
+MAX_BYTES = 128 * 1024
+"""The largest file that is read. The full matrix is a tenth of it."""
+
+MAX_DEPTH = 16
+"""The deepest nesting that is read; the model needs 6. Also keeps the C parser's recursion bounded."""
+
+# libyaml comes with PyYAML's wheels; the pure-Python parser reads the same, ten times slower.
+_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+_TAG = "tag:yaml.org,2002:"
+_INTEGER = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})")
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a value stands (line and column from 1: its key, or the item of a list), and a scalar as it was written."""
+
+    line: int
+    column: int
+    text: str = ""
+
+
+@dataclass
+class Document:
+    """A parsed file: `data`, and a place for every path in it."""
+
+    name: str
+    data: Any = None
+    places: dict[Path, Place] = field(default_factory=dict)
+    problems: list[Problem] = field(default_factory=list)
+
+    def place(self, path: Path) -> Place:
+        """The place of a value, or of the nearest thing around it."""
+        while path and path not in self.places:
+            path = path[:-1]
+        return self.places.get(path, Place(1, 1))
+
+    def problem(self, path: Path, text: str) -> Problem:
+        """A problem with the value at `path`."""
+        place = self.place(path)
+        return Problem(place.line, place.column, dotted(path), text)
+
+
+def read(file: FilePath, option: str = "--matrix") -> Document:
+    """Reads a YAML file. `option`: the one of the command line that names another file.
+
+    Raises:
+        RosmlError: the file is missing, unreadable or too large (exit code 2).
+        InputError: it is not UTF-8 or not the YAML described above; with every problem that could be found.
+    """
+    name = shown(file)
+    try:
+        with file.open("rb") as stream:
+            content = stream.read(MAX_BYTES + 1)
+    except FileNotFoundError:
+        raise RosmlError(f"{name}: no such file", remedy=f"name the file with {option}", exit_code=2) from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise RosmlError(f"{name}: cannot be read: {reason}", exit_code=2) from None
+    return parse(content, name)
+
+
+def parse(content: bytes, name: str = "matrix.yaml") -> Document:
+    """Parses YAML text; raises as `read` does."""
+    if len(content) > MAX_BYTES:
+        raise RosmlError(
+            f"{name}: larger than {MAX_BYTES // 1024} KiB, which no such file needs",
+            remedy="check that this is the right file",
+            exit_code=2,
+        )
+    text = _decode(content, name)
+    document = Document(name)
+    try:
+        if problems := _refused(text):
+            raise InputError(name, problems)
+        node = yaml.compose(text, Loader=_Loader)
+    except yaml.MarkedYAMLError as error:
+        raise InputError(name, _conflicts(text) or [_syntax(error, text)]) from None
+    except yaml.reader.ReaderError as error:
+        before = text[: error.position]
+        line, column = before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
+        code = error.character if isinstance(error.character, int) else ord(error.character)
+        raise InputError(
+            name, [Problem(line, column, "", f"the character U+{code:04X} is not allowed in YAML; remove it")]
+        ) from None
+    except yaml.YAMLError as error:
+        raise InputError(name, [Problem(1, 1, "", f"not YAML: {error}")]) from None
+    if node is None:
+        raise InputError(name, [Problem(1, 1, "", "the file is empty; it needs at least 'version: 1'")])
+    document.places[()] = _place(node)
+    document.data = _value(document, (), node)
+    return document
+
+
+def _decode(content: bytes, name: str) -> str:
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        before = content[: error.start]
+        line, column = before.count(b"\n") + 1, len(before) - (before.rfind(b"\n") + 1) + 1
+        text = f"not UTF-8 (byte 0x{content[error.start]:02x}); save the file as UTF-8"
+        raise InputError(name, [Problem(line, column, "", text)]) from None
+
+
+def _refused(text: str) -> list[Problem]:
+    """What is YAML, but not ours. Events come from a parser without recursion, so this is safe for any text."""
+    problems: list[Problem] = []
+    depth = documents = 0
+    events: Iterator[Any] = yaml.parse(text, Loader=_Loader)
+    for event in events:
+        line, column = event.start_mark.line + 1, event.start_mark.column + 1
+
+        def refuse(what: str, line: int = line, column: int = column) -> None:
+            problems.append(Problem(line, column, "", what))
+
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+            if depth > MAX_DEPTH:
+                refuse(f"nested more than {MAX_DEPTH} levels deep")
+                return problems
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1
+        elif isinstance(event, yaml.DocumentStartEvent):
+            documents += 1
+            if documents > 1:
+                refuse("a second document starts here; keep one document in a file")
+                return problems
+        if isinstance(event, yaml.AliasEvent):
+            refuse(f"the alias *{event.anchor} is not allowed; write the value out")
+        elif getattr(event, "anchor", None):
+            refuse(f"the anchor &{event.anchor} is not allowed; write the value out where it is used")
+        if getattr(event, "tag", None):
+            refuse(f"the tag {event.tag!r} is not allowed; remove it")
+    return problems
+
+
+def _conflicts(text: str) -> list[Problem]:
+    """The markers that git leaves where two versions of a file contradict each other."""
+    remedy = "a git conflict marker; resolve the merge"
+    lines = enumerate(text.splitlines(), 1)
+    return [Problem(number, 1, "", remedy) for number, line in lines if _CONFLICT.match(line)]
+
+
+_CONFLICT = re.compile(r"(<{7}|>{7}|\|{7})( |$)|={7}$")
+
+
+def _syntax(error: yaml.MarkedYAMLError, text: str) -> Problem:
+    mark = error.problem_mark or error.context_mark
+    line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
+    what = error.problem or error.context or "not YAML"
+    here = text.splitlines()[mark.line : mark.line + 1] if mark else []
+    if "\\t" in what or "'\t'" in what or "tab character" in what or _begins_with_tab(here, column):
+        return Problem(line, column, "", "a tab; indent with spaces")
+    if error.context_mark and what == "could not find expected ':'":  # the line after the one with the mistake
+        line, column = error.context_mark.line + 1, error.context_mark.column + 1
+    remedy = next((remedy for sign, remedy in _REMEDIES.items() if sign in what), "")
+    return Problem(line, column, "", "; ".join(part for part in (f"not YAML: {what}", remedy) if part))
+
+
+def _begins_with_tab(here: list[str], column: int) -> bool:
+    """Whether a tab is what the parser stopped at: of one at the very start of a line it only says that no token starts
+    so."""
+    return bool(here) and here[0][column - 1 : column] == "\t"
+
+
+_REMEDIES = {
+    "could not find expected ':'": "a key is followed by a colon and a space, as in 'ros: 2'",
+    "mapping values are not allowed": "indent keys of one level alike, "
+    "put a space after each colon, and text with ': ' in it in quotes",
+    "did not find expected key": "look at this line and those above for a quote that is left open, or another indentation",
+    "found unexpected end of stream": "look above for a quote that is left open",
+    "did not find expected ','": "close the bracket, and put commas between its items",
+    "cannot start any token": "put the text in quotes",
+    "did not find expected comment or line break": "put the text in quotes",
+}
+"""What to do about the parser's complaints, which speak of its own work; by what they say."""
+
+
+def _place(node: Any, text: str = "") -> Place:
+    return Place(node.start_mark.line + 1, node.start_mark.column + 1, text)
+
+
+def _value(document: Document, path: Path, node: Any) -> Any:
+    if isinstance(node, yaml.MappingNode):
+        return _mapping(document, path, node)
+    if isinstance(node, yaml.SequenceNode):
+        items = []
+        for index, item in enumerate(node.value):
+            below = (*path, index)
+            document.places[below] = _place(item, _text(item))
+            items.append(_value(document, below, item))
+        return tuple(items)
+    return _scalar(document, path, node)
+
+
+def _mapping(document: Document, path: Path, node: Any) -> dict[str, Any]:
+    data: dict[str, Any] = {}
+    for key, item in node.value:
+        place = _place(key, _text(item))
+        if not isinstance(key, yaml.ScalarNode):
+            document.problems.append(Problem(place.line, place.column, dotted(path), "a key must be plain text"))
+            continue
+        below = (*path, key.value)
+        where = dotted(below)
+        if key.tag == f"{_TAG}merge":
+            text = "the merge key << is not allowed; write the keys out"
+            document.problems.append(Problem(place.line, place.column, dotted(path), text))
+            continue
+        if key.tag != f"{_TAG}str":
+            kind = key.tag.removeprefix(_TAG)
+            text = f'YAML reads the key {key.value} as {_KINDS.get(kind, kind)}; write it in quotes: "{key.value}"'
+            document.problems.append(Problem(place.line, place.column, where, text))
+        elif key.value in data:
+            first = document.places[below].line
+            text = f"the key {key.value!r} is there twice, first on line {first}; keep one"
+            document.problems.append(Problem(place.line, place.column, where, text))
+            continue
+        document.places[below] = place
+        data[key.value] = _value(document, below, item)
+    return data
+
+
+_KINDS = {
+    "int": "a number",
+    "float": "a number",
+    "bool": "true or false",
+    "null": "nothing",
+    "timestamp": "a date",
+    "value": "a default",
+}
+
+
+def _text(node: Any) -> str:
+    return node.value if isinstance(node, yaml.ScalarNode) else ""
+
+
+def _scalar(document: Document, path: Path, node: Any) -> Any:
+    """A scalar's value. Of YAML 1.1's many spellings only those are read that mean the same to everybody: `yes`,
+    `012` and `1:30` would silently become true, 10 and 90."""
+    kind, text = node.tag.removeprefix(_TAG), node.value
+    if kind == "null":
+        return None
+    if kind == "bool" and text in ("true", "false"):
+        return text == "true"
+    if kind == "int" and _INTEGER.fullmatch(text):
+        return int(text)
+    if kind == "float":
+        return _number(text)
+    if kind == "timestamp":
+        try:
+            return date.fromisoformat(text)
+        except ValueError:
+            document.problems.append(document.problem(path, f"{text} is not a day of the calendar, as in 2028-06-30"))
+            return text
+    if kind in ("bool", "int"):
+        remedy = "write true or false" if kind == "bool" else "write it in decimal digits"
+        quoted = f'; or, if text is meant, in quotes: "{text}"'
+        text = f"YAML reads {text} as {_KINDS[kind]}; {remedy}{quoted}"
+        document.problems.append(document.problem(path, text))
+    return node.value
+
+
+def _number(text: str) -> float:
+    """A number with a point. None is wanted anywhere, so it only has to be told apart; no spelling may fail."""
+    try:
+        return float(text.replace("_", ""))
+    except ValueError:  # YAML's own spellings: `.inf`, `1:30.5`
+        return float("nan")

@@ -1,0 +1,251 @@
+"""Moves tags to indexes whose images passed everything, and back.
+
+The order is what keeps promises: first the index is signed, where that is asked for, and what the ledger says is attached
+to it and its images; then the record of where tags were, then the dated tag, which never moves again, then those that
+spell versions out, the floating ones last. A tag never moves to something older, or to fewer architectures.
+"""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Iterable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from typing import Any
+
+from rosml.base import clock
+from rosml.base.errors import RosmlError
+from rosml.images import labels
+from rosml.images.image_set import Image, Payload, tags_of
+from rosml.images.labels import TITLE
+from rosml.machine import regctl
+from rosml.matrix.names import dated
+from rosml.publish.pipeline import Outcome, Pipeline
+from rosml.records import ledger
+from rosml.records.ledger import ANNOTATION, INDEX, READERS, Entry
+from rosml.records.tag_moves import Move, read_moves, record_name
+
+
+class Promotion:
+    """Moves the tags of a run."""
+
+    def __init__(self, pipeline: Pipeline) -> None:
+        self.pipeline = pipeline
+        self.registry = pipeline.registry
+        self.date = pipeline.agenda.date
+        self._settled: frozenset[tuple[str, str]] = frozenset()
+
+    def run(self) -> list[Move]:
+        """Moves the tags of all images whose index is as it should be. One that the registry refuses is no other's trouble.
+
+        Raises:
+            RosmlError: the registry does not answer, or takes no record of where tags were; no tag was moved.
+        """
+        self.pipeline.write_restored()
+        self._settled = self._settled_tags()
+        planned: list[tuple[Image | Payload, list[Move]]] = []
+        for thing in self.pipeline.agenda.things():
+            entry = self._adopted(thing)
+            if reason := self.pipeline.agenda.unready(thing, self.pipeline.serving):
+                self._say(thing, "waits", reason)
+            elif entry is None or not self._current(thing, entry):
+                self._say(thing, "waits", "its index is not made yet")
+            elif entry.held:
+                self._say(
+                    thing,
+                    "waits",
+                    f"its tags were moved back on {entry.held[:10]}; a change, or --force, makes it anew",
+                )
+            else:
+                moves = list(self._moves(thing, entry))
+                if (moves or self.pipeline.signer) and (wrong := self._wrong(thing, entry)):
+                    self._say(thing, "failed", wrong)
+                elif self.pipeline.signed(thing, moving=bool(moves)) and self._attached(thing, moves) and moves:
+                    planned.append((thing, moves))
+        every = [move for _, moves in planned for move in moves]
+        if every:
+            self._record(every)
+        for thing, moves in planned:
+            started = time.monotonic()
+            try:
+                for move in moves:
+                    self._move(move)
+            except (
+                RosmlError
+            ) as error:  # a tag that is protected, an index that somebody removed: no other image's fault
+                answers(self.pipeline)
+                self._say(thing, "failed", error.message, time.monotonic() - started)
+                continue
+            tags = ", ".join(move.tag for move in moves)
+            self._say(thing, "done", tags, time.monotonic() - started)
+        return every
+
+    def _say(self, thing: Image | Payload, state: Any, reason: str, seconds: float = 0.0) -> None:
+        self.pipeline.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
+
+    def _adopted(self, thing: Image | Payload) -> Entry | None:
+        """The entry of an image's index: of the one that its tag points at, where another publisher made that one later, of the
+        same images, and wrote the ledger before this one did. Otherwise the tag would wait for ever, at something newer.
+        """
+        known = self.pipeline.agenda.known
+        entry = known.get((thing.target, INDEX))
+        if entry is None or not entry.digest or entry.held:
+            return entry
+        repository, tag = self.pipeline.repository(entry.repository), tags_of(thing)[0]
+        if (repository, tag) in self._settled:
+            return entry
+        there = self.registry.head(repository, tag)
+        found = self.registry.manifest(repository, there) if there not in ("", entry.digest) else None
+        if found is None:
+            return entry
+        date, said = ledger.date_of(found), ledger.annotations_of(found)
+        later = clock.is_date(date) and date > entry.date and not clock.is_ahead(date, clock.now())
+        if not later or _members(found) != dict(entry.parts) or said.get(ledger.INPUTS) != entry.inputs:
+            return entry
+        facts = {name: getattr(entry, name) for name in ("inputs", "repository", "parts")}
+        entry = replace(entry.made(there, **facts, date=date), changed=self.date)
+        self.pipeline.ledger.write(entry, {})
+        known[thing.target, INDEX] = entry
+        self.pipeline.agenda.present.add((thing.target, INDEX))
+        return entry
+
+    def _current(self, thing: Image | Payload, entry: Entry) -> bool:
+        known = self.pipeline.agenda.known
+        members = {key[1]: known[key].digest for key in self.pipeline.members(thing)}
+        return entry.parts == members and entry.inputs == self.pipeline.agenda.inputs.together(thing)
+
+    def _wrong(self, thing: Image | Payload, entry: Entry) -> str:
+        """Why what the ledger names as an image's index is not that; empty where it is."""
+        found = self.registry.manifest(self.pipeline.repository(entry.repository), entry.digest)
+        if found is None:
+            return f"its index {entry.digest} is not in the registry any more"
+        name = ledger.annotations_of(found).get(TITLE, "")
+        if _members(found) != dict(entry.parts) or name != labels.title(thing):
+            what = f"that of {name}" if name != labels.title(thing) else "of other images than the ledger has"
+            return f"the ledger names {entry.digest} as its index, which is {what}; --force makes it anew"
+        return ""
+
+    def _attached(self, thing: Image | Payload, moves: list[Move]) -> bool:
+        """Whether what the ledger says is attached to an index and its images; what is missing is attached now."""
+        known, started = self.pipeline.agenda.known, time.monotonic()
+        entry = known[thing.target, INDEX]
+        members = [known[key] for key in self.pipeline.members(thing)]
+        attached = {item.architecture: item.facts for item in (*members, entry)}
+        if entry.attached == attached:
+            return True
+        try:
+            inputs = self.pipeline.agenda.inputs
+            made = [self.pipeline.ledger.attach(item, inputs.of(item.target, item.architecture)) for item in members]
+            made.append(self.pipeline.ledger.attach(entry, {}))
+            known[thing.target, INDEX] = replace(entry, attached=attached)
+            self.pipeline.ledger.write(known[thing.target, INDEX], {})
+        except RosmlError as error:
+            answers(self.pipeline)
+            self._say(thing, "failed", error.message, time.monotonic() - started)
+            return False
+        if any(made) and not moves:
+            self._say(thing, "done", "its entries in the ledger are attached to it", time.monotonic() - started)
+        return True
+
+    def _settled_tags(self) -> frozenset[tuple[str, str]]:
+        """Repository and tag of all that point at what the ledger names. Most of them do on most nights: they are asked for
+        side by side, since one after the other would take minutes on a registry that is far away.
+        """
+        known = self.pipeline.agenda.known
+        entries = [
+            (thing, known[key]) for thing in self.pipeline.agenda.things() if (key := (thing.target, INDEX)) in known
+        ]
+        wanted = [
+            (self.pipeline.repository(entry.repository), tag, entry.digest)
+            for thing, entry in entries
+            if entry.digest
+            for tag in (dated(tags_of(thing)[0], entry.date), *tags_of(thing))
+        ]
+        with ThreadPoolExecutor(READERS) as pool:
+            there = pool.map(lambda item: self.registry.head(*item[:2]) == item[2], wanted)
+            return frozenset(item[:2] for item, same in zip(wanted, there, strict=True) if same)
+
+    def _moves(self, thing: Image | Payload, entry: Entry) -> Iterable[Move]:
+        """The moves of an image, in their order; those that would go back, or lose an architecture, are told instead."""
+        repository = self.pipeline.repository(entry.repository)
+        tags = tags_of(thing)
+        main = tags[0]
+        if (repository, dated(main, entry.date)) in self._settled:
+            pass
+        elif not self.registry.head(repository, dated(main, entry.date)):
+            yield Move(entry.repository, dated(main, entry.date), "", entry.digest)
+        else:  # the day's second one
+            number = 1
+            while (name := dated(main, entry.date) + (f".{number}" if number > 1 else "")) and (
+                there := self.registry.head(repository, name)
+            ):
+                if there == entry.digest:
+                    break
+                number += 1
+            else:
+                yield Move(entry.repository, name, "", entry.digest)
+        spelled = [tag for tag in tags if tag.startswith(f"{main}-")]
+        for tag in (*spelled, *(tag for tag in tags if tag not in spelled)):
+            if (repository, tag) in self._settled:
+                continue
+            old = self.registry.head(repository, tag)
+            if old == entry.digest:
+                continue
+            if reason := self._keeps(repository, old, entry):
+                self._say(thing, "waits", f"{tag} stays: {reason}")
+                continue
+            yield Move(entry.repository, tag, old, entry.digest)
+
+    def _keeps(self, repository: str, old: str, entry: Entry) -> str:
+        """Why a tag stays where it is; empty where it moves."""
+        found = self.registry.manifest(repository, old) if old else None
+        if found is None:
+            return ""
+        date = ledger.date_of(found)
+        if date and not clock.is_date(date):
+            self.pipeline.say(
+                f"{repository}@{old} says {date[:40]!r} of when it was made, which is no date: taken for older"
+            )
+        elif date > entry.date and not clock.is_ahead(date, clock.now()):
+            return f"it points at something newer, of {date}"
+        elif date > entry.date and not self.pipeline.agenda.force:
+            return f"it points at something of {date}, which is in the future: undo that run, or move it with --force"
+        platforms = [item.get("platform") or {} for item in found.content.get("manifests") or []]
+        lost = {item.get("architecture", "") for item in platforms} - set(entry.parts) - {"unknown", ""}
+        return f"it would lose {', '.join(sorted(lost))}" if lost else ""
+
+    def _record(self, planned: list[Move]) -> None:
+        """Writes where tags were. A run that is called again keeps what it wrote first."""
+        name = record_name(self.date)
+        before = {(move.repository, move.tag): move for move in read_moves(self.pipeline.ledger, name)}
+        merged = dict(before)
+        for move in planned:
+            first = before.get((move.repository, move.tag))
+            merged[move.repository, move.tag] = Move(
+                move.repository, move.tag, first.old if first else move.old, move.new
+            )
+        content = {"date": self.date, "moves": [move.to_json() for move in merged.values()]}
+        text = json.dumps(content, sort_keys=True)
+        self.pipeline.ledger.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
+
+    def _move(self, move: Move) -> None:
+        repository = f"{self.pipeline.host}/{self.pipeline.repository(move.repository)}"
+        regctl.tag(self.pipeline.agenda.services, repository, move.new, move.tag)
+
+
+def _members(index: Any) -> dict[str, str]:
+    """Digests of an index's images by architecture."""
+    return {
+        str((item.get("platform") or {}).get("architecture", "")): str(item.get("digest", ""))
+        for item in index.content.get("manifests") or []
+    }
+
+
+def answers(pipeline: Pipeline) -> None:
+    """Checks that the registry answers, after it failed: if not, asking it for each other tag would take the night.
+
+    Raises:
+        RosmlError: it does not.
+    """
+    pipeline.registry.head(pipeline.ledger.repository, record_name(pipeline.agenda.date))

@@ -1,0 +1,347 @@
+"""What a registry no longer needs, by reachability: an index that a kept tag points at keeps its images, and those keep
+what is attached to them. Everything else that the publisher knows of may go. Nothing is removed unless asked for, and
+before anything is removed, what leads to it is looked for again: a run may have come to need it in the meantime.
+
+Looking asks once for each tag, side by side; what hangs on an index stands in it. What is attached to a manifest that
+goes is looked for when it goes.
+"""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from datetime import date, timedelta
+from functools import partial
+from typing import Any, TypeVar
+
+from rosml.base.clock import is_date
+from rosml.base.errors import RosmlError
+from rosml.base.problems import counted, listed
+from rosml.images.image_set import PAYLOADS, Catalogue
+from rosml.matrix.names import DATED
+from rosml.publish import provenance
+from rosml.records import ledger
+from rosml.records.ledger import READERS, REPOSITORY, Entry, Ledger, date_of, order
+from rosml.records.tag_moves import UNDO, read_moves
+from rosml.registry.oci import INDEXES, Manifest, Undeletable
+from rosml.registry.protocol import Client
+from rosml.registry.repositories import repository_path
+
+LOOK_SECONDS = 5.0
+"""How long it counts what was seen of a repository; before a removal after that, it is looked at again."""
+
+FALLBACK = re.compile(r"sha256-[0-9a-f]{64}")
+"""Tags under which a registry without the referrers API keeps what is attached to a manifest."""
+
+STAYS = " stays: "
+"""What a line of `Pruner.remove` has after what it did not remove, before the reason."""
+
+Digests = dict[str, set[str]]
+"""By repository."""
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+MARKS = {ledger.ARTIFACT: ledger.FACTS, provenance.MEDIA_TYPE: provenance.DEFINITION}
+"""Types of artifacts of which an image needs the newest alone, and the annotation that says that a run attached them."""
+
+
+@dataclass
+class Pruning:
+    """What can go.
+
+    Attributes:
+        tags: repository and tag. manifests: repository and digest, no tag of which is kept; what is attached to them goes
+            with them.
+        records: tags of the ledger: records of runs that are older than what is kept.
+        superseded: repository, digest of an image or index that the ledger names, and of an artifact that is attached to it
+            in whose place there is a newer one.
+        kept: how many tags stay.
+        needed: repository and digest of what something leads to that is kept.
+        seen: where each of `tags` pointed.
+    """
+
+    tags: list[tuple[str, str]] = field(default_factory=list)
+    manifests: list[tuple[str, str]] = field(default_factory=list)
+    records: list[str] = field(default_factory=list)
+    superseded: list[tuple[str, str, str]] = field(default_factory=list)
+    kept: int = 0
+    needed: set[tuple[str, str]] = field(default_factory=set)
+    seen: dict[tuple[str, str], str] = field(default_factory=dict)
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {
+            "tags": [":".join(item) for item in self.tags],
+            "manifests": ["@".join(item) for item in self.manifests],
+            "records": self.records,
+            "superseded": [f"{repository}@{digest}" for repository, _, digest in self.superseded],
+            "kept": self.kept,
+        }
+
+
+@dataclass
+class Pruner:
+    """Looks for what can go, and removes it.
+
+    Attributes:
+        registry: where. prefix: path of its repositories.
+        catalogue: names the repositories.
+        today: the day from which ages count. days: dated tags younger than that stay. newest: so many of each image stay in any case.
+    """
+
+    registry: Client
+    prefix: str
+    catalogue: Catalogue
+    today: date
+    days: int = 30
+    newest: int = 3
+    _read: tuple[float, Digests] | None = None
+    _looked: tuple[str, float, frozenset[str]] = ("", 0.0, frozenset())
+    _known: dict[tuple[str, str], Manifest] = field(default_factory=dict)
+    _images: set[tuple[str, str]] = field(default_factory=set)
+
+    def find(self) -> Pruning:
+        """What can go.
+
+        Raises:
+            RosmlError: the registry does not answer.
+        """
+        found = Pruning()
+        self._known.clear()
+        self._images.clear()
+        oldest = self._oldest
+        named, roots, candidates, found.records = self._book()
+        for repository in self._repositories():
+            path = self._path(repository)
+            tags = self._tags(path)
+            manifests = dict(zip(tags, self._each(partial(self._manifest, path), tags), strict=True))
+            going = {tag for tag in self._old(tags, oldest) if is_date(date_of(manifests[tag]))}
+            found.tags += sorted((repository, tag) for tag in going)
+            found.kept += len(tags) - len(going)
+            digests = {tag: manifest.digest if manifest else "" for tag, manifest in manifests.items()}
+            found.seen |= {(repository, tag): digests[tag] for tag in going}
+            keep = self._reach(path, {*roots.get(repository, ()), *(digests[tag] for tag in tags if tag not in going)})
+            found.superseded += self._superseded(repository, sorted(named.get(repository, ())))
+            found.needed.update((repository, digest) for digest in keep)
+            gone = self._reach(path, {*candidates.get(repository, ()), *(digests[tag] for tag in going)} - keep)
+            found.manifests += [(repository, digest) for digest in sorted(gone - keep)]
+        return found
+
+    def _each(self, work: Callable[[T], R], items: Iterable[T]) -> list[R]:
+        """Does some work for each of several things, side by side."""
+        with ThreadPoolExecutor(READERS) as pool:
+            return list(pool.map(work, items))
+
+    def _tags(self, path: str) -> list[str]:
+        """Tags of a repository, without those that stand in for the referrers API."""
+        return [tag for tag in self.registry.tags(path) if not FALLBACK.fullmatch(tag)]
+
+    def _manifest(self, path: str, reference: str) -> Manifest | None:
+        """What is behind a tag or digest. What has a digest never changes: it is asked for once."""
+        found = self._known.get((path, reference)) or self.registry.manifest(path, reference)
+        if found:
+            self._known[path, found.digest] = found
+            self._images |= {(path, item["digest"]) for item in _members(found) if item.get("mediaType") not in INDEXES}
+        return found
+
+    @property
+    def _oldest(self) -> date:
+        return self.today - timedelta(days=self.days)
+
+    def _book(self) -> tuple[Digests, Digests, Digests, list[str]]:
+        """What the ledger says: digests by repository that its entries name, those that are needed, with what kept records
+        name, those that may go; and records that are too old."""
+        book = Ledger(self.registry, self.prefix)
+        names = self.registry.tags(book.repository)
+        records = sorted(name for name in names if name.startswith(UNDO))
+        old = [name for name in records if _day(name.removeprefix(UNDO)[:8]) < self._oldest]
+        named: Digests = {}
+        candidates: Digests = {}
+        for entry in self._entries(book, [name for name in names if "." in name and not name.startswith(UNDO)]):
+            candidates.setdefault(entry.repository, set()).update(entry.superseded)
+            if entry.digest:
+                named.setdefault(entry.repository, set()).add(entry.digest)
+        roots = {repository: set(digests) for repository, digests in named.items()}
+        for name, moved in zip(records, self._each(partial(read_moves, book), records), strict=True):
+            for move in moved:  # a record that is kept must be able to bring back what it names
+                if move.old:
+                    target = candidates if name in old else roots
+                    target.setdefault(move.repository, set()).add(move.old)
+        return named, roots, candidates, old
+
+    def _roots(self, repository: str) -> set[str]:
+        """What the ledger needs of a repository, as of some seconds ago."""
+        if self._read is None or time.monotonic() > self._read[0] + LOOK_SECONDS:
+            self._read = time.monotonic(), self._book()[1]
+        return self._read[1].get(repository, set())
+
+    def _needed(self, repository: str) -> set[str]:
+        """What something leads to now, in a repository: a tag, the ledger, a record that is kept."""
+        path = self._path(repository)
+        tags = self._each(partial(self.registry.head, path), self._tags(path))
+        return self._reach(path, {*self._roots(repository), *tags})
+
+    def remove(self, found: Pruning) -> Iterator[str]:
+        """Removes it; gives a line for each thing that is gone, or cannot go. Tags first, then what they pointed at, then
+        records.
+
+        A registry that cannot delete a tag is left its manifest as well: no digest goes while a tag points at it. What
+        somebody came to need since it was found stays.
+
+        Raises:
+            RosmlError: the registry does not answer, or refuses; or it deletes nothing, with how much of what could go
+                stays.
+        """
+        steps: tuple[tuple[str, list[Any], Callable[[Pruning, Any], str]], ...] = (
+            ("tag", found.tags, self._remove_tag),
+            ("manifest", found.manifests, self._remove_manifest),
+            ("superseded artifact", found.superseded, self._remove_superseded),
+            ("record", found.records, self._remove_record),
+        )
+        left = {kind: len(items) for kind, items, _ in steps}
+        for kind, items, work in steps:
+            for item in items:
+                try:
+                    line = work(found, item)
+                except Undeletable as error:
+                    stays = listed([counted(number, name) for name, number in left.items() if number])
+                    raise RosmlError(f"{error.message}: {stays} could go, and stay", error.remedy) from None
+                left[kind] -= STAYS not in line
+                if line:
+                    yield line
+
+    def _remove_tag(self, found: Pruning, item: tuple[str, str]) -> str:
+        repository, tag = item
+        path = self._path(repository)
+        digest = self.registry.head(path, tag)
+        if not digest:  # somebody else removed it
+            return ""
+        if digest != found.seen.get(item, digest):
+            return f"{repository}:{tag}{STAYS}it has moved since"
+        try:
+            self.registry.delete(path, tag)
+        except RosmlError as error:
+            shared = [name for name in self._tags(path) if name != tag and self.registry.head(path, name) == digest]
+            if shared or (repository, digest) in found.needed or digest in self._roots(repository):
+                found.needed.update((repository, needed) for needed in self._reach(path, [digest]))
+                return f"{repository}:{tag}{STAYS}{error.message}"
+            self.registry.delete(path, digest)  # the registry knows only digests, and no other tag has this one
+            return f"{repository}:{tag} with {digest}"
+        return f"{repository}:{tag}"
+
+    def _remove_manifest(self, found: Pruning, item: tuple[str, str]) -> str:
+        """Removes a manifest and what is attached to it."""
+        repository, digest = item
+        path = self._path(repository)
+        if item in found.needed or not self.registry.head(path, digest):
+            return ""
+        if repository != self._looked[0] or time.monotonic() > self._looked[1] + LOOK_SECONDS:
+            self._read = None
+            needed = frozenset(self._needed(repository))
+            self._looked = repository, time.monotonic(), needed
+        if digest in self._looked[2]:
+            return f"{repository}@{digest}{STAYS}something leads to it again"
+        attached = [name for name in self._attached(path, digest) if name not in self._looked[2]]
+        self.registry.delete(path, digest)
+        if not self.registry.head(path, digest):  # nobody has made it anew meanwhile
+            self._each(partial(self.registry.delete, path), attached)
+            self.registry.forget(path, digest)
+        return f"{repository}@{digest}"
+
+    def _remove_superseded(self, _: Pruning, item: tuple[str, str, str]) -> str:
+        repository, subject, digest = item
+        if not self.registry.head(self._path(repository), digest):
+            return ""
+        self.registry.detach(self._path(repository), subject, digest)
+        return f"{repository}@{digest}, of {subject}"
+
+    def _remove_record(self, _: Pruning, name: str) -> str:
+        path = self._path(REPOSITORY)
+        try:
+            self.registry.delete(path, name)
+        except RosmlError:  # the registry knows only digests, and a record has its own
+            self.registry.delete(path, self.registry.head(path, name))
+        return f"{REPOSITORY}:{name}"
+
+    def _repositories(self) -> Iterable[str]:
+        return dict.fromkeys([*(facts.repository for facts in self.catalogue.matrix.frameworks.values()), PAYLOADS])
+
+    def _path(self, repository: str) -> str:
+        return repository_path(self.prefix, repository)
+
+    def _entries(self, book: Ledger, names: Iterable[str]) -> Iterator[Entry]:
+        keys = [(target, architecture) for target, _, architecture in (name.rpartition(".") for name in names)]
+        found = book.read_all(keys)
+        if lost := [key for key in keys if key not in found]:
+            # What an entry names that cannot be read might be thrown away.
+            raise RosmlError(
+                f"the ledger's entry {'.'.join(lost[0])} cannot be read: nothing can be said to be unused",
+                "publish that image again, or use the version of this program that wrote it",
+            )
+        yield from found.values()
+
+    def _old(self, tags: Iterable[str], oldest: date) -> Iterator[str]:
+        """Dated tags that are too old, but for the newest of each image."""
+        families: dict[str, list[str]] = {}
+        for tag in tags:
+            if match := DATED.search(tag):
+                families.setdefault(tag[: match.start()], []).append(tag)
+        for members in families.values():
+            for tag in sorted(members, reverse=True)[self.newest :]:
+                match = DATED.search(tag)
+                if match and _day(match[1]) < oldest:
+                    yield tag
+
+    def _reach(self, path: str, digests: Iterable[str]) -> set[str]:
+        """Those of some digests that are there, and the images of those that are indexes."""
+        todo, found = {digest for digest in digests if digest}, set[str]()
+        while todo:
+            # An image is there if an index names it: a registry takes no index without its images.
+            found |= {digest for digest in todo if (path, digest) in self._images}
+            manifests = [item for item in self._each(partial(self._manifest, path), todo - found) if item]
+            found |= {manifest.digest for manifest in manifests}
+            todo = {item["digest"] for manifest in manifests for item in _members(manifest)} - found
+        return found
+
+    def _attached(self, path: str, digest: str) -> list[str]:
+        """What is attached to a manifest, and to that; what is attached last comes first."""
+        todo, found = [digest], list[str]()
+        while todo:
+            below = [item["digest"] for item in self.registry.referrers(path, todo.pop(0))]
+            todo += [item for item in below if item not in found]
+            found += [item for item in below if item not in found]
+        return found[::-1]
+
+    def _superseded(self, repository: str, subjects: list[str]) -> Iterator[tuple[str, str, str]]:
+        """Of what is attached to what the ledger names, entries and provenance but for the newest of each: repository,
+        what it is attached to, and the artifact. What others attached is theirs."""
+        path = self._path(repository)
+        for subject, attached in zip(
+            subjects, self._each(partial(self.registry.referrers, path), subjects), strict=True
+        ):
+            kinds: dict[str, list[Mapping[str, Any]]] = {}
+            for item in attached:
+                kinds.setdefault(MARKS.get(str(item.get("artifactType")), ""), []).append(item)
+            for mark, several in kinds.items():
+                if not mark or len(several) < 2:
+                    continue
+                manifests = [self.registry.manifest(path, item["digest"]) for item in several]
+                ours = [item for item in manifests if item and mark in (item.content.get("annotations") or {})]
+                yield from ((repository, subject, item.digest) for item in sorted(ours, key=order)[:-1])
+
+
+def _members(manifest: Manifest) -> list[dict[str, Any]]:
+    """What an index says of its images; nothing for what is none."""
+    return manifest.content.get("manifests") or []
+
+
+def _day(text: str) -> date:
+    """`20261122` as a day; one that is never too old where it is none."""
+    try:
+        return date(int(text[:4]), int(text[4:6]), int(text[6:8]))
+    except ValueError:
+        return date.max

@@ -1,0 +1,164 @@
+"""How the images of a matrix stand: published, stale, failed, not there yet, or not to be had; as a table and as data."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Any
+
+from rosml.base.clock import TIME, is_ahead, is_date
+from rosml.images.image_set import Image, Payload, repository_of, tags_of
+from rosml.publish.plan import ELSEWHERE, Agenda
+from rosml.records.ledger import INDEX, Entry, date_of
+from rosml.registry.protocol import Client
+from rosml.registry.repositories import repository_path
+
+STATES = {
+    "published": "green",
+    "stale": "yellow",
+    "failed": "red",
+    "missing": "default",
+    "unlocked": "dim",
+    "unbuildable": "dim",
+}
+"""Every state, with its colour: the tag points at what the matrix says now; at something older; what was made last did not
+pass; nothing was published; a lock is missing; it cannot be made on this machine."""
+
+
+@dataclass(frozen=True)
+class Standing:
+    """How an image stands.
+
+    Attributes:
+        target: bake target. state: one of STATES.
+        reason: why it is not published as it should be.
+        tag: its main tag, with the repository. digest: what that points at; empty where there is none.
+        date: of the run that made that; empty where nobody knows. age: seconds since then.
+        platforms: what the tag has.
+    """
+
+    target: str
+    state: str
+    reason: str
+    tag: str
+    digest: str
+    date: str
+    age: float | None
+    platforms: tuple[str, ...]
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {**vars(self), "platforms": list(self.platforms)}
+
+
+def standings(
+    agenda: Agenda, registry: Client, prefix: str, now: str, serving: Sequence[str] = ()
+) -> Iterator[Standing]:
+    """How every image, and payload, that is asked for stands.
+
+    Args:
+        agenda: what there is to do.
+        registry: where the tags are. prefix: path of its repositories.
+        now: the time from which ages count, as a run's date is written.
+        serving: the architectures that the registry serves; all of the matrix if empty.
+    """
+    for thing in agenda.things():
+        repository, main = repository_of(thing), tags_of(thing)[0]
+        found = registry.manifest(repository_path(prefix, repository), main)
+        date = date_of(found)
+        members = (found.content.get("manifests") or []) if found else []
+        platforms = tuple(str((item.get("platform") or {}).get("architecture", "")) for item in members)
+        made, today = _moment(date), _moment(now)
+        state, reason = _state(agenda, thing, found.digest if found else "", serving)
+        if odd := _odd(date, now):
+            reason = f"{reason}; {odd}" if reason else odd
+        yield Standing(
+            thing.target,
+            state,
+            reason,
+            f"{repository}:{main}",
+            found.digest if found else "",
+            date,
+            (today - made).total_seconds() if made and today else None,
+            platforms,
+        )
+
+
+def _state(agenda: Agenda, thing: Image | Payload, tagged: str, serving: Sequence[str]) -> tuple[str, str]:
+    members = [key for key in agenda.members(thing) if not serving or key[1] in serving]
+    index = agenda.known.get((thing.target, INDEX))
+    still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
+    if isinstance(thing, Image) and thing.unlocked and not tagged:
+        return "unlocked", f"{len(thing.unlocked)} of its locks are missing"
+    entries = [entry for key in members if (entry := agenda.known.get(key))]
+    failures = [f"{e.architecture}: {_reason(e)}" for e in entries if e.failed and not _over(agenda, e)]
+    if failures:
+        return "failed", "; ".join(failures)
+    why = [f"{key[1]}: {_first(agenda, key)}" for key in members if _first(agenda, key)]
+    if index and index.failed and all(item.endswith(ELSEWHERE) for item in why):
+        return "failed", _reason(index)
+    if tagged:
+        if index and index.digest == tagged and not why:
+            return "published", ""
+        if index and index.digest == tagged and all(item.endswith(ELSEWHERE) for item in why):
+            return "published", "; ".join(why)
+        return "stale", "; ".join(why) or still
+    hindered = [agenda.task(agenda.by_key[key]).hindered for key in members]
+    if all(hindered) and any(reason.startswith("unbuildable") for reason in hindered):
+        return "unbuildable", next(reason for reason in hindered if reason.startswith("unbuildable"))
+    return "missing", "; ".join(why) or still
+
+
+def _odd(date: str, now: str) -> str:
+    """What is wrong with the date of what a tag points at; empty where nothing is."""
+    if date and not is_date(date):
+        return f"its date is none: {date[:40]!r}"
+    return f"its date {date} is in the future" if date and is_ahead(date, now) else ""
+
+
+def _over(agenda: Agenda, entry: Entry) -> bool:
+    """Whether a failure is of the past: what failed is as it should be, since the change that broke it was taken back."""
+    item = agenda.by_key[entry.target, entry.architecture]
+    return agenda.made(item.key) and (item.kind == "payload" or agenda.passed(item, entry))
+
+
+def _reason(entry: Entry) -> str:
+    """Why something failed, on one line."""
+    return next(iter(entry.failed.get("reason", "").splitlines()), "nobody knows why")
+
+
+def _first(agenda: Agenda, key: tuple[str, str]) -> str:
+    """Why an item is not as it should be; the first reason."""
+    task = agenda.task(agenda.by_key[key])
+    if task.hindered and key not in agenda.known:
+        return task.hindered
+    if task.hindered and agenda.made(key):  # what cannot be made here is there as it should be
+        return ""
+    return task.why[0] if task.why else task.hindered
+
+
+def _moment(text: str) -> datetime | None:
+    """A run's date; None where it is none: anybody may write an annotation."""
+    try:
+        return datetime.strptime(text, TIME)
+    except ValueError:
+        return None
+
+
+def age(seconds: float | None) -> str:
+    """For people: `3 d`, `5 h`, `2 min`."""
+    if seconds is None:
+        return ""
+    for unit, size in (("d", 86400), ("h", 3600), ("min", 60)):
+        if seconds >= size:
+            return f"{int(seconds // size)} {unit}"
+    return f"{max(0, int(seconds))} s"
+
+
+def as_json(found: list[Standing]) -> str:
+    """All of it, and how many there are of each state."""
+    counts = Counter(item.state for item in found)
+    return json.dumps({"counts": dict(counts), "images": [item.to_json() for item in found]}, indent=2)

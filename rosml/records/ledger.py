@@ -1,0 +1,301 @@
+"""What the publisher knows of an image on one architecture, kept in the registry: any machine can carry on.
+
+One artifact for each image and architecture in the repository `ledger`, under the tag `<target>.<architecture>`. What a
+plan needs stands in its annotation, so that one request reads it; the inputs by name, which say why an image is to be
+built anew, are its layer. Of each tag the present artifact alone is kept. The same is attached to the image itself when it
+is promoted, for whoever has only that; a run that finds the repository `ledger` empty carries on from there.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any, ClassVar
+
+from pydantic import ConfigDict, TypeAdapter, ValidationError
+
+from rosml.base.errors import RosmlError
+from rosml.registry import oci
+from rosml.registry.protocol import Client
+from rosml.registry.repositories import repository_path
+
+INPUTS = "io.rosml.inputs"
+
+DATE = "io.rosml.date"
+
+
+ARTIFACT = "application/vnd.rosml.ledger.v1+json"
+ANNOTATION = "io.rosml.ledger"
+LAYER = "application/json"
+REPOSITORY = "ledger"
+
+INDEX = "index"
+"""Stands for an architecture in the entry of an image's index."""
+
+FACTS = "io.rosml.ledger.facts"
+"""The annotation of an entry that is attached to its image: a digest of what lasts of it."""
+
+CREATED = "org.opencontainers.image.created"
+"""The annotation with the time by which the newest of several artifacts is known."""
+
+PASSING = ("seconds", "date", "changed", "held", "failed", "superseded", "attached", "signed", "scan")
+"""What an entry says of a run, and not of the image: it alone is no reason to attach the entry anew. Of the scan, its
+outcome and policy last; the database is another one every night."""
+
+READERS = 16
+"""How many entries are read at a time: the registry answers one in some milliseconds."""
+
+READS = 3
+"""How often an entry is asked for that is there, and was not found."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """An image, or payload, on one architecture.
+
+    Attributes:
+        target: bake target. architecture: under BuildKit's name.
+        inputs: digest of what it is made from; empty where nothing was made yet.
+        upstream: of when the packages are that it was built from; empty where no repository decides.
+        repository: without the registry's prefix. digest: of the image manifest; empty where nothing was made yet.
+        parts: of an image that was put together, the digests of its parts by target.
+        size: bytes of its layers, compressed. unpacked: bytes of its root file system; 0 where nobody counted.
+        tested: digest of the tests that ran, empty before. passed: how many passed. failures: those that did not.
+        scanned: outcome of the scan, empty before. scan: what it found by severity, the database's date, the policy's digest.
+        versions: what was found inside the image.
+        seconds: wall time by step.
+        date: of the run that made it. changed: of the run that wrote this.
+        held: of an index, when its tags were moved back; it gets none any more.
+        failed: the step that failed last, and why; empty where none did.
+        superseded: digests that were in its place and may still be in the registry.
+        attached: of an index, what lasts of the entries that are attached to it and its images, by architecture.
+        signed: of an index, when it was signed, by whose signature.
+    """
+
+    __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
+
+    target: str
+    architecture: str
+    inputs: str = ""
+    upstream: str = ""
+    repository: str = ""
+    digest: str = ""
+    parts: Mapping[str, str] = field(default_factory=dict)
+    size: int = 0
+    unpacked: int = 0
+    tested: str = ""
+    passed: int = 0
+    failures: tuple[str, ...] = ()
+    scanned: str = ""
+    scan: Mapping[str, Any] = field(default_factory=dict)
+    versions: Mapping[str, str] = field(default_factory=dict)
+    seconds: Mapping[str, float] = field(default_factory=dict)
+    date: str = ""
+    changed: str = ""
+    held: str = ""
+    failed: Mapping[str, str] = field(default_factory=dict)
+    superseded: tuple[str, ...] = ()
+    attached: Mapping[str, str] = field(default_factory=dict)
+    signed: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def tag(self) -> str:
+        """Its tag in the repository of the ledger."""
+        return tag(self.target, self.architecture)
+
+    def made(self, digest: str, **facts: Any) -> Entry:
+        """The entry after something was made in its place. What was found out about the same digest before holds on."""
+        if digest == self.digest:
+            return replace(self, failed={}, **facts)
+        old = (*self.superseded, *((self.digest,) if self.digest else ()))
+        fresh = Entry(self.target, self.architecture, digest=digest, superseded=tuple(x for x in old if x != digest))
+        return replace(fresh, **facts)
+
+    def to_json(self) -> dict[str, Any]:
+        """As plain data, without what is empty."""
+        return {name: value for name, value in asdict(self).items() if value}
+
+    @property
+    def facts(self) -> str:
+        """A digest of what lasts of it: the same as long as only runs go by."""
+        lasting = {name: value for name, value in self.to_json().items() if name not in PASSING}
+        lasting["policy"] = self.scan.get("policy", "")
+        return hashlib.sha256(json.dumps(lasting, sort_keys=True).encode()).hexdigest()
+
+
+def tag(target: str, architecture: str) -> str:
+    """The tag of an entry."""
+    return f"{target}.{architecture}"
+
+
+def parse(content: Any) -> Entry | None:
+    """An entry of its plain data; None where that is no entry, or of a later version of this program."""
+    try:
+        return _ADAPTER.validate_python(content)
+    except ValidationError:
+        return None
+
+
+_ADAPTER = TypeAdapter(Entry)
+
+
+def order(manifest: oci.Manifest) -> tuple[str, str]:
+    """By which artifacts that are attached to the same image are sorted: the newest is the largest."""
+    return str((manifest.content.get("annotations") or {}).get(CREATED, "")), manifest.digest
+
+
+class Ledger:
+    """The entries of a registry.
+
+    Args:
+        registry: where they are.
+        prefix: path of the repositories, such as `rosml`.
+    """
+
+    def __init__(self, registry: Client, prefix: str) -> None:
+        self.registry = registry
+        self.prefix = prefix
+        self.repository = self.path(REPOSITORY)
+
+    def path(self, repository: str) -> str:
+        """Path of a repository in the registry."""
+        return repository_path(self.prefix, repository)
+
+    def read(self, target: str, architecture: str) -> Entry | None:
+        """The entry of an image on an architecture; None where there is none, or none that can be read."""
+        found = self._present(target, architecture)
+        if found is None:
+            return None
+        try:
+            entry = parse(json.loads(found.content["annotations"][ANNOTATION]))
+        except (KeyError, TypeError, ValueError, RecursionError):
+            return None
+        return entry if entry and (entry.target, entry.architecture) == (target, architecture) else None
+
+    def read_all(self, wanted: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Entry]:
+        """Entries by target and architecture; those that are not there are left out."""
+        keys = list(wanted)
+        with ThreadPoolExecutor(READERS) as pool:
+            found = pool.map(lambda key: self.read(*key), keys)
+            return {key: entry for key, entry in zip(keys, found, strict=True) if entry}
+
+    def inputs(self, target: str, architecture: str) -> dict[str, str]:
+        """The inputs by name of what an entry is about; empty where they are not known."""
+        found = self._present(target, architecture)
+        if found is None:
+            return {}
+        try:
+            (layer,) = found.content["layers"]
+            content = json.loads(self.registry.blob(self.repository, layer["digest"]))["inputs"]
+            return {str(name): str(value) for name, value in content.items()}
+        except (AttributeError, KeyError, TypeError, ValueError, RosmlError):
+            return {}
+
+    def _present(self, target: str, architecture: str) -> oci.Manifest | None:
+        """The manifest of an entry. A registry that is asked for a tag looks up its manifest, and then that: it may be
+        removed in between, by another run that has put one in its place."""
+        for _ in range(READS):
+            found = self.registry.manifest(self.repository, tag(target, architecture))
+            if found or not self.registry.head(self.repository, tag(target, architecture)):
+                return found
+        return None
+
+    def write(self, entry: Entry, inputs: Mapping[str, str] | None = None) -> str:
+        """Writes an entry in the place of the one before; gives its manifest's digest.
+
+        Args:
+            entry: the facts.
+            inputs: by name; those that were written before if left out.
+        """
+        if inputs is None:
+            inputs = self.inputs(entry.target, entry.architecture)
+        text = json.dumps(entry.to_json(), sort_keys=True)
+        data = json.dumps({**entry.to_json(), "inputs": dict(inputs)}, sort_keys=True).encode()
+        return self.artifact(entry.tag, data, {ANNOTATION: text})
+
+    def attach(self, entry: Entry, inputs: Mapping[str, str]) -> str:
+        """Attaches an entry to the image, or index, that it is about, unless the same is attached already.
+
+        Returns:
+            Digest of the artifact; empty where nothing was to be done.
+
+        Raises:
+            RosmlError: the image is not there; the registry does not answer or refuses.
+        """
+        place = self.path(entry.repository)
+        subject = self.registry.manifest(place, entry.digest)
+        if subject is None:
+            raise RosmlError(f"{place}@{entry.digest} is not in the registry any more", "publish it again")
+        newest = next(self._attached(place, entry.digest), None)
+        if newest and newest.content["annotations"][FACTS] == entry.facts:
+            return ""
+        annotations = {FACTS: entry.facts, CREATED: entry.changed}
+        data = json.dumps({"entry": entry.to_json(), "inputs": dict(inputs)}, sort_keys=True).encode()
+        return self.registry.attach(place, subject.descriptor, ARTIFACT, data, LAYER, annotations)
+
+    def attached(self, repository: str, digest: str) -> tuple[Entry, dict[str, str]] | None:
+        """The newest entry that is attached to an image, or index, with the inputs by name; None where there is none that
+        can be read and is about that image.
+
+        Args:
+            repository: without the registry's prefix. digest: of the manifest or index.
+        """
+        for found in self._attached(self.path(repository), digest):
+            try:
+                (layer,) = found.content["layers"]
+                content = json.loads(self.registry.blob(self.path(repository), layer["digest"]))
+                inputs = {str(name): str(value) for name, value in content["inputs"].items()}
+                entry = parse(content["entry"])
+            except (AttributeError, KeyError, TypeError, ValueError, RecursionError, RosmlError):
+                continue
+            if entry and (entry.repository, entry.digest) == (repository, digest):
+                return entry, inputs
+        return None
+
+    def _attached(self, place: str, digest: str) -> Iterator[oci.Manifest]:
+        """The manifests of the entries that are attached to an image, the newest first."""
+        found = [
+            manifest
+            for item in self.registry.referrers(place, digest, ARTIFACT)
+            if (manifest := self.registry.manifest(place, item["digest"]))
+            and FACTS in (manifest.content.get("annotations") or {})
+        ]
+        yield from sorted(found, key=order, reverse=True)
+
+    def artifact(self, name: str, data: bytes, annotations: Mapping[str, str]) -> str:
+        """Puts an artifact with one layer of JSON under a tag of the ledger, in the place of the one before.
+
+        That one is removed where the registry can: nobody would find it any more. Its blobs are the registry's to collect.
+        """
+        before = self.registry.head(self.repository, name)
+        for blob in (oci.EMPTY_BLOB, data):
+            self.registry.put_blob(self.repository, blob)
+        content = oci.artifact(ARTIFACT, data, LAYER, annotations)
+        digest = self.registry.put_manifest(self.repository, name, content, oci.IMAGE)
+        if before not in ("", digest):
+            self._discard(name, before)
+        return digest
+
+    def _discard(self, name: str, before: str) -> None:
+        """Removes what a tag pointed at before; not where somebody else moved the tag back to it, who would lose that.
+
+        An artifact is written by now, whatever becomes of the one before.
+        """
+        with suppress(RosmlError):
+            if self.registry.head(self.repository, name) != before:
+                self.registry.discard(self.repository, before)
+
+
+def date_of(manifest: Any) -> str:
+    """What an index says of the date of the run that made it: anybody may write anything there. Empty where it says none."""
+    return str(annotations_of(manifest).get(DATE, ""))
+
+
+def annotations_of(manifest: Any) -> dict[str, Any]:
+    """The annotations of a manifest, whatever it has in their place; none of one that is not there."""
+    found = manifest.content.get("annotations") if manifest else None
+    return found if isinstance(found, dict) else {}

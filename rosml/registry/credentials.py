@@ -1,0 +1,168 @@
+"""Who the user is to a registry, as Docker knows it: a variable, its config file, and its credential helpers."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+import os
+import subprocess
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rosml.base.errors import RosmlError
+
+DOCKER_HUB = "docker.io"
+DOCKER_HUB_KEY = "https://index.docker.io/v1/"
+"""What Docker calls its own registry in the config file."""
+
+HELPER_SECONDS = 30.0
+"""A credential helper may ask a keychain, or a cloud."""
+
+VARIABLE = "DOCKER_AUTH_CONFIG"
+"""Holds what the config file has under `auths`: for jobs in CI. buildx and regctl read it as well."""
+
+TOKEN_USER = "<token>"
+"""What a helper calls the user where the secret is an identity token."""
+
+
+@dataclass(frozen=True)
+class Credentials:
+    """A user's name and password, or an identity token. Nothing prints them.
+
+    Attributes:
+        username, password: for Basic, and to ask for a Bearer token.
+        identity_token: what a Bearer token is asked for with instead; empty if there is none.
+    """
+
+    username: str = field(default="", repr=False)
+    password: str = field(default="", repr=False)
+    identity_token: str = field(default="", repr=False)
+
+
+def folder() -> Path | None:
+    """The folder of Docker's config file; None for a user without a name, in a container: nobody logged in."""
+    if named := os.environ.get("DOCKER_CONFIG"):
+        return Path(named)
+    try:
+        return Path.home() / ".docker"
+    except RuntimeError:
+        return None
+
+
+def from_docker(host: str) -> Credentials | None:
+    """The credentials of a registry as Docker has them; None if there are none.
+
+    As Docker does: the variable DOCKER_AUTH_CONFIG first, then a helper of that registry, then the helper for all, then
+    the config file itself.
+
+    Raises:
+        RosmlError: the variable or the file is damaged, or a helper cannot be run.
+    """
+    names = (DOCKER_HUB_KEY, DOCKER_HUB) if host == DOCKER_HUB else (host,)
+    if found := _from_variable(names):
+        return found
+    place = folder()
+    if place is None:
+        return None
+    file = place / "config.json"
+    config = _read(file)
+    helpers = config.get("credHelpers")
+    if isinstance(helpers, dict):
+        for name in names:
+            if helpers.get(name):
+                return _helper(str(helpers[name]), name)
+    if config.get("credsStore"):
+        for name in names:
+            if found := _helper(str(config["credsStore"]), name):
+                return found
+    return _of(config.get("auths"), names, str(file))
+
+
+def _from_variable(names: tuple[str, ...]) -> Credentials | None:
+    """Those of a registry in DOCKER_AUTH_CONFIG. Nothing of its text is shown."""
+    text = os.environ.get(VARIABLE, "")
+    if not text:
+        return None
+    try:
+        content = json.loads(text)
+    except (ValueError, RecursionError):
+        content = None
+    if not isinstance(content, dict):
+        remedy = f'let it hold {{"auths": {{"{names[-1]}": {{"auth": …}}}}}}, or unset it'
+        raise RosmlError(f"{VARIABLE} is no JSON object", remedy, exit_code=2)
+    return _of(content.get("auths"), names, VARIABLE)
+
+
+def _of(auths: Any, names: tuple[str, ...], place: str) -> Credentials | None:
+    if not isinstance(auths, dict):
+        return None
+    wanted = {_bare(name) for name in names}
+    entry = next((entry for name, entry in auths.items() if _bare(name) in wanted), None)
+    return _entry(entry, place, names[-1]) if isinstance(entry, dict) else None
+
+
+def _read(file: Path) -> dict[str, Any]:
+    try:
+        config = json.loads(file.read_bytes())
+    except FileNotFoundError:
+        return {}
+    except OSError as error:
+        raise RosmlError(f"cannot read {file}: {error.strerror}", "make it readable, or set DOCKER_CONFIG") from None
+    except ValueError:
+        config = None
+    if not isinstance(config, dict):
+        raise RosmlError(f"{file} is no JSON object", "mend it, or log in again: docker login") from None
+    return config
+
+
+def _bare(name: str) -> str:
+    """A registry as a key of `auths`, without scheme and path: old versions of Docker wrote both."""
+    return name.partition("://")[2].partition("/")[0] if "://" in name else name.partition("/")[0]
+
+
+def _entry(entry: Mapping[str, Any], place: str, host: str) -> Credentials | None:
+    if token := entry.get("identitytoken"):
+        return Credentials(identity_token=str(token))
+    if auth := entry.get("auth"):
+        try:
+            username, colon, password = base64.b64decode(str(auth), validate=True).decode().partition(":")
+        except (binascii.Error, UnicodeDecodeError):
+            colon = ""
+        if not colon:
+            raise RosmlError(f"{place}: what it has for {host} cannot be read", f"docker login {host}")
+        return Credentials(username, password.rstrip("\0"))
+    if entry.get("username"):
+        return Credentials(str(entry["username"]), str(entry.get("password", "")))
+    return None
+
+
+def _helper(name: str, server: str) -> Credentials | None:
+    """Asks a credential helper. One that fails has none: that is how they say so."""
+    program = f"docker-credential-{name}"
+    try:
+        done = subprocess.run(
+            [program, "get"],
+            input=server,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+            errors="replace",  # or the error would have its text, which may hold the secret
+            timeout=HELPER_SECONDS,
+            check=False,
+        )
+    except (OSError, ValueError, subprocess.TimeoutExpired) as error:
+        slow = f"no answer within {HELPER_SECONDS:.0f} s"
+        reason = getattr(error, "strerror", None) or (str(error) if isinstance(error, ValueError) else slow)
+        remedy = f"install it, or take it out of Docker's config file and log in again: docker login {server}"
+        raise RosmlError(f"{program}, which Docker's config file names for {server}: {reason}", remedy) from None
+    if done.returncode != 0:
+        return None
+    try:
+        answer = json.loads(done.stdout)
+        username, secret = str(answer["Username"]), str(answer["Secret"])
+    except (KeyError, TypeError, ValueError):  # its text may hold the secret: it is not shown
+        raise RosmlError(f"{program} does not answer as credential helpers do", f"docker login {server}") from None
+    return Credentials(identity_token=secret) if username == TOKEN_USER else Credentials(username, secret)

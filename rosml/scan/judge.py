@@ -1,0 +1,465 @@
+"""Scans images for known vulnerabilities, part by part, and judges what is found by the policy.
+
+An image is a ROS image and payloads. Each part is read once in its life, to write its SBOM, which is kept in the
+registry beside it; each night every SBOM is held against one state of the database, once, however many images have that
+part. So hundreds of images cost some dozens of scans of small files, and no layer is pulled a second time.
+
+Three outcomes are kept apart: the image is clean, the policy stops it, or the scanner failed and nothing is known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from datetime import UTC, date, datetime
+from enum import StrEnum
+from typing import Any, TypeVar
+
+from rosml.base.errors import RosmlError
+from rosml.base.problems import counted, listed, some
+from rosml.scan.policy import SEVERITIES, Ignored, Rules
+from rosml.scan.sbom import Sbom, Shelf
+from rosml.scan.trivy import SCANNER_FAILED, Database, ScannerFailed, Trivy
+
+Known = TypeVar("Known")
+
+POLICY_FAILED = 3
+"""Exit code where the policy stops an image."""
+
+
+class Outcome(StrEnum):
+    """What a scan came to."""
+
+    CLEAN = "clean"
+    POLICY_FAILED = "policy failed"
+    SCANNER_FAILED = "scanner failed"
+
+    @property
+    def exit_code(self) -> int:
+        """0, 3 or 4."""
+        return {Outcome.CLEAN: 0, Outcome.POLICY_FAILED: POLICY_FAILED, Outcome.SCANNER_FAILED: SCANNER_FAILED}[self]
+
+
+@dataclass(frozen=True)
+class Part:
+    """A ROS image or a payload, for one platform.
+
+    Attributes:
+        name: the bake target of the ROS image, or the payload's name.
+        registry, repository, digest: where its image manifest is.
+        ros: whether it is a ROS image, which has an operating system.
+    """
+
+    name: str
+    registry: str
+    repository: str
+    digest: str
+    ros: bool
+
+    @classmethod
+    def of(cls, name: str, reference: str, ros: bool) -> Part:
+        """A part by its complete reference: registry, repository and digest."""
+        registry, _, rest = reference.partition("/")
+        repository, _, digest = rest.partition("@")
+        return cls(name, registry, repository, digest, ros)
+
+    @property
+    def reference(self) -> str:
+        """What to pull."""
+        return f"{self.registry}/{self.repository}@{self.digest}"
+
+
+@dataclass(frozen=True)
+class Image:
+    """An image for one platform.
+
+    Attributes:
+        target: its bake target, which ignore entries speak of.
+        architecture: which of its platforms this is.
+        parts: what it is the sum of: the ROS image, then its payloads.
+    """
+
+    target: str
+    architecture: str
+    parts: tuple[Part, ...]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A known vulnerability in a package of a part.
+
+    Attributes:
+        id: the advisory.
+        severity: of `policy.SEVERITIES`.
+        package, installed, fixed: the package and its versions; `fixed` is empty where no newer one mends it.
+        part: name of the part.
+        kind: of package, in trivy's words: debian, ubuntu, python-pkg.
+        title, url: what it is about, and where more is said.
+        ignored: the reason why the policy ignores it; empty where it does not.
+        fails: whether it stops the image.
+    """
+
+    id: str
+    severity: str
+    package: str
+    installed: str
+    fixed: str
+    part: str
+    kind: str = ""
+    title: str = ""
+    url: str = ""
+    ignored: str = ""
+    fails: bool = False
+
+    @property
+    def order(self) -> tuple[Any, ...]:
+        """The worst first, what can be mended before what cannot."""
+        return (SEVERITIES.index(self.severity), not self.fixed, self.part, self.package, self.id)
+
+
+@dataclass(frozen=True)
+class PartReport:
+    """What is known of a part.
+
+    Attributes:
+        packages: how many packages the scanner looked at.
+        findings: their vulnerabilities.
+        notes: what a reader should know, such as an operating system without further advisories.
+    """
+
+    packages: int
+    findings: tuple[Finding, ...]
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Scanned:
+    """What scanning an image came to.
+
+    Attributes:
+        target, architecture: the image.
+        outcome: one of three.
+        reason: why it is so, in a sentence.
+        findings: all of them, the worst first.
+        packages: how many packages were looked at.
+        parts: name and digest of each part.
+        notes: what a reader should know beside the findings.
+        matched: indexes of the policy's ignore entries that spoke of a finding.
+        database: the state of the database; none where there was none.
+    """
+
+    target: str
+    architecture: str
+    outcome: Outcome
+    reason: str
+    findings: tuple[Finding, ...] = ()
+    packages: int = 0
+    parts: Mapping[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+    matched: tuple[int, ...] = ()
+    database: Database | None = None
+
+    @property
+    def failing(self) -> tuple[Finding, ...]:
+        """What stops the image."""
+        return tuple(finding for finding in self.findings if finding.fails)
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json` and for the ledger."""
+        return {**asdict(self), "outcome": self.outcome.value, "exit_code": self.outcome.exit_code}
+
+
+@dataclass(frozen=True)
+class Run:
+    """What scanning many images came to.
+
+    Attributes:
+        images: one by one; whether an image gets its tags is its own outcome alone.
+        problems: of the policy's own entries, as `file:line:column: …`; they fail the run, and no image.
+    """
+
+    images: tuple[Scanned, ...]
+    problems: tuple[str, ...] = ()
+
+    @property
+    def outcome(self) -> Outcome:
+        """The run's: a scanner that failed counts most, because then not everything is known."""
+        found = {image.outcome for image in self.images}
+        if Outcome.SCANNER_FAILED in found:
+            return Outcome.SCANNER_FAILED
+        return Outcome.POLICY_FAILED if Outcome.POLICY_FAILED in found or self.problems else Outcome.CLEAN
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {
+            "outcome": self.outcome.value,
+            "exit_code": self.outcome.exit_code,
+            "problems": list(self.problems),
+            "images": [image.to_json() for image in self.images],
+        }
+
+
+class Scanner:
+    """Knows every part that it was asked about: shared ones are scanned once, and fail once."""
+
+    def __init__(self, trivy: Trivy, shelf: Shelf, database: Database, say: Callable[[str], None] = lambda line: None):
+        """Scans with one state of the database, from the first part to the last.
+
+        Args:
+            trivy: the program.
+            shelf: where SBOMs are kept.
+            database: the state that all parts are held against.
+            say: told what is going on, a line at a time.
+        """
+        self.trivy, self.shelf, self.database, self.say = trivy, shelf, database, say
+        self._sboms: dict[str, Sbom | ScannerFailed] = {}
+        self._reports: dict[str, PartReport | ScannerFailed] = {}
+
+    def sbom(self, part: Part) -> Sbom:
+        """What is in a part: from the registry where it is kept, else read from the part and put there.
+
+        Raises:
+            ScannerFailed: it cannot be had, or it is empty where it cannot be.
+        """
+        return _once(self._sboms, part.digest, lambda: self._sbom(part))
+
+    def report(self, part: Part) -> PartReport:
+        """What the database knows of a part.
+
+        Raises:
+            ScannerFailed: nobody knows.
+        """
+        return _once(self._reports, part.digest, lambda: self._report(part))
+
+    def _sbom(self, part: Part) -> Sbom:
+        try:
+            found = self.shelf.load(part.repository, part.digest)
+        except RosmlError as error:
+            raise _failed(f"{part.name}: the registry does not say whether there is an SBOM", error) from None
+        if found is not None:
+            found.require(part.name, part.ros)
+            return found
+        self.say(f"SBOM of {part.name}")
+        found = Sbom.of(self.trivy.sbom(part.reference), part.digest)
+        found.require(part.name, part.ros)
+        try:
+            self.shelf.store(part.repository, part.digest, found)
+        except RosmlError as error:
+            raise _failed(f"{part.name}: its SBOM cannot be kept", error) from None
+        return found
+
+    def _report(self, part: Part) -> PartReport:
+        sbom = self.sbom(part)
+        self.say(f"scan {part.name}")
+        report = self.trivy.scan(sbom.content, part.name)
+        if lacking := self.trivy.lacks(sbom.sources):
+            raise ScannerFailed(
+                f"{part.name}: the database knows nothing of {listed(lacking)}",
+                "see whether its publisher covers that system",
+            )
+        try:
+            found = part_report(report, part)
+        except (KeyError, TypeError, AttributeError, ValueError) as error:
+            raise ScannerFailed(f"{part.name}: trivy's report cannot be read: {error!r}") from None
+        if found.packages != len(sbom.packages):
+            raise ScannerFailed(
+                f"{part.name}: trivy looked at {found.packages} of {counted(len(sbom.packages), 'package')}",
+                "its operating system or a kind of package may be unknown to the pinned trivy",
+            )
+        state = self.trivy.database()
+        if state.digest != self.database.digest:
+            raise ScannerFailed(
+                "the database of vulnerabilities changed during the run", "let only one run at a time fetch it"
+            )
+        return found
+
+
+def part_report(report: Mapping[str, Any], part: Part) -> PartReport:
+    """What trivy's report says of a part.
+
+    Raises:
+        KeyError, TypeError, AttributeError, ValueError: it is no such report.
+    """
+    packages, findings, notes = 0, set(), []
+    for result in report.get("Results") or []:
+        packages += len(result.get("Packages") or [])
+        for found in result.get("Vulnerabilities") or []:
+            severity = found["Severity"].lower()
+            if severity not in SEVERITIES:
+                raise ValueError(f"severity {severity}")
+            findings.add(
+                Finding(
+                    id=found["VulnerabilityID"],
+                    severity=severity,
+                    package=found["PkgName"],
+                    installed=found["InstalledVersion"],
+                    fixed=found.get("FixedVersion", ""),
+                    part=part.name,
+                    kind=result["Type"],
+                    title=found.get("Title", ""),
+                    url=found.get("PrimaryURL", ""),
+                )
+            )
+    system = report.get("Metadata", {}).get("OS") or {}
+    if system.get("EOSL"):
+        notes.append(
+            f"{part.name}: {system['Family']} {system['Name']} gets no advisories any more: "
+            "what became known since is not among the findings"
+        )
+    if not packages:
+        notes.append(f"{part.name}: has no package that the scanner knows")
+    return PartReport(packages, tuple(sorted(findings, key=lambda finding: finding.order)), tuple(notes))
+
+
+def scan(target: str, architecture: str, parts: Sequence[Part], rules: Rules, scanner: Scanner, today: date) -> Scanned:
+    """Scans an image. Never raises because of the image: what goes wrong is its outcome.
+
+    Args:
+        target: the bake target.
+        architecture: which of its platforms.
+        parts: the ROS image, then the payloads.
+        rules: the policy.
+        scanner: with the database that the whole run uses.
+        today: the run's date, by which ignore entries expire.
+    """
+    reports, reasons = [], []
+    for part in parts:
+        try:
+            reports.append(scanner.report(part))
+        except ScannerFailed as error:
+            reasons.append(error.message)
+    expired = rules.expired(today)
+    entries = [(index, entry) for index, entry in enumerate(rules.policy.ignore) if index not in expired]
+    findings: list[Finding] = []
+    matched: set[int] = set()
+    for finding in sorted((finding for report in reports for finding in report.findings), key=lambda it: it.order):
+        covering = [(index, entry) for index, entry in entries if entry.covers(target, finding.id, finding.package)]
+        matched.update(index for index, _ in covering)
+        findings.append(_judged(finding, rules, covering[0][1] if covering else None))
+    outcome, reason = _outcome(findings, reasons, parts)
+    return Scanned(
+        target,
+        architecture,
+        outcome,
+        reason,
+        tuple(findings),
+        sum(report.packages for report in reports),
+        {part.name: part.digest for part in parts},
+        tuple(note for report in reports for note in report.notes),
+        tuple(sorted(matched)),
+        scanner.database,
+    )
+
+
+def _judged(finding: Finding, rules: Rules, entry: Ignored | None) -> Finding:
+    policy = rules.policy
+    fails = entry is None and finding.severity in policy.fail and (bool(finding.fixed) or not policy.fixable_only)
+    facts = {**asdict(finding), "ignored": entry.reason if entry else "", "fails": fails}
+    return Finding(**facts)
+
+
+def _outcome(findings: Sequence[Finding], reasons: Sequence[str], parts: Sequence[Part]) -> tuple[Outcome, str]:
+    if not parts:
+        return Outcome.SCANNER_FAILED, "no part was named: nothing was scanned"
+    if reasons:
+        return Outcome.SCANNER_FAILED, "; ".join(dict.fromkeys(reasons))
+    failing = [finding for finding in findings if finding.fails]
+    if failing:
+        names = list(dict.fromkeys(f"{finding.id} in {finding.package}" for finding in failing))
+        return Outcome.POLICY_FAILED, f"{counted(len(names), 'finding')} that the policy does not allow: {some(names)}"
+    if not findings:
+        return Outcome.CLEAN, "no findings"
+    return Outcome.CLEAN, f"{counted(len(findings), 'finding')}, none of which the policy stops"
+
+
+def scan_images(
+    images: Sequence[Image],
+    rules: Rules,
+    trivy: Trivy,
+    shelf: Shelf,
+    *,
+    now: datetime,
+    whole: bool,
+    targets: Collection[str] = (),
+    say: Callable[[str], None] = lambda line: None,
+) -> Run:
+    """Scans images with the database that is there; one that fails does not stop the others.
+
+    Args:
+        images: in the order in which they are told.
+        rules: the policy.
+        trivy: the program, with its database.
+        shelf: where SBOMs are kept.
+        now: the run's time, in UTC: by its date ignore entries expire, by it the database is too old or not.
+        whole: whether these are all images that there are, so that ignore entries that are in none of them can be told.
+        targets: of all images of the matrix, so that ignore entries that are for none of them can be told.
+        say: told what is going on, a line at a time.
+    """
+    now = now.astimezone(UTC)
+    try:
+        database = trivy.database()
+        database.require_fresh(rules.policy.database, now)
+    except ScannerFailed as error:
+        return summarise(unscanned(images, error), rules, now.date(), whole, targets)
+    scanner = Scanner(trivy, shelf, database, say)
+    found = [scan(image.target, image.architecture, image.parts, rules, scanner, now.date()) for image in images]
+    return summarise(found, rules, now.date(), whole, targets)
+
+
+def unscanned(images: Sequence[Image], error: ScannerFailed) -> list[Scanned]:
+    """What is said of images where the scanner could not even begin: it is not installed, or has no database."""
+    failed = (Outcome.SCANNER_FAILED, error.message)
+    return [Scanned(image.target, image.architecture, *failed, parts=_digests(image)) for image in images]
+
+
+def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool, targets: Collection[str] = ()) -> Run:
+    """A run of images that were scanned here or, in shards, elsewhere: with what is wrong with the policy's own entries.
+
+    Args:
+        images: all that the run scanned.
+        rules: the policy that they were judged by.
+        today: the run's date.
+        whole: whether these are all images that there are. An ignore entry is judged by them if it is for one of them: those
+            of the matrix that were never built are not among them.
+        targets: of all images of the matrix.
+    """
+    found = tuple(images)
+    expired = rules.expired(today)
+    problems = [*expired.values(), *(rules.for_nobody(targets) if targets else [])]
+    if whole:
+        matched = {index for image in found for index in image.matched}
+        judged = [
+            index
+            for index, entry in enumerate(rules.policy.ignore)
+            if index not in expired
+            and any(entry.is_for(image.target) for image in found)
+            # It may be in an image of which nothing is known.
+            and not any(image.outcome is Outcome.SCANNER_FAILED and entry.is_for(image.target) for image in found)
+        ]
+        problems += rules.unmatched(matched, judged)
+    texts = [problem.message(rules.document.name) for problem in sorted(problems, key=lambda problem: problem.line)]
+    states = {image.database.digest for image in found if image.database}
+    if len(states) > 1:
+        texts.append(f"the images were held against {len(states)} states of the database: give all shards the same one")
+    return Run(found, tuple(texts))
+
+
+def _digests(image: Image) -> dict[str, str]:
+    return {part.name: part.digest for part in image.parts}
+
+
+def _once(known: dict[str, Known | ScannerFailed], key: str, work: Callable[[], Known]) -> Known:
+    """What work gives or raises, done once for a key."""
+    if key not in known:
+        try:
+            known[key] = work()
+        except ScannerFailed as error:
+            known[key] = error
+    found = known[key]
+    if isinstance(found, ScannerFailed):
+        raise found
+    return found
+
+
+def _failed(what: str, error: RosmlError) -> ScannerFailed:
+    return ScannerFailed(f"{what}: {error.message}", error.remedy)
