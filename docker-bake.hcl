@@ -1,4 +1,4 @@
-# Generated from matrix.yaml by scripts/generate_bake.py, with rosml/graph.hcl below it: change one of them, then run
+# Generated from matrix.yaml by scripts/generate_bake.py, with rosml/bake/graph.hcl below it: change one of them, then run
 #   make generate
 #
 #   PLATFORM=linux/amd64 docker buildx bake bookworm-core   builds an image, and what it stands on, for one platform

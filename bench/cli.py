@@ -20,10 +20,10 @@ from typing import Any
 import click
 
 from bench import generator, limits, many_tags, report, second_image
+from bench.here import Here
 from bench.limits import Held
 from rosml import ROOT
 from rosml.base.errors import RosmlError
-from rosml.build.publisher import Publisher
 from rosml.images import load
 from rosml.machine.services import Services
 
@@ -52,11 +52,11 @@ def main(only_generator: bool, target: str, as_json: bool, output: str, check: b
     if only_generator and target:
         raise click.UsageError("--generator builds no image: leave --target out")
     # What cannot be built is told before all else.
-    publisher = None if only_generator else bench_publisher(target or TARGET)
+    here = None if only_generator else bench_here(target or TARGET)
     data: dict[str, Any] = {"machine": report.machine()}
     held, problems = measure_generator(data, quiet=as_json)
-    if publisher:
-        held += measure_images(publisher, target or TARGET, data, quiet=as_json)
+    if here:
+        held += measure_images(here, target or TARGET, data, quiet=as_json)
     data["limits"] = [asdict(item) for item in held]
     if not as_json:
         click.echo()
@@ -89,14 +89,14 @@ def measure_generator(data: dict[str, Any], quiet: bool) -> tuple[list[Held], li
     return generator.held(), generator.missed(real, sizes)
 
 
-def measure_images(publisher: Publisher, target: str, data: dict[str, Any], quiet: bool) -> list[Held]:
+def measure_images(here: Here, target: str, data: dict[str, Any], quiet: bool) -> list[Held]:
     """Measures a second image and many tags, and adds the numbers to the report's data; gives what has limits."""
-    found = second_image.compare(publisher, target)
+    found = second_image.compare(here, target)
     data["comparison"] = found.to_json()
     if not quiet:
         click.echo()
         second_image.print_table(found)
-    grown = many_tags.measure(publisher, publisher.catalogue.image(target).target, found)
+    grown = many_tags.measure(here, here.catalogue.image(target).target, found)
     data["growth_of_tags"] = grown.to_json()
     if not quiet:
         click.echo()
@@ -110,7 +110,7 @@ def measure_images(publisher: Publisher, target: str, data: dict[str, Any], quie
     ]
 
 
-def bench_publisher(target: str) -> Publisher:
+def bench_here(target: str) -> Here:
     """What builds in the bench's namespace of the local registry.
 
     Raises:
@@ -122,4 +122,4 @@ def bench_publisher(target: str) -> Publisher:
 
     catalogue = load.load(ROOT / "matrix.yaml", ROOT)
     second_image.require_comparable(catalogue.image(target), catalogue, ROOT)
-    return Publisher(Services.load(ROOT), catalogue, say, second_image.NAMESPACE)
+    return Here(Services.load(ROOT), catalogue, say, second_image.NAMESPACE)

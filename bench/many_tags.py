@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from bench import idle_run
+from bench.here import Here
 from bench.idle_run import IdleRun
 from bench.second_image import NAMESPACE, Comparison
 from bench.temporary import Temporary
@@ -22,7 +23,6 @@ from rosml.base.errors import RosmlError
 from rosml.base.terminal import console, show, table
 from rosml.base.units import duration, size
 from rosml.build.maker import Maker
-from rosml.build.publisher import Publisher
 from rosml.join import file_lists
 from rosml.join.composer import Composer
 from rosml.publish import plan
@@ -63,7 +63,7 @@ class Grown:
 
 
 def measure(
-    publisher: Publisher,
+    here: Here,
     target: str,
     usual: Comparison,
     sizes: Sequence[int] = TAGS,
@@ -72,32 +72,32 @@ def measure(
     """Composes images of a target's parts and removes them again.
 
     Args:
-        publisher: with the bench's own namespace. target: an image with a framework. usual: what one build of it took.
+        here: with the bench's own namespace. target: an image with a framework. usual: what one build of it took.
         sizes: numbers of tags. maker: builds the parts; with this checkout's builder if None.
 
     Raises:
         RosmlError: a build failed, or the registry does not answer.
     """
-    services, catalogue = publisher.services, publisher.catalogue
+    services, catalogue = here.services, here.catalogue
     client = oci.Registry(services.registry, ca_bundle=services.ca_bundle)
     date = now()
     place = f"{NAMESPACE}/night-{secrets.token_hex(4)}"
-    again = idle_run.measure(services, catalogue, place, date, publisher.say)
+    again = idle_run.measure(services, catalogue, place, date, here.say)
 
     found = plan.survey(services, catalogue, client, NAMESPACE, [target], date=date)
-    run = Pipeline(found, client, services.registry, NAMESPACE, publisher.say, maker=maker)
-    publisher.say(f"the parts of {target}, by digest")
+    run = Pipeline(found, client, services.registry, NAMESPACE, here.say, maker=maker)
+    here.say(f"the parts of {target}, by digest")
     run.build()
     if run.failed:
         raise RosmlError(f"a part of {target} cannot be built", "see the log that the message above names")
-    image, architecture = catalogue.image(target), publisher.architecture
+    image, architecture = catalogue.image(target), here.architecture
     ros, *payloads = (
         oci.Reference(services.registry, run.repository(item.repository), found.known[item.key].digest)
         for item in (found.by_key[need, architecture] for need in found.by_key[image.target, architecture].needs)
     )
     rows = []
     for number in sizes:
-        publisher.say(f"{number} tags, composed in the registry")
+        here.say(f"{number} tags, composed in the registry")
         with Temporary(services.registry, ca_bundle=services.ca_bundle) as temporary:
             made = _Made(temporary, secrets.token_hex(4))
             variants = [made.ros(ros, index) for index in range(number)]

@@ -20,13 +20,13 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from bench.here import Here
 from rosml.bake import bake_file, hcl
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.terminal import console, show, table
 from rosml.base.units import duration, size
-from rosml.build import publisher
-from rosml.build.publisher import Publisher, Result
+from rosml.build.maker import require_buildable
 from rosml.build.push import COMPRESSION, push_by_digest
 from rosml.images import lock_file
 from rosml.images.image_set import Catalogue, Image
@@ -189,7 +189,7 @@ def require_comparable(image: Image, catalogue: Catalogue, root: Path) -> None:
     Raises:
         RosmlError: there is no framework to compare, a lock is missing, or pip would need another index (exit code 2).
     """
-    publisher.require_buildable(image)
+    require_buildable(image, base_images.native_architecture())
     if not frameworks(image, catalogue):
         raise RosmlError(
             f"{image.target} has no framework: there is nothing to compare",
@@ -235,28 +235,26 @@ def needed_mb(catalogue: Catalogue, image: Image, built: set[str]) -> int:
     return disk.needed_mb(catalogue, image, built) + usual
 
 
-def compare(publisher: Publisher, target: str) -> Comparison:
+def compare(here: Here, target: str) -> Comparison:
     """Builds and measures both ways, and removes from the registry what it pushed.
 
     Args:
-        publisher: with a namespace of the bench's own.
+        here: with a namespace of the bench's own.
         target: an image with a framework.
 
     Raises:
         RosmlError: unknown target, nothing to compare, no room, a service is down, a build failed.
     """
-    image = publisher.catalogue.image(target)
-    services = publisher.services
-    require_comparable(image, publisher.catalogue, services.root)
+    image = here.catalogue.image(target)
+    services = here.services
+    require_comparable(image, here.catalogue, services.root)
     services.require_registry()
     services.require_builder()
-    built = disk.Built(services.state)
-    needed = needed_mb(publisher.catalogue, image, built.names())
+    needed = needed_mb(here.catalogue, image, set())
     disk.require(services.state, needed, f"{image.target} in both ways")
-    bench = _Bench(publisher, image, secrets.token_hex(6))
+    bench = _Bench(here, image, secrets.token_hex(6))
     try:
         found = bench.measure()
-        built.add([image.parent, *image.parts])
     finally:
         left = bench.clean()
     return replace(found, left=tuple(left))
@@ -276,12 +274,12 @@ class _Bench:
     """One comparison.
 
     Attributes:
-        publisher, image: what is compared.
+        here, image: what is compared.
         run: tells this comparison's steps in the builder from all others'.
         pushed: manifests that are to be removed.
     """
 
-    publisher: Publisher
+    here: Here
     image: Image
     run: str
     variables: dict[str, str] = field(default_factory=dict)
@@ -289,9 +287,9 @@ class _Bench:
 
     def measure(self) -> Comparison:
         """All builds and imports, one after the other."""
-        catalogue, image, say = self.publisher.catalogue, self.image, self.publisher.say
+        catalogue, image, say = self.here.catalogue, self.image, self.here.say
         say("base image")
-        self.variables = self.publisher.variables(image, Result(image.target))
+        self.variables = self.here.variables(image)
         self._write()
 
         say(f"{image.parent}, yesterday's and today's")
@@ -320,7 +318,7 @@ class _Bench:
             ours=replace(self._side(ours, ros), **best["ours"]),
             usual=replace(self._side(usual, ros), **best["usual"]),
             versions=versions[0],
-            packages=len(pins(image, catalogue, self.publisher.services.root)),
+            packages=len(pins(image, catalogue, self.here.services.root)),
             assembling_seconds=ours["yesterday"].progress.phases().get("assemble payloads", 0.0),
         )
 
@@ -329,13 +327,13 @@ class _Bench:
         left = []
         for reference in self.pushed:
             try:
-                regctl.delete(self.publisher.services, reference)
+                regctl.delete(self.here.services, reference)
             except RosmlError:
                 left.append(reference)
         self._prune(self._name())
-        self._prune(f"{self.publisher.prefix}/")
+        self._prune(f"{self.here.prefix}/")
         if left:
-            self.publisher.say(f"left in the registry, without a tag: {', '.join(left)}")
+            self.here.say(f"left in the registry, without a tag: {', '.join(left)}")
         return left
 
     def _name(self, *words: str) -> str:
@@ -344,11 +342,11 @@ class _Bench:
 
     @property
     def _file(self) -> Path:
-        return self.publisher.services.state / "bake" / f"bench-{self.image.target}.hcl"
+        return self.here.services.state / "bake" / f"bench-{self.image.target}.hcl"
 
     def _write(self) -> None:
         """The bake file: ours as it always is, the usual one, and what both need."""
-        catalogue, image = self.publisher.catalogue, self.image
+        catalogue, image = self.here.catalogue, self.image
         requirements = " ".join(f"--requirement /{path}" for path in locks(image, catalogue))
         dockerfiles = {
             **{self._name("ros", day): CHANGE for day in DAYS},
@@ -378,12 +376,12 @@ class _Bench:
 
     def _push(self, target: str, repository: str, ros: str) -> _Pushed:
         """Builds a target on a ROS image, or on the bake file's own, and pushes it by digest."""
-        repository = f"{self.publisher.prefix}/{repository}"
+        repository = f"{self.here.prefix}/{repository}"
         sets = [f"{target}.tags="] if target == self.image.target else []
         if ros:
             sets.append(f"{target}.contexts.ros=docker-image://{ros}")
         start = time.monotonic()
-        progress, digest = push_by_digest(self.publisher.services, self._call(target, sets), repository)
+        progress, digest = push_by_digest(self.here.services, self._call(target, sets), repository)
         seconds = time.monotonic() - start
         reference = f"{repository}@{digest}"
         self.pushed.append(reference)
@@ -396,10 +394,10 @@ class _Bench:
     def _import(self, way: str, number: int, reference: str) -> dict[str, Any]:
         """Seconds and versions of an import in a container that has just been made."""
         name = self._name(way, str(number))
-        folder = self.publisher.services.state / "bench" / way
+        folder = self.here.services.state / "bench" / way
         shutil.rmtree(folder, ignore_errors=True)
         sets = (f"{name}.contexts.image=docker-image://{reference}", f"{name}.output=type=local,dest={folder}")
-        buildx.run(self.publisher.services, self._call(name, sets))
+        buildx.run(self.here.services, self._call(name, sets))
         try:
             content = json.loads((folder / "result.json").read_text())
             return {**{key: float(content[key]) for key in INSIDE}, "versions": dict(content["versions"])}
@@ -408,7 +406,7 @@ class _Bench:
 
     def _side(self, images: dict[str, _Pushed], ros: dict[str, str]) -> Side:
         """What a way came to, from its two images."""
-        services, today, yesterday = self.publisher.services, images["today"], images["yesterday"]
+        services, today, yesterday = self.here.services, images["today"], images["yesterday"]
         there = {**regctl.stored(services, yesterday.reference), **regctl.stored(services, ros["today"])}
         pulled = {layer.digest for layer in regctl.layers(services, yesterday.reference)}
         layers = regctl.layers(services, today.reference)
@@ -424,7 +422,7 @@ class _Bench:
 
     def _prune(self, words: str) -> None:
         """Removes from the builder's cache what is described with some words: a marker, or where it was pulled from."""
-        services = self.publisher.services
+        services = self.here.services
         argv = [*services.buildx, "prune", "--force", "--all", "--filter", f"description~={words}"]
         with suppress(OSError, subprocess.TimeoutExpired):  # the builder forgets them by itself, only later
             subprocess.run(

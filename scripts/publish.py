@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds, tests and publishes images: a thin command over rosml/build/publisher.py."""
+"""Builds, tests and publishes images: the commands of a publishing run, and of what it published."""
 
 from __future__ import annotations
 
@@ -27,7 +27,6 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 
 if TYPE_CHECKING:
-    from rosml.build.publisher import Result
     from rosml.images.image_set import Catalogue
     from rosml.machine.services import Services
     from rosml.publish.pipeline import Pipeline
@@ -172,9 +171,12 @@ _OPTIONS: dict[str, Callable[[Function], Function]] = {
     help="build and test for it, such as linux/arm64; no tag moves where it is not the machine's own",
 )
 @click.option("--check", is_flag=True, help="only say whether there is such an image; needs no services")
-@_options("json")
-def image(target: str, matrix: Path, namespace: str, platform: str, check: bool, as_json: bool) -> None:
-    """Builds TARGET, runs its structure tests, and moves its tags in the local registry.
+@_options("force", "json")
+def image(target: str, matrix: Path, namespace: str, platform: str, check: bool, force: bool, as_json: bool) -> None:
+    """Builds TARGET and what it stands on, runs its structure tests, and moves its tags in the local registry.
+
+    It is a publishing run for one image: what is as it should be is not made again, and 'status' and the catalogue know
+    it afterwards.
 
     Without TARGET: the one that matrix.yaml names as its default.
 
@@ -183,52 +185,42 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
       uv run scripts/publish.py image bookworm-core-torch-cu128
       uv run scripts/publish.py image bookworm-base --json
     """
-    from rosml.build.publisher import Publisher, architecture_of, require_buildable
-    from rosml.cli.summary import text
-    from rosml.images import apt_source, explain
+    from rosml.build.maker import require_buildable
+    from rosml.cli import summary
+    from rosml.images import apt_source, explain, selection
     from rosml.images import load as loading
+    from rosml.machine import disk
     from rosml.machine.base_images import native_architecture
     from rosml.machine.services import Services
+    from rosml.publish import promote
 
     catalogue = loading.load(matrix, ROOT)
-    target = target or catalogue.matrix.default.target
     # A typo is told before anything else happens.
-    architecture = architecture_of(catalogue, platform) if platform else native_architecture()
-    image = explain.image(catalogue, target)
-    require_buildable(image, "" if architecture == native_architecture() else architecture)
-    apt_source.source(catalogue.matrix, image.distribution)
+    native = native_architecture()
+    architecture = selection.architecture_of(catalogue, platform) if platform else native
+    wanted = explain.image(catalogue, target or catalogue.matrix.default.target)
+    require_buildable(wanted, architecture)
+    apt_source.source(catalogue.matrix, wanted.distribution)
     if check:
         return
     services = Services.load(ROOT)
-    result = Publisher(services, catalogue, say, namespace, architecture).publish(target)
-    if catalogue.image(target).stack is None:  # what others are composed of
-        _list_files(services, catalogue, f"{namespace}/{catalogue.image(target).repository}", result.manifest)
-    _attach_facts(services, catalogue, namespace, result, architecture)
-    click.echo(json.dumps(result.to_json(), indent=2) if as_json else text(result))
-
-
-def _attach_facts(services: Services, catalogue: Catalogue, namespace: str, result: Result, architecture: str) -> None:
-    """Attaches what was found out about an image to it, which the catalogue shows."""
-    from rosml.bake.inputs import Inputs
-    from rosml.base.clock import now
-    from rosml.records import ledger
-    from rosml.registry import oci
-
-    entry = ledger.Entry(
-        result.target,
-        architecture,
-        inputs=Inputs(ROOT, catalogue).digest(result.target, architecture),
-        repository=catalogue.image(result.target).repository,
-        digest=result.manifest,
-        size=result.compressed,
-        unpacked=result.unpacked,
-        passed=result.passed,
-        versions=result.versions,
-        date=now(),
-        changed=now(),
+    services.require_registry()
+    services.require_builder("" if architecture == native else catalogue.matrix.architectures[architecture].platform)
+    call = Call(
+        f"{services.registry}/{namespace}", matrix, (wanted.target,), (architecture,), (architecture,), force=force
     )
-    with oci.Registry(services.registry) as client:
-        ledger.Ledger(client, namespace).attach(entry, {})
+    run = call.pipeline()
+    there = {target.removeprefix("payload-") for target, name in run.agenda.by_key if run.agenda.made((target, name))}
+    disk.require(services.state, disk.needed_mb(catalogue, wanted, there), wanted.target)
+    run.build()
+    run.compose()
+    run.test([wanted.target])
+    moves = None
+    if architecture == native and not run.failed:
+        run.index()
+        moves = promote.Promotion(run).run()
+    found = summary.of_image(run, wanted, architecture, moves)
+    click.echo(json.dumps(found.to_json(), indent=2) if as_json else found.text())
 
 
 def _list_files(services: Services, catalogue: Catalogue, repository: str, digest: str) -> None:
@@ -300,33 +292,6 @@ def payload(
         click.echo(json.dumps([done.to_json() for done in results], indent=2))
     elif markdown:
         click.echo(found.markdown(results), nl=False)
-
-
-@cli.command()
-@click.argument("one")
-@click.argument("other")
-@_options("json")
-def compare(one: str, other: str, as_json: bool) -> None:
-    """Compares the layers of two published images, and shows the first file in which they differ.
-
-    Exits with 1 if they differ. References are complete: the registry, and a tag or digest.
-
-    \b
-    Examples:
-      uv run scripts/publish.py compare localhost:5000/rosml/payload:torch-cu128-py311 ghcr.io/me/payload:torch-cu128-py311
-    """
-    from rosml.build.compare import compare as compared
-    from rosml.machine.services import Services
-
-    found = compared(Services.load(ROOT), one, other)
-    if as_json:
-        click.echo(json.dumps(found.to_json(), indent=2))
-    else:
-        for number, (left, right) in enumerate(found.layers, 1):
-            click.echo(f"layer {number}: {'same' if left == right else 'differs'}  {left or '-'}  {right or '-'}")
-        click.echo(found.difference or "all layers are the same")
-    if not found.same:
-        raise SystemExit(1)
 
 
 # ---- Publishing the matrix -------------------------------------------------------------------------------------------

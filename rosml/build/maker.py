@@ -15,13 +15,15 @@ from typing import Any, Protocol
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.build import file_list, package_state
+from rosml.base.problems import listed
+from rosml.build import file_list, package_state, structure_tests
 from rosml.build import part as parts
-from rosml.build.publisher import Publisher, Result, TestsFailed
 from rosml.build.push import push_by_digest, write_excerpt
+from rosml.build.variables import base, variables
+from rosml.images import missing
 from rosml.images.image_set import Catalogue, Image, Payload, repository_of
 from rosml.join.composer import Composer
-from rosml.machine import buildx
+from rosml.machine import base_images, buildx
 from rosml.machine.services import Services
 from rosml.matrix import names
 from rosml.registry import repositories
@@ -58,6 +60,33 @@ class Checked:
     failures: tuple[str, ...] = ()
     unpacked: int = 0
     versions: Mapping[str, str] = field(default_factory=dict)
+
+
+def require_buildable(image: Image, architecture: str) -> None:
+    """Checks, before anything is set up, that an image can be built for an architecture.
+
+    Raises:
+        RosmlError: a lock is missing, or there is no such image (exit code 2).
+    """
+    # Tags are for all platforms, and need all locks; one platform alone needs its own.
+    native = base_images.native_architecture()
+    if any(lock.split("/")[2] == architecture for lock in image.unlocked) or (
+        image.unlocked and architecture == native
+    ):
+        text = f"{image.target} cannot be built yet: {missing.reason(image)}"
+        raise RosmlError(text, missing.remedy(image), exit_code=2)
+    if architecture not in image.architectures:
+        raise RosmlError(
+            f"{image.target} exists for {listed(image.architectures)} only"
+            + (f", and this machine is {native}" if architecture == native else ""),
+            "use such a machine, or another target: make list",
+            exit_code=2,
+        )
+
+
+def turn_file(services: Services, target: str, architecture: str) -> Path:
+    """What calls in one checkout wait for that build or test an image, or build a part, for an architecture."""
+    return services.state / "turns" / f"{target}-{architecture}"
 
 
 class Maker(Protocol):
@@ -115,18 +144,16 @@ class BuildKitMaker:
     def build_part(self, part: Payload, architecture: str) -> Made:
         """Builds a part from its lock."""
         platform = self._platform(architecture)
-        base, digest = parts.push(
+        start, digest = parts.push(
             self.services, self.catalogue, part, self.say, self._reference("").rstrip("/"), [platform], self.force
         )
         self._list_files(part, digest)
-        return Made(digest, base=base.reference)
+        return Made(digest, base=start.reference)
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
         """Builds a ROS image on the one below it, as it is in the registry."""
-        publisher = self._publisher(architecture)
-        publisher.services.require_builder("" if publisher.native else self._platform(architecture))
-        variables = publisher.variables(image, Result(image.target), package_state.ros_date(moment))
-        variables["DIGESTS"] = json.dumps(parts)
+        self._require_builder(architecture)
+        given = self.variables(image, architecture, package_state.ros_date(moment)) | {"DIGESTS": json.dumps(parts)}
         sets = [f"{image.target}.tags="]
         # The first component brings the essentials, which are the operating system's own packages.
         installing = [image.target] if parts else [names.os_target(image.os), image.target]
@@ -136,11 +163,10 @@ class BuildKitMaker:
             folder = self._moment(image, moment)
             sets += [f"{target}.contexts.upstream={folder}" for target in installing]
         bake_file = write_excerpt(self.services, self.catalogue, image.target)
-        call = buildx.Bake(image.target, f"build-{image.target}-{architecture}", bake_file, tuple(sets), variables)
+        call = buildx.Bake(image.target, f"build-{image.target}-{architecture}", bake_file, tuple(sets), given)
         _, digest = push_by_digest(self.services, call, self._reference(image.repository))
         self._list_files(image, digest)
-        base = "" if parts else variables[names.os_variable(image.os)].removeprefix("docker-image://")
-        return Made(digest, parts, moment, base)
+        return Made(digest, parts, moment, "" if parts else base(image, given))
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
         """Joins an image by a manifest: no layer is read or sent that the registry has."""
@@ -156,24 +182,32 @@ class BuildKitMaker:
         A ROS image is taken by its digest. A composed one is joined in the builder from the same parts by their digests:
         its layers are theirs, and payloads that were unpacked once need not be unpacked for each image.
         """
-        publisher = self._publisher(architecture)
-        publisher.services.require_builder("" if publisher.native else self._platform(architecture))
-        result = Result(image.target, manifest=digest)
-        variables = publisher.variables(image, result)
-        manifest = self.registry.manifest(self._repository(image.repository), digest)
+        self._require_builder(architecture)
+        repository = self._repository(image.repository)
+        manifest = self.registry.manifest(repository, digest)
+        if manifest is None:
+            raise RosmlError(f"{image.target} is not in the registry any more", "run it again")
         sizes = [int(layer["size"]) for layer in manifest.content["layers"]]
-        result.payloads = sum(sizes[-len(image.parts) :]) if image.parts else 0
         if image.stack:
             self._require_same_layers(image, parts, manifest.content)
-        variables["DIGESTS"] = json.dumps(self._digests(parts) if image.stack else {image.target: digest})
+        digests = self._digests(parts) if image.stack else {image.target: digest}
+        given = self.variables(image, architecture) | {"DIGESTS": json.dumps(digests)}
         file = write_excerpt(self.services, self.catalogue, image.target, image.test_target)
-        failures: tuple[str, ...] = ()
-        try:
-            publisher.test(image, file, variables, result)
-        except TestsFailed as error:
-            failures = error.names
-            self.say(error.message)
-        return Checked(result.passed, failures, result.unpacked, result.versions)
+        place = f"{self.host}/{repository}@{digest}"
+        payloads = sum(sizes[-len(image.parts) :]) if image.parts else 0
+        report, folder = structure_tests.run(self.services, image, architecture, place, file, given, payloads)
+        failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
+        if failures:
+            self.say(
+                f"{len(failures)} of {len(report.outcomes)} structure tests of {image.target} failed; it gets no tag\n"
+                f"{report.failures()}\n  all reports: {folder}\n  the image that failed: {place}"
+            )
+        return Checked(report.passed, failures, report.unpacked, report.versions)
+
+    def variables(self, image: Image, architecture: str, moment: str = "") -> dict[str, str]:
+        """Variables of the bake file for an image; `build/variables.py` says which."""
+        prefix = self._reference("").rstrip("/")
+        return variables(self.services, self.catalogue, image, architecture, prefix, self.say, moment)
 
     @cached_property
     def _composer(self) -> Composer:
@@ -195,8 +229,10 @@ class BuildKitMaker:
     def _platform(self, architecture: str) -> str:
         return self.catalogue.matrix.architectures[architecture].platform
 
-    def _publisher(self, architecture: str) -> Publisher:
-        return Publisher(self.services, self.catalogue, self.say, self.prefix, architecture, self.host)
+    def _require_builder(self, architecture: str) -> None:
+        """Checks that the builder runs, and runs programs of an architecture."""
+        native = architecture == base_images.native_architecture()
+        self.services.require_builder("" if native else self._platform(architecture))
 
     def _list_files(self, thing: Image | Payload, digest: str) -> None:
         """Attaches the list of its files to what was pushed, for whoever joins it to others."""

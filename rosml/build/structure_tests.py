@@ -1,8 +1,10 @@
-"""Structure tests of a published image: what they are told, and what they found."""
+"""Structure tests of an image in a registry: how they run, what they are told, and what they found."""
 
 from __future__ import annotations
 
 import json
+import shutil
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -10,6 +12,8 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import Image
+from rosml.machine import base_images, buildx, regctl
+from rosml.machine.services import Services
 
 LABEL = "io.rosml."
 """Prefix of the labels that say what an image is made of."""
@@ -49,6 +53,14 @@ class Report:
     def with_outcome(self, outcome: Outcome) -> Report:
         """The report with one more test."""
         return replace(self, outcomes=(*self.outcomes, outcome))
+
+    def failures(self) -> str:
+        """Those that failed, with what they said."""
+        return "\n".join(
+            f"    {outcome.file}: {outcome.name}\n"
+            + "\n".join(f"      {line}" for line in outcome.detail.strip().splitlines())
+            for outcome in self.failed
+        )
 
     @property
     def passed(self) -> int:
@@ -136,6 +148,55 @@ def write_metadata(folder: Path, image: Image, config: Mapping[str, Any]) -> Non
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "metadata.yaml").write_text(json.dumps(metadata_test(image), indent=1))  # JSON is YAML
     (folder / "config.json").write_text(json.dumps(flat_config(config), indent=1))
+
+
+def run(
+    services: Services,
+    image: Image,
+    architecture: str,
+    reference: str,
+    bake_file: Path,
+    variables: Mapping[str, str],
+    payloads: int = 0,
+) -> tuple[Report, Path]:
+    """Runs the structure tests of an image.
+
+    Args:
+        services: the builder. image, architecture: what is tested.
+        reference: of its manifest, whose config they are told.
+        bake_file, variables: what the builder is told of it.
+        payloads: bytes of its payloads in the registry, for its budget.
+
+    Returns:
+        The report, and the folder with the reports of each file.
+
+    Raises:
+        RosmlError: they could not run, or left no report.
+    """
+    native = architecture == base_images.native_architecture()
+    folder = services.state / "tests" / (image.target if native else f"{image.target}-{architecture}")
+    metadata, reports = folder / "metadata", folder / "report"
+    shutil.rmtree(reports, ignore_errors=True)
+    write_metadata(metadata, image, regctl.image_config(services, reference, variables["PLATFORM"]))
+    # A run that failed is in the builder's cache like any other: another attempt has to be told apart.
+    attempts = folder / "failed-attempts"
+    attempt = attempts.read_text().strip() if attempts.exists() else "0"
+    if not attempt.isdecimal():  # damaged: any number that no earlier attempt had
+        attempt = str(time.time_ns())
+    name = image.test_target
+    sets = (
+        f"{name}.target=test-report",
+        f"{name}.output=type=local,dest={reports}",
+        f"{name}.contexts.metadata={metadata}",
+        f"{name}.args.TEST_ATTEMPT={attempt}",
+    )
+    buildx.run(services, buildx.Bake(name, f"test-{image.target}-{architecture}", bake_file, sets, dict(variables)))
+    report = read_report(reports, (*image.tests, "metadata"))
+    if image.budget is not None:
+        report = report.with_outcome(within_budget(image.budget, payloads))
+    if report.failed:
+        attempts.write_text(str(int(attempt) + 1))
+    return report, reports
 
 
 def read_report(folder: Path, files: tuple[str, ...]) -> Report:

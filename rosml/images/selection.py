@@ -75,3 +75,15 @@ def _example(catalogue: Catalogue, groups: Sequence[str]) -> str:
     distribution, component, framework, stack = words
     readable = len(distribution) == 1 and max(map(len, words)) == 1 and (framework or (component and not stack))
     return "-".join(name for word in words for name in word) if readable else "<distribution>-<component>-<framework>"
+
+
+def architecture_of(catalogue: Catalogue, platform: str) -> str:
+    """The architecture of a platform such as `linux/arm64`.
+
+    Raises:
+        RosmlError: the matrix has no such platform (exit code 2).
+    """
+    known = {facts.platform: name for name, facts in catalogue.matrix.architectures.items()}
+    if platform not in known:
+        raise RosmlError(unknown("platform", platform, known), f"take one of {listed(list(known))}", exit_code=2)
+    return known[platform]

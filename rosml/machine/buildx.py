@@ -111,6 +111,12 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
     return env
 
 
+def command_on_it(services: Services) -> str:
+    """What a person types to build a Dockerfile of their own with the builder that was set up."""
+    config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""
+    return f"{config}{shlex.join(services.buildx)} build --builder {services.builder} ."
+
+
 def turn_file(services: Services) -> Path:
     """What builds in one builder wait for."""
     return (services.buildx_config or services.state) / "turns" / services.builder

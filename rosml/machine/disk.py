@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 from collections.abc import Iterable, Set
 from pathlib import Path
@@ -23,7 +22,7 @@ def needed_mb(catalogue: Catalogue, image: Image, built: Iterable[str]) -> int:
     Args:
         catalogue: all that the matrix describes.
         image: what is to be built.
-        built: names of the payloads and targets that are in the builder.
+        built: names of the payloads and targets that are there already.
     """
     done = built if isinstance(built, Set) else set(built)
     total = 0
@@ -71,25 +70,3 @@ def require(path: Path, needed: int, target: str) -> None:
 def gigabytes(megabytes: int) -> str:
     """``12345`` -> ``12.3 GB``."""
     return f"{megabytes / 1000:.1f} GB"
-
-
-class Built:
-    """Remembers what the builder of this checkout holds, in `.state/built.json`; only ever used for forecasts."""
-
-    def __init__(self, state: Path) -> None:
-        self._path = state / "built.json"
-
-    def names(self) -> set[str]:
-        """Names of payloads and targets that were built; empty when nothing is known."""
-        try:
-            content = json.loads(self._path.read_text())
-        except (OSError, ValueError):
-            return set()
-        return {str(name) for name in content} if isinstance(content, list) else set()
-
-    def add(self, names: Iterable[str]) -> None:
-        """Adds names."""
-        text = json.dumps(sorted(self.names().union(names)))
-        temporary = self._path.with_suffix(".new")
-        temporary.write_text(text)
-        temporary.replace(self._path)

@@ -24,8 +24,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import some
 from rosml.build import package_state as upstreams
-from rosml.build.maker import BuildKitMaker, Made, Maker
-from rosml.build.publisher import turn_file
+from rosml.build.maker import BuildKitMaker, Made, Maker, turn_file
 from rosml.images import apt_source
 from rosml.images.image_set import Image, Payload, repository_of
 from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title

@@ -225,7 +225,7 @@ def checkout(tmp_path: Path) -> Path:
             shutil.copy(source, tmp_path / name)
     shutil.copytree(ROOT / "tests" / "structure", tmp_path / "tests" / "structure")
     (tmp_path / ".state").mkdir()
-    for name in ("services.json", "registry", "base", "regctl", "built.json"):
+    for name in ("services.json", "registry", "base", "regctl"):
         if (ROOT / ".state" / name).exists():
             (tmp_path / ".state" / name).symlink_to(ROOT / ".state" / name)
     return tmp_path

@@ -19,9 +19,8 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosml.machine import buildx
 from rosml.machine.services import Services
-from tests.e2e.conftest import Run
+from tests.e2e.conftest import Run, run
 
 START_SECONDS = 60.0
 DAEMONS = ("/usr/sbin/dockerd", "/usr/bin/dockerd", "/usr/local/bin/dockerd")
@@ -89,15 +88,13 @@ class Engine:
             os.close(master)
         return said.decode(errors="replace").replace("\r", "")
 
-    def load(self, services: Services, bake_file: Path, target: str, variables: dict[str, str], folder: Path) -> str:
-        """Builds a target into the engine; returns its name there. Debian's docker.io knows no zstd."""
-        archive = folder / f"{target}.tar"
-        name = f"rosml-contract:{target}"
-        output = (
-            f"{target}.output=type=docker,dest={archive},name={name},compression=uncompressed,force-compression=true"
-        )
-        sets = (output, f"{target}.tags=")
-        buildx.run(services, buildx.Bake(target, f"load-{target}", bake_file, sets, variables))
+    def load(self, services: Services, reference: str, name: str, folder: Path) -> str:
+        """Loads an image of the registry into the engine; returns its name there. Debian's docker.io knows no zstd."""
+        archive, name = folder / "image.tar", f"rosml-contract:{name}"
+        (folder / "Dockerfile").write_text(f"FROM {reference}\n")
+        output = f"type=docker,dest={archive},name={name},compression=uncompressed,force-compression=true"
+        built = run(*services.buildx, "build", "--output", output, str(folder), env=services.environment())
+        assert built.code == 0, built.err
         done = self.docker("load", "--input", str(archive), timeout=600.0)
         archive.unlink()
         assert done.code == 0, done.err

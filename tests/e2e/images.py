@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rosml import ROOT
 from rosml.build.push import COMPRESSION
+from rosml.images import load
 from rosml.images.image_set import Payload
 from rosml.machine import base_images, buildx, regctl
 from rosml.machine.services import Services
@@ -99,5 +100,11 @@ def push_payload(
     return [layer.digest for layer in regctl.layers(services, f"{prefix}/payload:{payload.name}")]
 
 
+def base_reference(image: Published) -> str:
+    """The operating system's image that an image starts from."""
+    system = load.load(ROOT / "matrix.yaml").matrix.operating_systems[image.image.os]
+    return base_images.ensure(image.services, system, NATIVE, print)
+
+
 def base_image(image: Published) -> str:
-    return f"docker-image://{image.result['base'].split()[0]}"
+    return f"docker-image://{base_reference(image)}"

@@ -11,13 +11,9 @@ from pathlib import Path
 
 import pytest
 
-from rosml.base.file_lock import turn
-from rosml.build import publisher as publishing
-from rosml.build import push
-from rosml.images.image_set import Catalogue
 from rosml.machine.services import Services
 from tests.e2e import engine
-from tests.e2e.conftest import NAMESPACE, Run
+from tests.e2e.conftest import Run
 from tests.e2e.images import Publish
 
 TARGET = "bookworm-core"
@@ -49,21 +45,17 @@ class Container:
 
 @pytest.fixture(scope="module")
 def loaded(
-    services: Services, catalogue: Catalogue, published: Publish, tmp_path_factory: pytest.TempPathFactory
+    services: Services, published: Publish, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Callable[[str], Container]]:
     """Loads a published image into the engine, once."""
-    publisher = publishing.Publisher(services, catalogue, print, NAMESPACE)
     done: dict[str, Container] = {}
     with engine.running() as docker:
 
         def load(target: str) -> Container:
             if target not in done:
-                published(target)
-                variables = publisher.variables(catalogue.image(target), publishing.Result(target))
+                image = published(target)
                 folder = tmp_path_factory.mktemp("load")
-                with turn(publishing.turn_file(services, target, publisher.architecture), lambda: None):
-                    bake_file = push.write_excerpt(services, catalogue, target)
-                    done[target] = Container(docker, docker.load(services, bake_file, target, variables, folder))
+                done[target] = Container(docker, docker.load(services, image.reference, target, folder))
             return done[target]
 
         yield load

@@ -19,7 +19,7 @@ from rosml.machine import regctl
 from rosml.machine.services import Services
 from tests.documented import blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, publish, run
-from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, build, push_payload
+from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, base_reference, build, push_payload
 
 OCI_SET = {"title", "description", "version", "created", "licenses", "base.name", "base.digest"}
 """What an image says of itself, and its index repeats; `source` where matrix.yaml has one. tests/e2e/mini.py has them with
@@ -79,7 +79,7 @@ def test_an_image_is_built_tested_and_published(pair: Pair, published: Publish, 
     assert structure_tests.expected_labels(image.image).items() <= config["Labels"].items()
     said = {name: text for name, text in config["Labels"].items() if name.startswith(OCI)}
     assert {name.removeprefix(OCI) for name in said} - {"source"} == OCI_SET
-    assert index["annotations"] == said
+    assert said.items() <= index["annotations"].items()
     assert config["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
 
 
@@ -100,7 +100,8 @@ def test_a_second_call_changes_nothing(pair: Pair, published: Publish) -> None:
     assert again.code == 0, again.err
     assert f'"digest": "{first.result["digest"]}"' in again.out
     assert '"moved": []' in again.out
-    assert "structure tests (same image, same tests)" in again.out
+    assert '"made": []' in again.out
+    assert '"seconds": {}' in again.out, "nothing was tested once more"
 
 
 def test_a_second_image_with_the_same_payload_costs_next_to_nothing(pair: Pair, published: Publish) -> None:
@@ -109,7 +110,7 @@ def test_a_second_image_with_the_same_payload_costs_next_to_nothing(pair: Pair, 
     assert payload_layers(second) == payload_layers(first)
     assert set(second.layers) - set(payload_layers(second)) != set(first.layers) - set(payload_layers(first))
     assert second.result["uploaded"] < SECOND_IMAGE_BYTES
-    assert "assemble payloads" not in second.result["work"]
+    assert not [target for target in second.result["made"] if target.startswith("payload-")]
 
 
 def test_nothing_runs_after_the_join(pair: Pair, published: Publish) -> None:
@@ -135,7 +136,7 @@ def test_payloads_are_added_to_an_image_of_ones_own(
     copies = [f"COPY --link --from={services.registry}/{NAMESPACE}/payload:{name} / /" for name in image.image.parts]
     (tmp_path / "Dockerfile").write_text(
         textwrap.dedent(f"""\
-            FROM {image.result["base"].split()[0]}
+            FROM {base_reference(image)}
             RUN --mount=type=bind,source=network.sh,target=/network.sh --mount=type=secret,id=ca-bundle \\
                 bash -c '. /network.sh && apt-get update && {install}'
         """)
@@ -157,7 +158,9 @@ def test_the_committed_bake_file_works_by_itself(services: Services, published: 
         "CA_BUNDLE": services.ca_bundle,
         "PLATFORM": PLATFORM,
     }
-    outcome = run(*arguments, "bookworm-core-test", env=env)
+    # Of when packages are, which the publisher tells the builder: so that what it built is taken from the cache.
+    moment = ("--set", f"*.contexts.upstream={services.state / 'upstream/bookworm'}")
+    outcome = run(*arguments, *moment, "bookworm-core-test", env=env)
     assert outcome.code == 0, outcome.err
 
 

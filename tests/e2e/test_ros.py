@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.build import publisher as publishing
 from rosml.build import push, structure_tests
+from rosml.build.variables import variables
 from rosml.images.image_set import Catalogue
 from rosml.machine import base_images, buildx, regctl
 from rosml.machine.services import Services
 from tests.e2e.conftest import LOG, NAMESPACE
-from tests.e2e.images import Publish, build, build_on
+from tests.e2e.images import NATIVE, Publish, build, build_on
 
 
 @pytest.mark.full(proof="rebuild")
@@ -25,11 +25,11 @@ def test_the_same_packages_give_the_same_layers(
 ) -> None:
     """Another build without any cache: every layer of every component, from the base image on."""
     image = published(target)
-    publisher = publishing.Publisher(services, catalogue, print, NAMESPACE)
-    variables = publisher.variables(image.image, publishing.Result(target))
+    prefix = f"{services.registry}/{NAMESPACE}"
+    given = variables(services, catalogue, image.image, NATIVE, prefix, print)
     bake_file = push.write_excerpt(services, catalogue, target)
-    call = buildx.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), variables)
-    repository = f"{services.registry}/{NAMESPACE}/again"
+    call = buildx.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), given)
+    repository = f"{prefix}/again"
     _, manifest = push.push_by_digest(services, call, repository)
     assert [layer.digest for layer in regctl.layers(services, f"{repository}@{manifest}")] == image.layers
     assert manifest == image.result["manifest"]

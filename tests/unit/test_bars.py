@@ -15,8 +15,8 @@ from rosml.base import progress_bar
 
 CODE = """
 import sys, time, click
-from rosml import bars
-for number in bars.over(iter(range(3)), "locks", 3):
+from rosml.base import progress_bar
+for number in progress_bar.over(iter(range(3)), "locks", 3):
     click.echo(f"line {number}", err=True)
     time.sleep(0.25)
     if sys.argv[1:] == [str(number)]:

@@ -12,11 +12,11 @@ from registry_stand_in import StandIn, standing_in
 from stubs import services
 
 from bench import idle_run, many_tags
+from bench.here import Here
 from bench.second_image import NAMESPACE, Comparison, Side
 from rosml.base.errors import RosmlError
 from rosml.build import package_state
 from rosml.build.maker import Checked, Made, Maker
-from rosml.build.publisher import Publisher
 from rosml.images.image_set import Catalogue, Image, Payload, repository_of
 from rosml.machine import base_images
 from rosml.registry import oci
@@ -56,10 +56,10 @@ class Builder(Maker):
         raise AssertionError("the bench tests no image")
 
 
-def measured(publisher: Publisher) -> many_tags.Grown:
+def measured(here: Here) -> many_tags.Grown:
     """What `make bench` measures, with few tags."""
-    maker = Builder(oci.Registry(publisher.services.registry))
-    return many_tags.measure(publisher, TARGET, USUAL, (2, 3), maker)
+    maker = Builder(oci.Registry(here.services.registry))
+    return many_tags.measure(here, TARGET, USUAL, (2, 3), maker)
 
 
 @pytest.fixture
@@ -69,11 +69,11 @@ def registry() -> Iterator[StandIn]:
 
 
 @pytest.fixture
-def publisher(registry: StandIn, catalogue: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
+def here(registry: StandIn, catalogue: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Here:
     monkeypatch.setattr(package_state, "state", lambda *_: "monday")
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     found = services(tmp_path / "project", registry.address)
-    return Publisher(found, catalogue, lambda _: None, NAMESPACE, "amd64")
+    return Here(found, catalogue, lambda _: None, NAMESPACE, "amd64")
 
 
 def left(registry: StandIn, *words: str) -> Mapping[str, object]:
@@ -83,8 +83,8 @@ def left(registry: StandIn, *words: str) -> Mapping[str, object]:
     return {"manifests": manifests, "tags": tags} if manifests or tags else {}
 
 
-def test_tags_are_composed_counted_and_removed(publisher: Publisher, registry: StandIn) -> None:
-    found = measured(publisher)
+def test_tags_are_composed_counted_and_removed(here: Here, registry: StandIn) -> None:
+    found = measured(here)
     assert [row.tags for row in found.rows] == [2, 3]
     for row in found.rows:
         assert row.seconds > 0 and 500 < row.uploaded / row.tags < 10_000
@@ -94,24 +94,24 @@ def test_tags_are_composed_counted_and_removed(publisher: Publisher, registry: S
     assert left(registry, "growth-", "night-") == {}
 
 
-def test_what_fails_leaves_nothing_behind_either(publisher: Publisher, registry: StandIn) -> None:
+def test_what_fails_leaves_nothing_behind_either(here: Here, registry: StandIn) -> None:
     registry.fault("PUT", r"/v2/bench/growth-\w+/manifests/1$", 403)
     with pytest.raises(RosmlError, match="403"):
-        measured(publisher)
+        measured(here)
     assert registry.count(r"^PUT /v2/bench/growth-\w+/manifests/0$") == 1
     assert left(registry, "growth-", "night-") == {}
     before = {key for key in registry.manifests if key[0] == "bench/ros"}
     registry.fault("PUT", r"/v2/bench/growth-\w+/manifests/0$", 403)
     with pytest.raises(RosmlError, match="403"):
-        measured(publisher)
+        measured(here)
     assert {key for key in registry.manifests if key[0] == "bench/ros"} == before
 
 
 # ---- A second run ----------------------------------------------------------------------------------------------------
 
 
-def test_a_second_run_finds_nothing_to_do(publisher: Publisher, catalogue: Catalogue, registry: StandIn) -> None:
-    found = idle_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+def test_a_second_run_finds_nothing_to_do(here: Here, catalogue: Catalogue, registry: StandIn) -> None:
+    found = idle_run.measure(here.services, catalogue, "bench/night", DAY, lambda _: None)
     things: list[Image | Payload] = [*catalogue.images, *catalogue.payloads]
     architectures = [name for thing in things for name in thing.architectures]
     assert found.items == len(architectures)
@@ -127,21 +127,19 @@ def test_a_second_run_finds_nothing_to_do(publisher: Publisher, catalogue: Catal
 
 
 def test_a_run_that_would_do_something_is_no_measurement(
-    publisher: Publisher, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch, registry: StandIn
+    here: Here, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch, registry: StandIn
 ) -> None:
     """The packages move while it is measured: nothing is built for that."""
     days = iter(["monday"] * 2)  # one for each distribution
     monkeypatch.setattr(package_state, "state", lambda *_: next(days, "tuesday"))
     with pytest.raises(RosmlError, match="alpha-core because packages moved from monday to tuesday"):
-        idle_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+        idle_run.measure(here.services, catalogue, "bench/night", DAY, lambda _: None)
     assert left(registry, "night") == {}
 
 
-def test_a_place_that_cannot_be_filled_is_empty_again(
-    publisher: Publisher, catalogue: Catalogue, registry: StandIn
-) -> None:
+def test_a_place_that_cannot_be_filled_is_empty_again(here: Here, catalogue: Catalogue, registry: StandIn) -> None:
     registry.fault("PUT", "/v2/bench/night/ros/manifests/alpha-base", 403)
     with pytest.raises(RosmlError, match="403"):
-        idle_run.measure(publisher.services, catalogue, "bench/night", DAY, lambda _: None)
+        idle_run.measure(here.services, catalogue, "bench/night", DAY, lambda _: None)
     assert registry.count("^PUT /v2/bench/night/ledger/manifests/") > 20
     assert left(registry, "night") == {}

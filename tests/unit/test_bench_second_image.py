@@ -14,11 +14,11 @@ from conftest import write_locks
 from stubs import buildx, calls, executable, services
 
 from bench import cli, generator, many_tags, second_image
+from bench.here import Here
 from bench.idle_run import IdleRun
 from bench.many_tags import Grown, Growth
 from bench.second_image import Comparison, Side
 from rosml.base.errors import RosmlError
-from rosml.build.publisher import Publisher
 from rosml.build.push import COMPRESSION
 from rosml.cli import command
 from rosml.images import image_set
@@ -82,7 +82,7 @@ class Stage:
         write_locks(folder, catalogue)
         regctl = executable(folder / "regctl", REGCTL.format(folder=folder))
         found = services(folder, registry, buildx=buildx(folder, BAKE), regctl=regctl)
-        self.publisher = Publisher(found, catalogue, self.said.append, second_image.NAMESPACE)
+        self.here = Here(found, catalogue, self.said.append, second_image.NAMESPACE)
 
     def write(self, name: str, text: str) -> None:
         (self.folder / name).write_text(text)
@@ -102,7 +102,7 @@ class Stage:
         )
 
     def compare(self, target: str = TARGET) -> Comparison:
-        return second_image.compare(self.publisher, target)
+        return second_image.compare(self.here, target)
 
     def calls(self, start: str) -> list[str]:
         return [call for call in calls(self.folder) if call.startswith(start)]
@@ -162,7 +162,7 @@ def test_both_ways_are_built_alike(stage: Stage) -> None:
     pushes = [call for call in stage.calls("buildx bake") if "push=true" in call]
     assert len(pushes) == len(PUSHED)
     assert all(f",push=true,push-by-digest=true,{COMPRESSION} " in call for call in pushes)
-    address = stage.publisher.services.registry
+    address = stage.here.services.registry
     for day, number in (("yesterday", 1), ("today", 2)):
         parent = f".contexts.ros=docker-image://{address}/bench/ros@sha256:{number} "
         on_it = [call.split()[-1] for call in pushes if parent in call]
@@ -191,7 +191,7 @@ def test_nothing_is_tagged_and_nothing_is_left(stage: Stage) -> None:
     file = (stage.folder / f".state/bake/bench-{TARGET}.hcl").read_text()
     assert yesterday == f"{marked}-usual-yesterday"
     assert all(f"# {marked}-usual-{day}\\n" in file for day in ("yesterday", "today")), "pip's step is among them"
-    assert pulled == f"{stage.publisher.services.registry}/bench/", "what others built is left alone"
+    assert pulled == f"{stage.here.services.registry}/bench/", "what others built is left alone"
 
 
 def test_a_registry_that_removes_nothing(stage: Stage) -> None:
@@ -270,9 +270,9 @@ def test_a_lock_for_another_index(stage: Stage) -> None:
 
 def test_services_that_are_down(tmp_path: Path, small: image_set.Catalogue) -> None:
     write_locks(tmp_path, small)
-    publisher = Publisher(services(tmp_path), small, print, second_image.NAMESPACE)
+    here = Here(services(tmp_path), small, print, second_image.NAMESPACE)
     with pytest.raises(RosmlError, match=r"the local registry at .* does not answer"):
-        second_image.compare(publisher, TARGET)
+        second_image.compare(here, TARGET)
 
 
 FOUND = Comparison(
@@ -322,7 +322,7 @@ def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pyte
     monkeypatch.setattr(generator, "RUNS", 1)
     monkeypatch.setattr(cli, "TARGET", TARGET)
     monkeypatch.setattr(cli, "REPORT", stage.folder / "report")
-    monkeypatch.setattr(cli, "bench_publisher", lambda target: stage.publisher)
+    monkeypatch.setattr(cli, "bench_here", lambda target: stage.here)
 
     def grown(_publisher: object, target: str, usual: Comparison) -> Grown:
         assert target == TARGET and usual.usual.registry_new_bytes

@@ -23,6 +23,7 @@ from rosml.cli import report
 from rosml.images import locked
 from rosml.images.image_set import Catalogue
 from rosml.locks.resolve import Move
+from rosml.machine import revision
 from rosml.publish import plan_file
 from scripts import lock, publish
 
@@ -283,7 +284,7 @@ def test_what_cannot_be_built_here_is_counted(project: Path) -> None:
 def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     """Then nothing is built, rather than everything, which is what no pattern stands for."""
     same = differences.Difference((), (), {}, same=1)
-    monkeypatch.setattr(differences, "since", lambda *_: same)
+    monkeypatch.setattr(revision, "since", lambda *_: same)
     monkeypatch.setattr(publish, "ROOT", ROOT)
     from rosml.machine.services import Services
 

@@ -155,7 +155,7 @@ def test_a_command_that_is_mistyped(name: str, capsys: pytest.CaptureFixture[str
 def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
     """And not where somebody does not want it. The terminal is one of Python's own making."""
     code = (
-        "import sys, click; from rosml import command; from rosml.base.errors import RosmlError\n"
+        "import sys, click; from rosml.cli import command; from rosml.base.errors import RosmlError\n"
         "def fail() -> None:\n"
         "    click.echo(click.style('==> work', bold=True))\n"
         "    raise RosmlError('no room', 'make some')\n"
@@ -183,7 +183,7 @@ def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
     script = tmp_path / "x.py"
     script.write_text(
         f"import sys; sys.path.insert(0, {str(ROOT)!r})\n"
-        "import click; from rosml import command\n"
+        "import click; from rosml.cli import command\n"
         "@click.command()\n"
         "def main() -> None:\n"
         "    for _ in range(100_000): click.echo('line')\n"
@@ -210,7 +210,7 @@ def test_output_that_is_closed_or_knows_few_letters(shell: str, tmp_path: Path) 
     script = tmp_path / "x.py"
     script.write_text(
         f"import sys; sys.path.insert(0, {str(ROOT)!r})\n"
-        "import click; from rosml import command\n"
+        "import click; from rosml.cli import command\n"
         "@click.command()\n"
         "def main() -> None: click.echo('a → b')\n"
         "sys.exit(command.run(main))\n"
@@ -223,7 +223,7 @@ def test_output_that_is_closed_or_knows_few_letters(shell: str, tmp_path: Path) 
 def test_a_command_that_works_says_that_its_reader_is_gone() -> None:
     """`make image | head` is not done when head is."""
     code = (
-        "import sys, click; from rosml import command\n"
+        "import sys, click; from rosml.cli import command\n"
         "work = click.Command('work', callback=lambda: (_ for _ in ()).throw(BrokenPipeError))\n"
         "sys.exit(command.run(work, arguments=[], reader_gone=command.BROKEN_PIPE))"
     )

@@ -11,6 +11,7 @@ from rosml.base.errors import RosmlError
 from rosml.images import locked
 from rosml.images.expand import combinations
 from rosml.images.explain import explain, why_not
+from rosml.images.explain import image as image_of
 from rosml.images.facts import facts
 from rosml.images.image_set import Catalogue
 from rosml.images.load import load
@@ -450,7 +451,7 @@ def test_a_tag_that_nothing_has(small: Catalogue) -> None:
 
 def test_asking_for_what_cannot_be_gives_the_reason(small: Catalogue) -> None:
     with pytest.raises(RosmlError, match="has no robot metapackage"):
-        small.image("alpha-robot")
+        image_of(small, "alpha-robot")
 
 
 def test_architecture_reasons(small: Catalogue) -> None:

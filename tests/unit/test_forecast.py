@@ -79,21 +79,3 @@ def test_nothing_to_build_needs_nothing(tmp_path: Path, monkeypatch: pytest.Monk
 
 def test_gigabytes() -> None:
     assert [disk.gigabytes(size) for size in (0, 999, 12345)] == ["0.0 GB", "1.0 GB", "12.3 GB"]
-
-
-def test_built_is_remembered(tmp_path: Path) -> None:
-    built = disk.Built(tmp_path)
-    assert built.names() == set()
-    built.add(["b", "a"])
-    built.add(["c", "a"])
-    assert disk.Built(tmp_path).names() == {"a", "b", "c"}
-    assert [file.name for file in tmp_path.iterdir()] == ["built.json"]
-
-
-@pytest.mark.parametrize("text", ["", "{", "{}", "3", "null"])
-def test_damaged_memory_is_no_memory(tmp_path: Path, text: str) -> None:
-    (tmp_path / "built.json").write_text(text)
-    built = disk.Built(tmp_path)
-    assert built.names() == set()
-    built.add(["a"])
-    assert built.names() == {"a"}

@@ -250,7 +250,7 @@ def test_a_run_past_midnight_has_one_date(
         looked.append((moment + timedelta(seconds=len(looked))).strftime(moments.TIME))
         return looked[-1]
 
-    monkeypatch.setattr(moments, "now", clock)
+    monkeypatch.setattr(pipeline, "now", clock)
     date = clock()
     run = registry.publish(catalogue, date=date)
     assert date.startswith("2026-11-22") and looked[-1].startswith("2026-11-23"), "nobody looked at the clock"

@@ -124,9 +124,7 @@ def test_it() -> None:
     [
         (TEST.replace('("one", old=2)', '(\n        "one",  # a comment\n        old=2\n    )'), False),
         (
-            TEST.replace("from rosml import client", "from rosml.registry import protocol").replace(
-                "client.", "protocol."
-            ),
+            TEST.replace("from rosml import old", "from rosml.place import new").replace("old.", "new."),
             False,
         ),
         (TEST.replace("rosml.here", "rosml.there"), False),

@@ -9,7 +9,6 @@ from pathlib import Path
 import pytest
 
 from rosml.base.file_lock import turn
-from rosml.build.publisher import stored_blobs
 
 
 def hold(file: Path, begun: Event, end: Event) -> None:
@@ -44,9 +43,3 @@ def test_nobody_to_wait_for(tmp_path: Path) -> None:
     for name in ("a", "b", "a"):
         with turn(tmp_path / name, lambda: (_ for _ in ()).throw(AssertionError("waits"))):
             pass
-
-
-def test_what_the_registry_has(tmp_path: Path) -> None:
-    assert stored_blobs(tmp_path) == set()
-    (tmp_path / "docker/registry/v2/blobs/sha256/ab/abcd").mkdir(parents=True)
-    assert stored_blobs(tmp_path) == {"abcd"}

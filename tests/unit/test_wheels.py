@@ -12,7 +12,7 @@ from rosml.bake import targets
 from rosml.bake.inputs import TARGET, Inputs
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
-from rosml.build.publisher import require_buildable
+from rosml.build.maker import require_buildable
 from rosml.images import apt_source, missing
 from rosml.images.explain import explain, why_not
 from rosml.images.image_set import Catalogue

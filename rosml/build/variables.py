@@ -1,0 +1,72 @@
+"""Variables of the bake file for a build on this machine: the registry, the platform, base images, and of when packages are."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+
+from rosml.base.errors import RosmlError
+from rosml.build import sync
+from rosml.images import apt_source
+from rosml.images.image_set import Catalogue, Image
+from rosml.machine import base_images
+from rosml.machine.services import Services
+from rosml.matrix import names
+
+
+def variables(
+    services: Services,
+    catalogue: Catalogue,
+    image: Image,
+    architecture: str,
+    prefix: str,
+    say: Callable[[str], None],
+    moment: str = "",
+) -> dict[str, str]:
+    """What a build or a test of an image is told. Base images that are not there are made.
+
+    Args:
+        services: this machine's.
+        catalogue: all that the matrix describes.
+        image, architecture: what is built, and for what.
+        prefix: of references: the registry and the path before the names of repositories.
+        say: told what is going on, a line at a time.
+        moment: of when ROS's apt repository is taken to be: the build fails where it is of another time by then. It is
+            asked if nothing is said.
+
+    Raises:
+        RosmlError: no base image can be had; there is no such channel of the apt repository (exit code 2).
+    """
+    systems = catalogue.matrix.operating_systems
+    wanted = {image.os, catalogue.matrix.default.assembler}
+    wanted |= {catalogue.payload_by_name[name].os for name in image.parts}
+    found = {"REGISTRY": prefix, "PLATFORM": catalogue.matrix.architectures[architecture].platform}
+    for name in sorted(wanted):
+        reference = base_images.ensure(services, systems[name], architecture, say)
+        found[names.os_variable(name)] = f"docker-image://{reference}"
+    return found | _sync_date(services, catalogue, image, say, moment)
+
+
+def base(image: Image, variables: dict[str, str]) -> str:
+    """The reference of the operating system's image that an image starts from."""
+    return variables[names.os_variable(image.os)].removeprefix("docker-image://")
+
+
+def _sync_date(
+    services: Services, catalogue: Catalogue, image: Image, say: Callable[[str], None], moment: str
+) -> dict[str, str]:
+    """The variable that says of when ROS's apt repository is: a new state of it is installed anew."""
+    source = apt_source.source(catalogue.matrix, image.distribution)
+    if source is None:
+        return {}
+    if not moment:
+        try:
+            moment = sync.published(source)
+            sync.remember(services.state, source, moment)
+        except RosmlError as error:  # what the builder has of it may be enough
+            if error.exit_code == 2:
+                raise
+            moment = sync.remembered(services.state, source)
+            say(f"{error.message}; taken for as it was last time: {moment or 'never asked'}")
+        say(f"ROS's apt repository {source.address}, published {moment or 'nobody knows when'}")
+    return {"ROS_SYNC_DATES": json.dumps({image.distribution: moment})}
