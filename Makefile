@@ -153,7 +153,7 @@ room: ## in CI, before up: remove what GitHub's machines bring and nobody needs 
 publish: up ## all that is not as it should be, to the local registry or another one: make publish ONLY="bookworm-*" REGISTRY=ghcr.io/me/rosml SERVE=amd64; SINCE=main
 	@$(RUN) scripts/publish.py all --only "$$ONLY" --registry "$$PLACE" --since "$$SINCE" --at-most "$(AT_MOST)" --serve "$$SERVE"
 
-standing: .python ## how the images stand: published, stale, failed, missing; ONLY and REGISTRY as above
+standing: .python ## how the images stand: published, outdated, failed, missing; ONLY and REGISTRY as above
 	@$(RUN) scripts/publish.py status --only "$$ONLY" --registry "$$PLACE" $(if $(JSON),--json)
 
 catalogue: .python ## a page and catalogue.json of what is published, for any static host: make catalogue REGISTRY=ghcr.io/me/rosml OUTPUT=public; JSON=1

@@ -110,7 +110,7 @@ def held() -> list[Held]:
             load.catalogue(source.parse(WORST_FILE.encode()))
 
     return [
-        Held("dealing the largest matrix out to 20 machines", median(lambda: shards.plan(largest, 20)), PLAN_SECONDS),
+        Held("dealing the largest matrix out to 20 machines", median(lambda: shards.deal(largest, 20)), PLAN_SECONDS),
         Held("digests of the real images' inputs", median(digests), DIGESTS_SECONDS),
         Held("refusing the worst file", median(refuse), REFUSED_SECONDS),
     ]

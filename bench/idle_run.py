@@ -22,9 +22,9 @@ from rosml.images.image_set import Catalogue, Image, Payload, repository_of, tag
 from rosml.images.labels import TITLE, title
 from rosml.machine.services import Services
 from rosml.matrix.names import dated
-from rosml.publish import plan as agendas
+from rosml.publish import plan as planning
 from rosml.publish.pipeline import Pipeline
-from rosml.publish.plan import Agenda, Item
+from rosml.publish.plan import Item, Plan
 from rosml.publish.promote import Promotion
 from rosml.records.ledger import DATE, INDEX, READERS, Entry, Ledger
 from rosml.registry import oci
@@ -82,30 +82,30 @@ def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, sa
         say(f"a run over {len(first.items)} images and payloads on their architectures, nothing changed")
         before, started = client.uploaded, time.monotonic()
         run = Pipeline(_survey(services, catalogue, client, prefix, date), client, services.registry, prefix, say)
-        _require_idle(run.agenda)
+        _require_idle(run.plan)
         for step in (run.build, run.compose, run.test, run.index, Promotion(run).run):
             step()
         seconds, uploaded = time.monotonic() - started, client.uploaded - before
     done = sum(outcome.state != "waits" for outcome in run.outcomes)
-    return IdleRun(len(run.agenda.items), tags, seconds, uploaded, done)
+    return IdleRun(len(run.plan.items), tags, seconds, uploaded, done)
 
 
-def _survey(services: Services, catalogue: Catalogue, client: oci.Registry, prefix: str, date: str) -> Agenda:
+def _survey(services: Services, catalogue: Catalogue, client: oci.Registry, prefix: str, date: str) -> Plan:
     """For all architectures: nothing is left to another machine."""
     architectures = tuple(catalogue.matrix.architectures)
     inputs = Inputs(services.root, catalogue)
-    return agendas.survey(services, catalogue, client, prefix, (), architectures, date=date, inputs=inputs)
+    return planning.survey(services, catalogue, client, prefix, (), architectures, date=date, inputs=inputs)
 
 
-def _require_idle(agenda: Agenda) -> None:
+def _require_idle(plan: Plan) -> None:
     """Checks that a run would do nothing: this is a measurement, and no time to build images.
 
     Raises:
         RosmlError: it would.
     """
-    tasks = [task for item in agenda.items if (task := agenda.task(item)).steps]
+    tasks = [task for item in plan.items if (task := plan.task(item)).steps]
     if tasks:
-        first, remarks = tasks[0], "".join(f"; {remark}" for remark in agenda.remarks)
+        first, remarks = tasks[0], "".join(f"; {remark}" for remark in plan.remarks)
         text = f"{len(tasks)} items are not as they were put there, {first.item.target} because {first.why[0]}{remarks}"
         raise RosmlError(text, "measure again when the repositories of packages answer, and do not move")
 
@@ -115,10 +115,10 @@ class Place:
     """Where everything that a matrix describes stands in a few bytes.
 
     Attributes:
-        agenda: all items. client: the registry. prefix: path of the repositories.
+        plan: all items. client: the registry. prefix: path of the repositories.
     """
 
-    agenda: Agenda
+    plan: Plan
     client: oci.Registry
     prefix: str
 
@@ -128,11 +128,11 @@ class Place:
 
     def fill(self) -> int:
         """Puts all of it, as a run that passed everything would have left it. Gives the number of images' tags."""
-        things = self.agenda.things()
+        things = self.plan.things()
         for repository in {repository_of(thing) for thing in things}:
             self.client.put_blob(self._book.path(repository), LAYER)
         with ThreadPoolExecutor(READERS) as pool:
-            list(pool.map(self._put_item, self.agenda.items))
+            list(pool.map(self._put_item, self.plan.items))
             return sum(pool.map(self._put_index, things))
 
     def _config(self, item: Item) -> bytes:
@@ -146,19 +146,19 @@ class Place:
 
     def _entry(self, item: Item) -> Entry:
         """What the ledger says of it after a run in which it passed its tests."""
-        needs = {target: self.agenda.by_key[target, item.architecture] for target in item.needs}
-        tested = "" if item.kind == "payload" else self.agenda.tests(item)
-        upstream = self.agenda.upstream.get(item.thing.distribution, "") if isinstance(item.thing, Image) else ""
+        needs = {target: self.plan.by_key[target, item.architecture] for target in item.needs}
+        tested = "" if item.kind == "payload" else self.plan.tests(item)
+        upstream = self.plan.upstream.get(item.thing.distribution, "") if isinstance(item.thing, Image) else ""
         return Entry(
             *item.key,
-            inputs=self.agenda.inputs.digest(*item.key),
+            inputs=self.plan.inputs.digest(*item.key),
             upstream=upstream if item.kind == "ros" else "",
             repository=item.repository,
             digest=oci.digest_of(self._manifest(item)),
             parts={target: oci.digest_of(self._manifest(part)) for target, part in needs.items()},
             size=len(LAYER),
-            date=self.agenda.date,
-            changed=self.agenda.date,
+            date=self.plan.date,
+            changed=self.plan.date,
             tested=tested,
             passed=int(bool(tested)),
         )
@@ -171,33 +171,33 @@ class Place:
 
     def _put_index(self, thing: Image | Payload) -> int:
         """The index of its architectures, and its tags, of which it gives the number."""
-        items = [self.agenda.by_key[key] for key in self.agenda.members(thing)]
+        items = [self.plan.by_key[key] for key in self.plan.members(thing)]
         members = []
         for item in items:
             place = {"os": "linux", "architecture": item.architecture}
             members.append({**oci.descriptor(oci.IMAGE, self._manifest(item)), "platform": place})
         content: dict[str, Any] = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": members}
-        index = oci.encoded({**content, "annotations": {TITLE: title(thing), DATE: self.agenda.date}})
+        index = oci.encoded({**content, "annotations": {TITLE: title(thing), DATE: self.plan.date}})
         entries = [self._entry(item) for item in items]
         entry = Entry(
             thing.target,
             INDEX,
-            inputs=self.agenda.inputs.together(thing),
+            inputs=self.plan.inputs.together(thing),
             repository=repository_of(thing),
             digest=oci.digest_of(index),
             parts={item.architecture: item.digest for item in entries},
-            date=self.agenda.date,
-            changed=self.agenda.date,
+            date=self.plan.date,
+            changed=self.plan.date,
         )
         attached = {item.architecture: item.facts for item in (*entries, entry)}
         repository = self._book.path(entry.repository)
         names = tags_of(thing)
-        tags = (dated(names[0], self.agenda.date), *names)
+        tags = (dated(names[0], self.plan.date), *names)
         for tag in tags:
             self.client.put_manifest(repository, tag, index, oci.INDEX)
         self._write(replace(entry, attached=attached))
         return len(tags)
 
     def _write(self, entry: Entry) -> None:
-        inputs = {} if entry.architecture == INDEX else self.agenda.inputs.of(entry.target, entry.architecture)
+        inputs = {} if entry.architecture == INDEX else self.plan.inputs.of(entry.target, entry.architecture)
         self._book.write(entry, inputs)

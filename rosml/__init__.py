@@ -6,7 +6,52 @@ imports from those below it alone. docs/architecture.md walks through them.
 
 from __future__ import annotations
 
+import os
+import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-"""The project's root: the folder of `matrix.yaml` and `docker-bake.hcl`."""
+__version__ = "0.1.0"
+
+PARTS = ("matrix.yaml", "Dockerfile", "components")
+"""What a checkout is known by."""
+
+
+def root_of(package: Path) -> Path:
+    """The checkout that the package is in; else that in which somebody works; else what was installed with the package."""
+    if (package.parent / "scripts/bootstrap.py").is_file():
+        return package.parent
+    try:
+        here = Path.cwd()
+    except OSError:  # removed, or not to be entered
+        return package / "data"
+    return next((folder for folder in (here, *here.parents) if _is_checkout(folder)), package / "data")
+
+
+def _is_checkout(folder: Path) -> bool:
+    """Whether a folder is a checkout, and this user's or root's: programs of it are called."""
+    try:
+        users = {os.geteuid(), 0, int(os.environ.get("SUDO_UID") or 0)}
+        return all((folder / name).exists() for name in PARTS) and folder.stat().st_uid in users
+    except (OSError, ValueError):
+        return False
+
+
+def _cache() -> Path:
+    """The user's folder for what may get lost; a temporary one for a user who has none."""
+    named = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    try:
+        return (named if named.is_absolute() else Path.home() / ".cache") / "rosml"
+    except RuntimeError:
+        return Path(tempfile.gettempdir()) / f"rosml-{os.geteuid()}"
+
+
+_PACKAGE = Path(__file__).resolve().parent
+
+ROOT = root_of(_PACKAGE)
+"""The project's root: the folder of `matrix.yaml`, `Dockerfile` and `components/`."""
+
+IN_CHECKOUT = ROOT != _PACKAGE / "data"
+"""Whether that is a checkout, in which images can be built."""
+
+STATE = ROOT / ".state" if IN_CHECKOUT else _cache()
+"""What commands keep: `.state` of the checkout; the user's cache where there is no checkout."""

@@ -11,6 +11,16 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
+SCRIPTS = {
+    "catalogue": "catalogue.py",
+    "generate": "generate_bake.py",
+    "join": "compose.py",
+    "locks": "lock.py",
+    "main": "rosml",
+    "publish": "publish.py",
+}
+"""Which script calls a module of commands."""
+
 
 @cache
 def _tree(file: Path) -> tuple[str, ast.Module]:
@@ -64,10 +74,12 @@ def _collect(file: Path, name: str, seen: dict[tuple[Path, str], str]) -> None:
                 _collect(file, other, seen)
                 if (file, other) not in seen and file.name != "conftest.py":
                     _collect(file.parent / "conftest.py", other, seen)
-        elif isinstance(node, ast.ImportFrom) and node.module in ("scripts", "bench"):  # itself, by click
+        elif isinstance(node, ast.ImportFrom) and node.module in ("rosml.cli", "scripts", "bench"):  # itself, by click
             for alias in node.names:
                 if name == (alias.asname or alias.name):
-                    seen[file, name] = f"{alias.name}.py" if node.module == "scripts" else node.module
+                    seen[file, name] = {"bench": "bench", "scripts": f"{alias.name}.py"}.get(
+                        node.module, SCRIPTS.get(alias.name, "")
+                    )
         elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith("tests"):
             for alias in node.names:
                 if name == (alias.asname or alias.name):

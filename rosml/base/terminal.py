@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import os
 import re
+import sys
 from collections.abc import Callable, Collection
 from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
@@ -48,7 +49,7 @@ def console() -> Console:
             raise BrokenPipeError
 
     terminal = Output(highlight=False, soft_wrap=True)
-    return terminal if terminal.is_terminal else Output(highlight=False, width=400)
+    return terminal if sys.stdout.isatty() else Output(highlight=False, width=400)
 
 
 def show(table: Table) -> None:

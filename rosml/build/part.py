@@ -25,6 +25,7 @@ from rosml.machine import base_images, buildx, regctl
 from rosml.machine.services import NAMESPACE, Services
 from rosml.matrix import names
 from rosml.matrix.model import ANY_PYTHON
+from rosml.registry import oci
 
 VERSIONS = "~/.pyenv/versions"
 """Where this machine may have further Pythons."""
@@ -112,7 +113,8 @@ def publish(
     layers = dict(_layers(services, f"{repository}@{digest}", platforms))
     reference = f"{repository}@{digest}"
     if len(platforms) == len(payload.platforms):  # a tag is for all platforms
-        regctl.tag(services, repository, digest, payload.name)
+        with oci.Registry(services.registry, ca_bundle=services.ca_bundle) as client:
+            client.tag(f"{namespace}/payload", digest, payload.name)
         reference = f"{repository}:{payload.name}@{digest}"
     python = base.python if payload.python != ANY_PYTHON else ""
     return Assembled(payload.name, reference, digest, layers, base.said, python, time.monotonic() - started)

@@ -6,6 +6,7 @@ import re
 
 import httpx
 
+from rosml.base import web
 from rosml.base.errors import RosmlError
 
 SECONDS = 20.0
@@ -40,7 +41,7 @@ def read(url: str, limit: int, variable: str) -> str:
     """
     text = b""
     try:
-        with httpx.stream("GET", url, timeout=SECONDS, follow_redirects=True) as answer:
+        with web.client(timeout=SECONDS, follow_redirects=True) as client, client.stream("GET", url) as answer:
             answer.raise_for_status()
             for block in answer.iter_bytes():
                 text += block

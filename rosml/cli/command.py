@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import io
 import json
 import os
+import re
 import signal
 import sys
 from collections.abc import Sequence
@@ -61,10 +63,11 @@ def run(
     except RosmlError as error:
         # Problems of the matrix begin with file and line, where editors and CI look for them.
         head = "" if isinstance(error, InputError) else click.style("error: ", fg="red", bold=True)
-        click.echo(head + error.message, err=True)
-        if error.remedy:
-            click.echo(f"{click.style('remedy:', bold=True)} {error.remedy}", err=True)
-        return _told(as_json, error.message, error.remedy, error.exit_code)
+        message, remedy = in_words(error.message), in_words(error.remedy)
+        click.echo(head + message, err=True)
+        if remedy:
+            click.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
+        return _told(as_json, message, remedy, error.exit_code)
     except click.exceptions.Exit as error:  # --help
         return error.exit_code
     except click.ClickException as error:
@@ -88,6 +91,34 @@ def run(
             click.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
         return _told(as_json, message, remedy, 1)
     return 0
+
+
+_WORDS = (
+    (r"\bmake explain TARGET=", "rosml explain "),
+    (r"\bmake list GROUP=", "rosml list "),
+    (r"\bmake (up|client|down|clean|status)\b", lambda found: "rosml setup" + f" {found[1]}" * (found[1] != "up")),
+    (r"\bmake (list|locks|generate|plan)\b", r"rosml \1"),
+    (r"\buv run scripts/publish\.py payload\b", "rosml part"),
+)
+"""What `make` calls something, and `rosml` calls it."""
+
+
+def in_words(text: str) -> str:
+    """A text for people in the words of the command that they called."""
+    if program() == "rosml":
+        for pattern, word in _WORDS:
+            text = re.sub(pattern, word, text)
+    return text
+
+
+def ended(code: int) -> int:
+    """The exit code of a command; after Ctrl-C it ends the process, where threads may still wait for a registry."""
+    if code == INTERRUPTED:
+        for stream in (sys.stdout, sys.stderr):
+            with contextlib.suppress(OSError, ValueError):
+                stream.flush()
+        os._exit(code)
+    return code
 
 
 def _told(as_json: bool, message: str, remedy: str, code: int) -> int:

@@ -19,41 +19,39 @@ from rosml.records import ledger
 
 def tasks(pipeline: Pipeline) -> list[Task]:
     """What is to be done about every item."""
-    return [pipeline.agenda.task(item) for item in pipeline.agenda.items]
+    return [pipeline.plan.task(item) for item in pipeline.plan.items]
 
 
 def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
     """plan.json: what is to be done, and which machine builds what."""
     found = tasks(pipeline)
-    agenda = pipeline.agenda
+    plan = pipeline.plan
     dealt: list[dict[str, Any]] = []
     # What is only to be tested needs a machine as well. A scan needs none of a kind.
-    here = [task for task in found if task.item.architecture in agenda.architectures]
+    here = [task for task in found if task.item.architecture in plan.architectures]
     work = dealing.Work(
         frozenset(task.item.key for task in here if task.item.making in task.steps),
         frozenset(task.item.key for task in here if "test" in task.steps),
     )
-    wanted = {image.target for image in agenda.images}
+    wanted = {image.target for image in plan.images}
     architectures = {name for target, name in work.made | work.tested if target in wanted}
-    if architectures and agenda.catalogue.matrix.rates:
+    if architectures and plan.catalogue.matrix.rates:
         # By architecture: a machine of each kind, however few images there are.
-        made = dealing.plan(
-            agenda.catalogue, max(shards, len(architectures)), lambda image: image.target in wanted, work
-        )
+        made = dealing.deal(plan.catalogue, max(shards, len(architectures)), lambda image: image.target in wanted, work)
         dealt = [dealing.facts(shard) for shard in made.shards]
     content = {
         "version": PLAN_FORMAT,
-        "date": agenda.date,
+        "date": plan.date,
         "registry": f"{pipeline.host}/{pipeline.prefix}",
-        "architectures": list(agenda.architectures),
+        "architectures": list(plan.architectures),
         "serve": list(pipeline.serving),
-        "force": agenda.force,
-        "upstream": agenda.upstream,
-        "targets": [image.target for image in agenda.images],
+        "force": plan.force,
+        "upstream": plan.upstream,
+        "targets": [image.target for image in plan.images],
         "shards": dealt,
         "tasks": [task.to_json() | _changed(pipeline, task, why) for task in found if task.steps or task.hindered],
         "unchanged": sum(not task.steps and not task.hindered for task in found),
-        "remarks": agenda.remarks,
+        "remarks": plan.remarks,
     }
     return json.dumps(content, indent=2) + "\n"
 
@@ -78,9 +76,9 @@ def tell(text: str) -> None:
 
 
 def _changed(pipeline: Pipeline, task: Task, why: bool) -> dict[str, Any]:
-    if not why or not task.steps or task.item.key not in pipeline.agenda.known:
+    if not why or not task.steps or task.item.key not in pipeline.plan.known:
         return {}
-    changed = changes(pipeline.agenda, pipeline.ledger, task.item)
+    changed = changes(pipeline.plan, pipeline.ledger, task.item)
     return {"inputs": changed} if changed else {}
 
 
@@ -105,7 +103,7 @@ def print_plan(pipeline: Pipeline, why: bool) -> None:
 
 def show(pipeline: Pipeline, as_json: bool) -> None:
     """What a run did, on standard output; and in CI's summary, where there is one."""
-    tell_outcomes(pipeline.outcomes, pipeline.agenda.date, pipeline.uploaded, pipeline.started, as_json)
+    tell_outcomes(pipeline.outcomes, pipeline.plan.date, pipeline.uploaded, pipeline.started, as_json)
     ci.summary(markdown(pipeline, pipeline.outcomes))
 
 
@@ -126,7 +124,7 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
 def as_data(pipeline: Pipeline) -> dict[str, Any]:
     """What a run did, as plain data."""
     seconds = time.monotonic() - pipeline.started
-    return _data(pipeline.outcomes, pipeline.agenda.date, pipeline.uploaded, seconds)
+    return _data(pipeline.outcomes, pipeline.plan.date, pipeline.uploaded, seconds)
 
 
 def _data(outcomes: list[Outcome], date: str, uploaded: int, seconds: float) -> dict[str, Any]:
@@ -178,14 +176,14 @@ def markdown(pipeline: Pipeline, outcomes: list[Outcome]) -> str:
     touched = {(outcome.target, outcome.architecture) for outcome in outcomes}
     alone = [task for task in tasks(pipeline) if task.item.key not in touched]
     skipped = sum(not task.steps and not task.hindered for task in alone)
-    lines = ["", f"## Publishing run of {pipeline.agenda.date}", ""]
+    lines = ["", f"## Publishing run of {pipeline.plan.date}", ""]
     lines += [f"- {step}: {number} {state}" for (step, state), number in counts.items()]
     lines += [f"- {skipped} left alone, as they should be", f"- {_effort(pipeline)}", ""]
     rows = _interesting(outcomes)
     if rows:
         lines += ["| step | image | architecture | state | time | size | digest | what |", "|" + " --- |" * 8]
     for outcome in rows:
-        entry = pipeline.agenda.known.get((outcome.target, outcome.architecture or ledger.INDEX))
+        entry = pipeline.plan.known.get((outcome.target, outcome.architecture or ledger.INDEX))
         facts = (
             size(entry.size) if entry and entry.size else "",
             f"`{entry.digest[:19]}`" if entry and entry.digest else "",

@@ -10,7 +10,7 @@ from rosml.base.units import duration, size
 from rosml.images.image_set import Image, tags_of
 from rosml.machine import buildx
 from rosml.publish.pipeline import Pipeline
-from rosml.records.ledger import INDEX, Entry
+from rosml.records.ledger import INDEX
 from rosml.records.tag_moves import Move
 
 
@@ -75,6 +75,30 @@ class Summary:
         return "\n".join(["", title, "-" * len(title), *(f"{name.ljust(width)}  {value}" for name, value in rows)])
 
 
+def require_whole(run: Pipeline, image: Image, architecture: str, tagged: bool) -> None:
+    """Checks that a run left an image as it should be.
+
+    Raises:
+        RosmlError: it did not; says which step failed first, or what the image waits for.
+    """
+    plan = run.plan
+    if failed := next((outcome for outcome in run.outcomes if outcome.state == "failed"), None):
+        known = plan.known.get((failed.target, failed.architecture or INDEX))
+        remedy = known.failed.get("remedy", "") if known else ""
+        text = f"{failed.step} of {failed.target} failed, so {image.target} gets no tag: {failed.reason}"
+        raise RosmlError(text, remedy or "mend what failed, then run it again: what was finished is kept")
+    if tagged:
+        index = plan.known.get((image.target, INDEX))
+        wrong = plan.unready(image, run.serving) or (
+            f"its tags were moved back on {index.held[:10]}" if index and index.held else ""
+        )
+    else:
+        wrong = "; ".join(plan.reasons(plan.by_key[image.target, architecture]))
+    if wrong:
+        waits = next((o.reason for o in run.outcomes if o.target == image.target and o.state == "waits"), wrong)
+        raise RosmlError(f"{image.target} gets no tag: {waits}", "make it anew: --force, or ROSML_FORCE=1 for make")
+
+
 def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] | None) -> Summary:
     """What a run came to for one image.
 
@@ -83,50 +107,34 @@ def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] |
         moves: of tags; None where it was to move none.
 
     Raises:
-        RosmlError: the image is not as it should be; says which step failed first, or what it waits for.
+        RosmlError: the image is not as it should be.
     """
-    agenda = run.agenda
-    entry = agenda.known.get((image.target, architecture)) or Entry(image.target, architecture)
-    item = agenda.by_key[image.target, architecture]
-    failed = next((outcome for outcome in run.outcomes if outcome.state == "failed"), None)
-    if failed:
-        known = agenda.known.get((failed.target, failed.architecture or INDEX))
-        remedy = known.failed.get("remedy", "") if known else ""
-        text = f"{failed.step} of {failed.target} failed, so {image.target} gets no tag: {failed.reason}"
-        raise RosmlError(text, remedy or "mend what failed, then run it again: what was finished is kept")
-    index = agenda.known.get((image.target, INDEX)) or Entry(image.target, INDEX)
-    settled = agenda.unready(image, run.serving) if moves is not None else "; ".join(agenda.reasons(item))
-    if settled or (moves is not None and index.held):
-        waits = next((o.reason for o in run.outcomes if o.target == image.target and o.state == "waits"), settled)
-        raise RosmlError(
-            f"{image.target} gets no tag: {waits}", "see what is to be done: make plan, or make it anew: FORCE=1"
-        )
-    repository = run.reference(image.repository)
-    tags = [f"{repository}:{tag}" for tag in tags_of(image)] if moves is not None else []
+    require_whole(run, image, architecture, tagged=moves is not None)
+    plan, repository = run.plan, run.reference(image.repository)
+    entry = plan.known[image.target, architecture]
+    parts = [plan.known[plan.catalogue.payload_by_name[name].target, architecture] for name in image.parts]
     seconds: dict[str, float] = {}
     for outcome in run.outcomes:
         if outcome.seconds:
             seconds[outcome.step] = seconds.get(outcome.step, 0.0) + outcome.seconds
-    parts = [agenda.known.get((agenda.catalogue.payload_by_name[name].target, architecture)) for name in image.parts]
-    return Summary(
+    done = [outcome for outcome in run.outcomes if outcome.state == "done"]
+    found = Summary(
         image.target,
-        tags[0] if tags else f"{repository}@{entry.digest}",
-        index.digest if tags else "",
-        entry.digest,
-        tags,
-        [move.tag for move in moves or [] if move.repository == image.repository and move.new == index.digest],
-        entry.size,
-        sum(part.size for part in parts if part),
-        entry.unpacked,
-        run.uploaded,
-        entry.passed,
-        len(entry.failures),
-        dict(entry.versions),
-        seconds,
-        [
-            outcome.target
-            for outcome in run.outcomes
-            if outcome.step in ("build", "compose") and outcome.state == "done"
-        ],
-        buildx.command_on_it(agenda.services),
+        f"{repository}@{entry.digest}",
+        manifest=entry.digest,
+        compressed=entry.size,
+        parts=sum(part.size for part in parts),
+        unpacked=entry.unpacked,
+        uploaded=run.uploaded,
+        passed=entry.passed,
+        failed=len(entry.failures),
+        versions=dict(entry.versions),
+        seconds=seconds,
+        made=[outcome.target for outcome in done if outcome.step in ("build", "compose")],
+        builder=buildx.command_on_it(plan.services),
     )
+    if moves is not None:
+        found.tags = [f"{repository}:{tag}" for tag in tags_of(image)]
+        found.reference, found.digest = found.tags[0], plan.known[image.target, INDEX].digest
+        found.moved = [m.tag for m in moves if (m.repository, m.new) == (image.repository, found.digest)]
+    return found

@@ -15,7 +15,7 @@ from rosml.base.problems import counted
 from rosml.images import missing
 from rosml.images.facts import facts
 from rosml.images.image_set import Image
-from rosml.publish.shards import Plan
+from rosml.publish.shards import Dealt
 from rosml.scan.judge import Run, Scanned
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def print_images(images: Sequence[Image]) -> None:
             out.print(f"{count} without a lock, which cannot be built yet: {remedy}", style="yellow")
 
 
-def print_shards(plan: Plan, left_out: int = 0) -> None:
+def print_shards(plan: Dealt, left_out: int = 0) -> None:
     """Prints one line for each shard, and what the whole takes. `left_out`: how many images have no lock."""
     numbers = ("images", "payloads", "minutes", "GB download", "GB disk")
     table = terminal.table("shard", "runner", "distributions", *numbers, right=numbers)

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from datetime import date
+from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, unknown
@@ -33,12 +34,23 @@ class Explained:
     Attributes:
         target: the image, payload or group that the name means; the name itself where there is none.
         exists: whether there is one, with its lock or without.
-        text: the facts behind it, or one sentence about why the facts rule it out.
+        reasons: the facts behind it; or one sentence, about why the facts rule it out or what it is.
+        head: what stands before several reasons.
     """
 
     target: str
     exists: bool
-    text: str
+    reasons: tuple[str, ...]
+    head: str = ""
+
+    @property
+    def text(self) -> str:
+        """For people."""
+        return "\n".join([self.head, *(f"  - {reason}" for reason in self.reasons)]) if self.head else self.reasons[0]
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {"target": self.target, "exists": self.exists, "reasons": list(self.reasons)}
 
 
 def explain(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.environ) -> str:
@@ -61,20 +73,21 @@ def explained(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.e
         raise RosmlError("no image is named", remedy="name one: make explain TARGET=jazzy-robot", exit_code=2)
     tagged = catalogue.by_tag(name)
     if image := tagged or catalogue.by_target.get(name.removesuffix("-test"), catalogue.by_target.get(name)):
-        return Explained(image.target, True, _image(catalogue.matrix, image, environ))
+        head = f"{image.target} {'exists' if image.locked else 'exists, but cannot be built yet'}:"
+        return Explained(image.target, True, tuple(_facts(catalogue.matrix, image, environ)), head)
     if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
         users = sum(payload.name in image.parts for image in catalogue.images)
         text = f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {counted(users, 'image')}"
-        return Explained(payload.name, True, text)
+        return Explained(payload.name, True, (text,))
     if name in catalogue.groups:
         listed_by = "make list" if name in ("payloads", "tests") else f"make list GROUP={name}"
         text = f"{name}: a group of {counted(len(catalogue.groups[name]), 'target')}; see them with: {listed_by}"
-        return Explained(name, True, text)
+        return Explained(name, True, (text,))
     if members := [image for image in catalogue.images if name in image.groups]:
         text = f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
-        return Explained(name, True, text)
+        return Explained(name, True, (text,))
     if reason := why_not(catalogue, name):
-        return Explained(name, False, reason)
+        return Explained(name, False, (reason,))
     raise RosmlError(unknown("image", name, _alike(catalogue, name)), remedy="see all with: make list", exit_code=2)
 
 
@@ -165,11 +178,6 @@ def _starts(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     if FLOATING in matrix.components:
         for distribution in matrix.distributions:
             yield distribution, distribution, ""
-
-
-def _image(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> str:
-    head = "exists:" if image.locked else "exists, but cannot be built yet:"
-    return "\n".join([f"{image.target} {head}", *(f"  - {fact}" for fact in _facts(matrix, image, environ))])
 
 
 def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:

@@ -87,8 +87,8 @@ class Composer:
     def __enter__(self) -> Composer:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self._pool.shutdown(cancel_futures=True)
+    def __exit__(self, failed: object, *_: object) -> None:
+        self._pool.shutdown(wait=not failed, cancel_futures=True)  # Ctrl-C waits for no registry
 
     def compose(self, ros: str, payloads: Sequence[str], target: str, platforms: Sequence[str] = ()) -> Composed:
         """Composes an image for every platform that a ROS image and payloads have in common, and tags it.
@@ -105,6 +105,9 @@ class Composer:
         where = oci.parse(target)
         if oci.is_digest(where.reference):
             raise RosmlError(f"{target} is a digest, and a tag is to be moved", "write it with a tag", exit_code=2)
+        if str(where) in {str(oci.parse(source)) for source in (ros, *payloads)}:
+            text = f"{target} is one of the images that are joined, and would be overwritten"
+            raise RosmlError(text, "name another tag", exit_code=2)
         found = list(self._pool.map(self._platforms, [ros, *payloads]))
         wanted = _common(found, platforms)
         self._say_what_is_left_out(found, wanted, platforms)

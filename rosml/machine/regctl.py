@@ -1,4 +1,5 @@
-"""What the publisher asks of a registry, through regctl: configs, sizes, indexes and tags."""
+"""What regctl does in a registry: it makes indexes, and reads what is needed once. Tags move, and go, with the client of
+`registry/oci.py`, which reads in bulk, joins and attaches as well: `undo` needs it where there is no regctl."""
 
 from __future__ import annotations
 
@@ -124,8 +125,3 @@ def create_index(services: Services, repository: str, digests: list[str], annota
     for entry in digests:
         arguments += ["--ref", f"{repository}@{entry}"]
     return regctl(services, *arguments, repository).strip()
-
-
-def tag(services: Services, repository: str, target: str, name: str) -> None:
-    """Moves a tag to a digest that is in the repository already."""
-    regctl(services, "image", "copy", f"{repository}@{target}", f"{repository}:{name}")

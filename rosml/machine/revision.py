@@ -23,7 +23,7 @@ def since(version: str, now: Inputs) -> Difference:
     Raises:
         RosmlError: there is no such version, or this version of the project cannot read it.
     """
-    if Path(version).is_file():
+    if os.path.isfile(version):
         return between(Inputs(now.root, load.load(Path(version))), now)
     with tempfile.TemporaryDirectory() as folder:
         _unpack(version, now.root, Path(folder))

@@ -1,4 +1,4 @@
-"""The steps of a publishing run: build, compose, test, scan, index, promote. Each does what the agenda says is missing.
+"""The steps of a publishing run: build, compose, test, scan, index, promote. Each does what the plan says is missing.
 
 A step works item by item, and writes an item's entry in the ledger when it is done: whatever ends the run, the next one
 goes on from there. An item that fails is written down as failed, and is no other item's trouble, but for those that are
@@ -30,7 +30,7 @@ from rosml.images.image_set import Image, Payload, repository_of
 from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title
 from rosml.machine import regctl
 from rosml.publish import provenance, same_content
-from rosml.publish.plan import ELSEWHERE, Agenda, Item
+from rosml.publish.plan import ELSEWHERE, Item, Plan
 from rosml.publish.sign import PATIENCE, Signer, SignerFailed
 from rosml.records.ledger import DATE, INDEX, INPUTS, Entry, Ledger
 from rosml.registry import repositories
@@ -76,7 +76,7 @@ class Pipeline:
     """A publishing run.
 
     Attributes:
-        agenda: what there is to do.
+        plan: what there is to do.
         registry: where images go (`oci.Registry`). host: its address. prefix: path of its repositories.
         say: told what is going on, a line at a time.
         serving: the architectures that the registry serves; all of the matrix if empty.
@@ -87,7 +87,7 @@ class Pipeline:
         maker: builds, joins and tests; with this checkout's builder if None.
     """
 
-    agenda: Agenda
+    plan: Plan
     registry: Any
     host: str
     prefix: str
@@ -104,10 +104,10 @@ class Pipeline:
 
     @cached_property
     def _maker(self) -> Maker:
-        agenda = self.agenda
-        services, catalogue = agenda.services, agenda.catalogue
+        plan = self.plan
+        services, catalogue = plan.services, plan.catalogue
         return self.maker or BuildKitMaker(
-            services, catalogue, self.registry, self.host, self.prefix, self.say, agenda.force
+            services, catalogue, self.registry, self.host, self.prefix, self.say, plan.force
         )
 
     @property
@@ -143,7 +143,7 @@ class Pipeline:
         Args:
             targets: of these alone, and what they stand on; all if empty.
         """
-        wanted = [item for item in self.agenda.items if item.kind != "joined"]
+        wanted = [item for item in self.plan.items if item.kind != "joined"]
         if targets:
             keys = self._with_parts(set(targets))
             wanted = [item for item in wanted if item.target in keys]
@@ -155,13 +155,13 @@ class Pipeline:
             target = todo.pop()
             found.add(target)
             todo += [
-                need for item in self.agenda.items if item.target == target for need in item.needs if need not in found
+                need for item in self.plan.items if item.target == target for need in item.needs if need not in found
             ]
         return found
 
     def compose(self) -> None:
         """Puts images with frameworks together, in the registry."""
-        self._each("compose", [item for item in self.agenda.items if item.kind == "joined"], self._compose)
+        self._each("compose", [item for item in self.plan.items if item.kind == "joined"], self._compose)
 
     def test(self, targets: Sequence[str] = ()) -> None:
         """Runs the structure tests of images that have not passed them.
@@ -169,15 +169,15 @@ class Pipeline:
         Args:
             targets: of these alone; all if empty.
         """
-        wanted = [i for i in self.agenda.items if i.kind != "payload" and (not targets or i.target in targets)]
+        wanted = [i for i in self.plan.items if i.kind != "payload" and (not targets or i.target in targets)]
         self._each("test", wanted, self._test)
 
     def _each(self, step: str, items: Sequence[Item], work: Callable[[Item, Entry], Entry]) -> None:
         """Does a step's work on those items whose turn it is. Calls in one checkout take turns: they write the same files."""
-        expected = sum(step in self.agenda.task(item).steps for item in items)
+        expected = sum(step in self.plan.task(item).steps for item in items)
         number = 0
         for item in progress_bar.over(items, step, len(items)):
-            task = self.agenda.task(item, ahead=False)
+            task = self.plan.task(item, ahead=False)
             if task.hindered:
                 if task.hindered != ELSEWHERE:
                     self.outcomes.append(Outcome(step, *item.key, "waits", task.hindered))
@@ -187,7 +187,7 @@ class Pipeline:
                     self.outcomes.append(Outcome(step, *item.key, "waits", f"{task.steps[0]} comes first"))
                 continue
             with turn(
-                turn_file(self.agenda.services, item.target, item.architecture),
+                turn_file(self.plan.services, item.target, item.architecture),
                 partial(self.say, f"waiting for another call that works on {item.target}"),
             ):
                 if self._done_elsewhere(step, item):
@@ -199,7 +199,7 @@ class Pipeline:
         """Does a step's work on an item, and writes down what came of it."""
         self._require_push()
         self.say(f"{step} {item.target} for {item.architecture} {place}: {'; '.join(why)}")
-        entry = self.agenda.known.get(item.key) or Entry(*item.key)
+        entry = self.plan.known.get(item.key) or Entry(*item.key)
         started, before = time.monotonic(), self.uploaded
         try:
             entry = work(item, entry)
@@ -209,7 +209,7 @@ class Pipeline:
             state = "failed"
             self.say(f"failed: {error.message}" + (f"; {error.remedy}" if error.remedy else ""))
         seconds = time.monotonic() - started
-        entry = replace(entry, changed=self.agenda.date, seconds={**entry.seconds, step: round(seconds, 2)})
+        entry = replace(entry, changed=self.plan.date, seconds={**entry.seconds, step: round(seconds, 2)})
         self._write(item, entry)
         reason = entry.failed.get("reason", "") if state == "failed" else "; ".join(why)
         self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before))
@@ -217,12 +217,12 @@ class Pipeline:
     def _done_elsewhere(self, step: str, item: Item) -> bool:
         """Looks at the ledger once more: another run may have done this step since this one began."""
         found = self.ledger.read(*item.key)
-        if found is None or found == self.agenda.known.get(item.key):
+        if found is None or found == self.plan.known.get(item.key):
             return False
-        self.agenda.known[item.key] = found
+        self.plan.known[item.key] = found
         if found.digest and self.registry.head(self.repository(item.repository), found.digest):
-            self.agenda.present.add(item.key)
-        if step in self.agenda.task(item, ahead=False).steps[:1]:
+            self.plan.present.add(item.key)
+        if step in self.plan.task(item, ahead=False).steps[:1]:
             return False
         self.say(f"{step} {item.target} for {item.architecture}: another run did it in the meantime")
         return True
@@ -239,10 +239,10 @@ class Pipeline:
 
     def _write(self, item: Item, entry: Entry) -> None:
         entry = self._remembered(entry)
-        self.ledger.write(entry, self.agenda.inputs.of(*item.key))
-        self.agenda.known[item.key] = entry
+        self.ledger.write(entry, self.plan.inputs.of(*item.key))
+        self.plan.known[item.key] = entry
         if entry.digest:
-            self.agenda.present.add(item.key)
+            self.plan.present.add(item.key)
 
     def _remembered(self, entry: Entry) -> Entry:
         """An entry without the digests that were in its place and are gone, where it has many: it would grow for ever."""
@@ -256,11 +256,11 @@ class Pipeline:
         if isinstance(item.thing, Payload):
             made = self._maker.build_part(item.thing, item.architecture)
         else:  # packages whose repository did not answer are taken for those of the last build
-            moment = self.agenda.upstream.get(item.thing.distribution, entry.upstream)
+            moment = self.plan.upstream.get(item.thing.distribution, entry.upstream)
             made = self._maker.build_image(item.thing, item.architecture, self._parts(item), moment)
         self.pushed += self._new_bytes(item, entry, made)
         self._attest(item, made, started)
-        self.agenda.forced.add(item.key)
+        self.plan.forced.add(item.key)
         return entry.made(made.digest, **self._facts(item, made.digest, made.parts), upstream=made.upstream)
 
     def _new_bytes(self, item: Item, before: Entry, made: Made) -> int:
@@ -268,7 +268,7 @@ class Pipeline:
         own = self._sizes(item, made.digest)
         there = self._sizes(item, before.digest)
         for target, digest in made.parts.items():
-            there |= self._sizes(self.agenda.by_key[target, item.architecture], digest)
+            there |= self._sizes(self.plan.by_key[target, item.architecture], digest)
         return sum(size for layer, size in own.items() if layer not in there)
 
     def _sizes(self, item: Item, digest: str) -> dict[str, int]:
@@ -282,18 +282,18 @@ class Pipeline:
         """Attaches to what was made, or composed, what it was made from; what is attached already is not said again."""
         place = self.repository(item.repository)
         definition = provenance.Definition(
-            self._parameters(item), self.agenda.inputs.digest(*item.key), tuple(self._dependencies(item, made))
+            self._parameters(item), self.plan.inputs.digest(*item.key), tuple(self._dependencies(item, made))
         )
         provenance.attach(self.registry, place, made.digest, definition, self.machine, started, now())
 
     @cached_property
     def machine(self) -> provenance.Machine:
         """Who makes the images of this run."""
-        return provenance.Machine.here(self.agenda.date)
+        return provenance.Machine.here(self.plan.date)
 
     @cached_property
     def _source(self) -> list[dict[str, Any]]:
-        return provenance.source(self.agenda.services.root)
+        return provenance.source(self.plan.services.root)
 
     def _parameters(self, item: Item) -> dict[str, str]:
         """What was asked for."""
@@ -302,23 +302,23 @@ class Pipeline:
             return asked
         image = item.thing
         found = {"distribution": image.distribution, "component": image.component, "framework": image.framework}
-        repository = apt_source.source(self.agenda.catalogue.matrix, image.distribution)
+        repository = apt_source.source(self.plan.catalogue.matrix, image.distribution)
         channel = {"channel": repository.channel, "snapshot": repository.day} if repository else {}
         return asked | found | {"stack": image.stack or ""} | channel
 
     def _dependencies(self, item: Item, made: Made) -> Iterator[dict[str, Any]]:
         """What it was made from: base image or parts, locks, packages, the checkout."""
-        services = self.agenda.services
+        services = self.plan.services
         if made.base:
             yield provenance.base(made.base, services.registry if services.mirror else "")
         for target, digest in made.parts.items():
-            part = self.agenda.by_key[target, item.architecture]
+            part = self.plan.by_key[target, item.architecture]
             yield provenance.image(target, self.reference(part.repository), digest)
         if item.kind != "joined":  # those of a composed image are its parts'
-            used = self.agenda.inputs.of(*item.key)
+            used = self.plan.inputs.of(*item.key)
             yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
         if isinstance(item.thing, Image) and item.kind == "ros":
-            matrix, distribution = self.agenda.catalogue.matrix, item.thing.distribution
+            matrix, distribution = self.plan.catalogue.matrix, item.thing.distribution
             for address, moment in upstreams.repositories(matrix, distribution, made.upstream):
                 yield provenance.packages(address, moment)
         yield from self._source
@@ -328,26 +328,26 @@ class Pipeline:
         if manifest is None:
             raise RosmlError(f"{item.target} is not in the registry after it was pushed", "run it again")
         return {
-            "inputs": self.agenda.inputs.digest(*item.key),
+            "inputs": self.plan.inputs.digest(*item.key),
             "repository": item.repository,
             "parts": dict(parts),
             "size": sum(int(layer["size"]) for layer in manifest.content["layers"]),
-            "date": self.agenda.date,
+            "date": self.plan.date,
         }
 
     def _parts(self, item: Item) -> dict[str, str]:
         """Digests of what an item is put together from."""
-        return {target: self.agenda.known[target, item.architecture].digest for target in item.needs}
+        return {target: self.plan.known[target, item.architecture].digest for target in item.needs}
 
     def _platform(self, architecture: str) -> str:
-        return self.agenda.catalogue.matrix.architectures[architecture].platform
+        return self.plan.catalogue.matrix.architectures[architecture].platform
 
     def _compose(self, item: Item, entry: Entry) -> Entry:
         started, parts = now(), self._parts(item)
         assert isinstance(item.thing, Image)
         digest = self._maker.join(item.thing, item.architecture, parts)
         self._attest(item, Made(digest, parts), started)
-        self.agenda.forced.add(item.key)
+        self.plan.forced.add(item.key)
         return entry.made(digest, **self._facts(item, digest, parts))
 
     def _test(self, item: Item, entry: Entry) -> Entry:
@@ -357,7 +357,7 @@ class Pipeline:
         reason = f"tests failed: {some(list(found.failures))}"
         return replace(
             entry,
-            tested=self.agenda.tests(item),
+            tested=self.plan.tests(item),
             passed=found.passed,
             failures=found.failures,
             unpacked=found.unpacked,
@@ -380,17 +380,17 @@ class Pipeline:
         policy = policy_digest(rules)
         state = _database(trivy)
         images: dict[tuple[str, str], scanning.Image] = {}
-        for item in self.agenda.items:
-            entry = self.agenda.known.get(item.key)
-            if item.kind == "payload" or entry is None or not entry.digest or item.key not in self.agenda.present:
+        for item in self.plan.items:
+            entry = self.plan.known.get(item.key)
+            if item.kind == "payload" or entry is None or not entry.digest or item.key not in self.plan.present:
                 continue
             same = state and entry.scan.get("policy") == policy and entry.scan.get("database") == state
             if not same or entry.scanned == scanning.Outcome.SCANNER_FAILED.value:
                 images[item.key] = scanning.Image(item.target, item.architecture, tuple(self._scanned_parts(item)))
-        moment = datetime.fromisoformat(self.agenda.date.replace("Z", "+00:00"))
+        moment = datetime.fromisoformat(self.plan.date.replace("Z", "+00:00"))
         # Of those that are not there nothing can be known: they may lack a lock.
-        there = {item.key for item in self.agenda.items if item.kind != "payload"} & self.agenda.present
-        whole = images.keys() == there and len(self.agenda.images) == len(self.agenda.catalogue.images)
+        there = {item.key for item in self.plan.items if item.kind != "payload"} & self.plan.present
+        whole = images.keys() == there and len(self.plan.images) == len(self.plan.catalogue.images)
         started = time.monotonic()
         run = self._scan(list(images.values()), rules, trivy, moment, whole)
         seconds = (time.monotonic() - started) / max(1, len(run.images))
@@ -405,12 +405,12 @@ class Pipeline:
                 "failing": sorted({finding.id for finding in found.failing}),
             }
             known = self.ledger.read(*key)
-            if known is None or known.digest != self.agenda.known[key].digest:
+            if known is None or known.digest != self.plan.known[key].digest:
                 text = "another run has made it anew since it was scanned"
                 self.outcomes.append(Outcome("scan", *key, "waits", text, seconds))
                 continue
-            entry = replace(known, scanned=found.outcome.value, scan=facts, changed=self.agenda.date)
-            self._write(self.agenda.by_key[key], entry)
+            entry = replace(known, scanned=found.outcome.value, scan=facts, changed=self.plan.date)
+            self._write(self.plan.by_key[key], entry)
             clean = found.outcome is scanning.Outcome.CLEAN
             reason = found.reason if clean else f"{found.outcome.value}: {found.reason}"
             self.outcomes.append(Outcome("scan", *key, "done" if clean else "failed", reason, seconds))
@@ -423,7 +423,7 @@ class Pipeline:
     def _scan(
         self, images: list[scanning.Image], rules: Rules, trivy: Trivy | ScannerFailed, moment: datetime, whole: bool
     ) -> scanning.Run:
-        targets = self.agenda.catalogue.by_target
+        targets = self.plan.catalogue.by_target
         if isinstance(trivy, ScannerFailed):
             return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole, targets)
         shelf = Shelf(self.registry, f"trivy {trivy.version}")
@@ -432,32 +432,32 @@ class Pipeline:
     def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
         """The ROS image and the payloads that an image is the sum of."""
         for target in item.needs if item.kind == "joined" else (item.target,):
-            part = self.agenda.by_key[target, item.architecture]
-            digest = self.agenda.known[part.key].digest
+            part = self.plan.by_key[target, item.architecture]
+            digest = self.plan.known[part.key].digest
             yield scanning.Part(target, self.host, self.repository(part.repository), digest, part.kind == "ros")
 
     # ---- Indexes and tags --------------------------------------------------------------------------------------------
 
     def index(self) -> None:
         """Makes an index of every image whose architectures are all there, tested and alike; nobody sees it yet."""
-        for thing in self.agenda.things():
-            if reason := self.agenda.unready(thing, self.serving):
+        for thing in self.plan.things():
+            if reason := self.plan.unready(thing, self.serving):
                 self.outcomes.append(Outcome("index", thing.target, "", "waits", reason))
                 continue
             started = time.monotonic()
-            entries = [self.agenda.known[key] for key in self.members(thing)]
+            entries = [self.plan.known[key] for key in self.members(thing)]
             digests = {entry.architecture: entry.digest for entry in entries}
-            inputs = self.agenda.inputs.together(thing)
+            inputs = self.plan.inputs.together(thing)
             if self._indexed(thing, digests, inputs):
                 continue
-            entry = self.agenda.known.get((thing.target, INDEX)) or Entry(thing.target, INDEX)
+            entry = self.plan.known.get((thing.target, INDEX)) or Entry(thing.target, INDEX)
             try:
                 digest = self._index(thing, entries, inputs)
                 facts = {
                     "inputs": inputs,
                     "repository": repository_of(thing),
                     "parts": digests,
-                    "date": self.agenda.date,
+                    "date": self.plan.date,
                 }
                 entry = entry.made(digest, **facts)
                 state: State = "done"
@@ -465,10 +465,10 @@ class Pipeline:
             except RosmlError as error:
                 entry = replace(entry, failed={"step": "index", "reason": _short(error), "remedy": error.remedy})
                 state, reason = "failed", error.message
-            entry = self._remembered(replace(entry, changed=self.agenda.date))
+            entry = self._remembered(replace(entry, changed=self.plan.date))
             self.ledger.write(entry, {})
-            self.agenda.known[thing.target, INDEX] = entry
-            self.agenda.present.add((thing.target, INDEX))
+            self.plan.known[thing.target, INDEX] = entry
+            self.plan.present.add((thing.target, INDEX))
             self.outcomes.append(Outcome("index", thing.target, "", state, reason, time.monotonic() - started))
             if state == "done":
                 self.signed(thing)
@@ -478,23 +478,19 @@ class Pipeline:
         key = thing.target, INDEX
 
         def fits(entry: Entry | None) -> bool:
-            if (
-                entry is None
-                or key not in self.agenda.present
-                or (self.agenda.force and entry.date != self.agenda.date)
-            ):
+            if entry is None or key not in self.plan.present or (self.plan.force and entry.date != self.plan.date):
                 return False
             return entry.parts == digests and entry.inputs == inputs and not entry.failed
 
-        if fits(self.agenda.known.get(key)):
+        if fits(self.plan.known.get(key)):
             return True
         found = self.ledger.read(*key)
-        if found is None or found == self.agenda.known.get(key):
+        if found is None or found == self.plan.known.get(key):
             return False
-        self.agenda.known[key] = found
-        self.agenda.present -= {key}
+        self.plan.known[key] = found
+        self.plan.present -= {key}
         if found.digest and self.registry.head(self.repository(found.repository), found.digest):
-            self.agenda.present.add(key)
+            self.plan.present.add(key)
         return fits(found)
 
     def signed(self, thing: Image | Payload, moving: bool = False) -> bool:
@@ -504,7 +500,7 @@ class Pipeline:
             thing: the image or payload.
             moving: whether a tag is about to move to it: then the ledger's word is not enough, and cosign is asked.
         """
-        entry = self.agenda.known[thing.target, INDEX]
+        entry = self.plan.known[thing.target, INDEX]
         if self.signer is None or (self.signer.identity in entry.signed and not moving):
             return True
         if self.refused >= PATIENCE:
@@ -520,23 +516,17 @@ class Pipeline:
             return False
         self.refused = 0
         if self.signer.identity not in entry.signed:
-            signed = {**entry.signed, self.signer.identity: self.agenda.date}
-            self.agenda.known[thing.target, INDEX] = replace(entry, signed=signed)
-            self.ledger.write(self.agenda.known[thing.target, INDEX], {})
+            signed = {**entry.signed, self.signer.identity: self.plan.date}
+            self.plan.known[thing.target, INDEX] = replace(entry, signed=signed)
+            self.ledger.write(self.plan.known[thing.target, INDEX], {})
         if made:
             text = f"by {self.signer.identity}"
             self.outcomes.append(Outcome("sign", thing.target, "", "done", text, time.monotonic() - started))
         return True
 
-    def write_restored(self) -> None:
-        """Writes into the ledger the entries that it lacks, and that were found attached to their images."""
-        for key, inputs in self.agenda.restored.items():
-            self.ledger.write(self.agenda.known[key], inputs)
-        self.agenda.restored.clear()
-
     def members(self, thing: Image | Payload) -> Iterator[tuple[str, str]]:
         """Target and architecture of what an index of an image is made of."""
-        return (key for key in self.agenda.members(thing) if not self.serving or key[1] in self.serving)
+        return (key for key in self.plan.members(thing) if not self.serving or key[1] in self.serving)
 
     def _index(self, thing: Image | Payload, entries: Sequence[Entry], inputs: str) -> str:
         """Makes an index; gives its digest. Nothing is pulled.
@@ -551,8 +541,8 @@ class Pipeline:
         same_content.require(thing.target, configs, {entry.architecture: entry.versions for entry in entries})
         labels = (configs[entries[0].architecture].get("config") or {}).get("Labels") or {}
         annotations = self._checkout | {name: text for name, text in labels.items() if name.startswith(OCI)}
-        annotations |= {INPUTS: inputs, DATE: self.agenda.date}
-        services = self.agenda.services
+        annotations |= {INPUTS: inputs, DATE: self.plan.date}
+        services = self.plan.services
         return regctl.create_index(services, f"{self.host}/{repository}", [e.digest for e in entries], annotations)
 
     @property

@@ -1,6 +1,6 @@
 """What there is to do: the state that a registry should be in, compared with the one that its ledger says it is in.
 
-Nothing is done here. A step that was done before, from the same inputs, is not on the agenda again; so a publishing run
+Nothing is done here. A step that was done before, from the same inputs, is not in the plan again; so a publishing run
 that was interrupted goes on where it was, on any machine.
 """
 
@@ -22,7 +22,7 @@ from rosml.images.image_set import Catalogue, Image, Payload, repository_of
 from rosml.images.selection import require_architectures, select
 from rosml.machine import base_images
 from rosml.machine.services import Services
-from rosml.records import ledger, restore
+from rosml.records import ledger
 from rosml.records.ledger import INDEX, Entry, Ledger
 from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
@@ -101,7 +101,7 @@ class Task:
 
 
 @dataclass
-class Agenda:
+class Plan:
     """All items of a catalogue that are asked for, and what is known of them.
 
     Attributes:
@@ -114,7 +114,6 @@ class Agenda:
         force: everything is made anew. scanning: whether images are scanned; a digest of the policy.
         date: of the run. forced: what was made anew in this run already.
         whole: what images stand on is there for all of its architectures, and not for theirs alone: to judge its index.
-        restored: inputs by name of the entries that the ledger lacks, and that were found beside their images.
         remarks: what people should know, such as a repository that does not answer.
     """
 
@@ -131,7 +130,6 @@ class Agenda:
     date: str = ""
     whole: bool = False
     remarks: list[str] = field(default_factory=list)
-    restored: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
     forced: set[tuple[str, str]] = field(default_factory=set)
 
     @cached_property
@@ -256,7 +254,7 @@ class Agenda:
         """Why an item cannot be made on this machine; empty where it can."""
         image_or_payload = item.thing
         if lacking := [lock for lock in image_or_payload.unlocked if lock.split("/")[2] == item.architecture]:
-            return f"unlocked: {some(lacking)}"
+            return f"lock missing: {some(lacking)}"
         if item.kind == "joined":  # put together in the registry, from anywhere
             return ""
         if item.architecture not in self.architectures:
@@ -266,7 +264,7 @@ class Agenda:
             return ""
         if item.kind == "payload":
             return ""
-        return f"unbuildable here: {system.image} is on Docker Hub, which does not answer"
+        return f"waiting for a builder: {system.image} is on Docker Hub, which does not answer"
 
     def _reason(self, key: tuple[str, str]) -> str:
         """Why a part cannot be made here; of what it needs itself, if that is the reason."""
@@ -340,7 +338,7 @@ def survey(
     inputs: Inputs | None = None,
     upstream: Mapping[str, str] | None = None,
     whole: bool = False,
-) -> Agenda:
+) -> Plan:
     """Asks the registry and the repositories of packages how things are.
 
     Args:
@@ -362,7 +360,7 @@ def survey(
     """
     native = base_images.native_architecture()
     require_architectures(catalogue, architectures)
-    agenda = Agenda(
+    plan = Plan(
         services,
         catalogue,
         inputs or Inputs(services.root, catalogue),
@@ -376,17 +374,13 @@ def survey(
         date=date,
         whole=whole,
     )
-    agenda.inputs.check()
+    plan.inputs.check()
     book = Ledger(registry, prefix)
-    keys = [item.key for item in agenda.items] + [(thing.target, INDEX) for thing in agenda.things()]
-    agenda.known = book.read_all(keys)
-    if found := restore.entries(book, agenda.things(), agenda.known):
-        agenda.known |= {key: entry for key, (entry, _) in found.items()}
-        agenda.restored = {key: names for key, (_, names) in found.items()}
-        agenda.remarks.append(f"lost from the ledger, and found attached to images: {len(found)} of its entries")
-    agenda.present = present(registry, prefix, agenda.known.values())
-    _ask(agenda)
-    return agenda
+    keys = [item.key for item in plan.items] + [(thing.target, INDEX) for thing in plan.things()]
+    plan.known = book.read_all(keys)
+    plan.present = present(registry, prefix, plan.known.values())
+    _ask(plan)
+    return plan
 
 
 def present(registry: Client, prefix: str, entries: Iterable[Entry]) -> set[tuple[str, str]]:
@@ -401,20 +395,20 @@ def present(registry: Client, prefix: str, entries: Iterable[Entry]) -> set[tupl
         return {(e.target, e.architecture) for e, yes in zip(found, pool.map(there, found), strict=True) if yes}
 
 
-def _ask(agenda: Agenda) -> None:
+def _ask(plan: Plan) -> None:
     """Asks the repositories of packages of the distributions that can be built here."""
     rows: Mapping[str, Image] = {
         item.thing.distribution: item.thing
-        for item in agenda.items
+        for item in plan.items
         if item.kind == "ros"
         and isinstance(item.thing, Image)
-        and not agenda.hindrance(item)
-        and item.thing.distribution not in agenda.upstream
+        and not plan.hindrance(item)
+        and item.thing.distribution not in plan.upstream
     }
 
     def asked(name: str) -> str | RosmlError:
         try:
-            return upstreams.state(agenda.catalogue.matrix, name)
+            return upstreams.state(plan.catalogue.matrix, name)
         except RosmlError as error:
             return error
 
@@ -424,14 +418,14 @@ def _ask(agenda: Agenda) -> None:
                 if answer.exit_code == 2:  # what the user said is wrong, and not the network
                     raise answer
                 remark = f"{name}: {answer.message}; its packages are taken for unchanged; {answer.remedy}"
-                agenda.remarks.append(remark)
+                plan.remarks.append(remark)
             else:
-                agenda.upstream[name] = answer
+                plan.upstream[name] = answer
 
 
-def changes(agenda: Agenda, book: Ledger, item: Item) -> list[str]:
+def changes(plan: Plan, book: Ledger, item: Item) -> list[str]:
     """Which inputs of an item differ from those that it was made from, and those of its parts."""
-    old, new = book.inputs(*item.key), agenda.inputs.of(item.target, item.architecture)
+    old, new = book.inputs(*item.key), plan.inputs.of(item.target, item.architecture)
     if not old:
         return []
     return sorted(name for name in old.keys() | new.keys() if old.get(name) != new.get(name))

@@ -19,7 +19,6 @@ from rosml.base.errors import RosmlError
 from rosml.images import labels
 from rosml.images.image_set import Image, Payload, tags_of
 from rosml.images.labels import TITLE
-from rosml.machine import regctl
 from rosml.matrix.names import dated
 from rosml.publish.pipeline import Outcome, Pipeline
 from rosml.records import ledger
@@ -33,8 +32,9 @@ class Promotion:
     def __init__(self, pipeline: Pipeline) -> None:
         self.pipeline = pipeline
         self.registry = pipeline.registry
-        self.date = pipeline.agenda.date
+        self.date = pipeline.plan.date
         self._settled: frozenset[tuple[str, str]] = frozenset()
+        self._silent: RosmlError | None = None
 
     def run(self) -> list[Move]:
         """Moves the tags of all images whose index is as it should be. One that the registry refuses is no other's trouble.
@@ -42,12 +42,11 @@ class Promotion:
         Raises:
             RosmlError: the registry does not answer, or takes no record of where tags were; no tag was moved.
         """
-        self.pipeline.write_restored()
         self._settled = self._settled_tags()
         planned: list[tuple[Image | Payload, list[Move]]] = []
-        for thing in self.pipeline.agenda.things():
+        for thing in self.pipeline.plan.things():
             entry = self._adopted(thing)
-            if reason := self.pipeline.agenda.unready(thing, self.pipeline.serving):
+            if reason := self.pipeline.plan.unready(thing, self.pipeline.serving):
                 self._say(thing, "waits", reason)
             elif entry is None or not self._current(thing, entry):
                 self._say(thing, "waits", "its index is not made yet")
@@ -66,19 +65,14 @@ class Promotion:
         every = [move for _, moves in planned for move in moves]
         if every:
             self._record(every)
-        for thing, moves in planned:
-            started = time.monotonic()
-            try:
-                for move in moves:
-                    self._move(move)
-            except (
-                RosmlError
-            ) as error:  # a tag that is protected, an index that somebody removed: no other image's fault
-                answers(self.pipeline)
-                self._say(thing, "failed", error.message, time.monotonic() - started)
-                continue
-            tags = ", ".join(move.tag for move in moves)
-            self._say(thing, "done", tags, time.monotonic() - started)
+        # Tags of one image in their order, images side by side.
+        pool = ThreadPoolExecutor(READERS)
+        try:
+            for (thing, moves), (seconds, reason) in zip(planned, pool.map(self._move, planned), strict=True):
+                tags = ", ".join(move.tag for move in moves)
+                self._say(thing, "failed" if reason else "done", reason or tags, seconds)
+        finally:
+            pool.shutdown(cancel_futures=True)
         return every
 
     def _say(self, thing: Image | Payload, state: Any, reason: str, seconds: float = 0.0) -> None:
@@ -88,7 +82,7 @@ class Promotion:
         """The entry of an image's index: of the one that its tag points at, where another publisher made that one later, of the
         same images, and wrote the ledger before this one did. Otherwise the tag would wait for ever, at something newer.
         """
-        known = self.pipeline.agenda.known
+        known = self.pipeline.plan.known
         entry = known.get((thing.target, INDEX))
         if entry is None or not entry.digest or entry.held:
             return entry
@@ -107,13 +101,13 @@ class Promotion:
         entry = replace(entry.made(there, **facts, date=date), changed=self.date)
         self.pipeline.ledger.write(entry, {})
         known[thing.target, INDEX] = entry
-        self.pipeline.agenda.present.add((thing.target, INDEX))
+        self.pipeline.plan.present.add((thing.target, INDEX))
         return entry
 
     def _current(self, thing: Image | Payload, entry: Entry) -> bool:
-        known = self.pipeline.agenda.known
+        known = self.pipeline.plan.known
         members = {key[1]: known[key].digest for key in self.pipeline.members(thing)}
-        return entry.parts == members and entry.inputs == self.pipeline.agenda.inputs.together(thing)
+        return entry.parts == members and entry.inputs == self.pipeline.plan.inputs.together(thing)
 
     def _wrong(self, thing: Image | Payload, entry: Entry) -> str:
         """Why what the ledger names as an image's index is not that; empty where it is."""
@@ -128,14 +122,14 @@ class Promotion:
 
     def _attached(self, thing: Image | Payload, moves: list[Move]) -> bool:
         """Whether what the ledger says is attached to an index and its images; what is missing is attached now."""
-        known, started = self.pipeline.agenda.known, time.monotonic()
+        known, started = self.pipeline.plan.known, time.monotonic()
         entry = known[thing.target, INDEX]
         members = [known[key] for key in self.pipeline.members(thing)]
         attached = {item.architecture: item.facts for item in (*members, entry)}
         if entry.attached == attached:
             return True
         try:
-            inputs = self.pipeline.agenda.inputs
+            inputs = self.pipeline.plan.inputs
             made = [self.pipeline.ledger.attach(item, inputs.of(item.target, item.architecture)) for item in members]
             made.append(self.pipeline.ledger.attach(entry, {}))
             known[thing.target, INDEX] = replace(entry, attached=attached)
@@ -152,9 +146,9 @@ class Promotion:
         """Repository and tag of all that point at what the ledger names. Most of them do on most nights: they are asked for
         side by side, since one after the other would take minutes on a registry that is far away.
         """
-        known = self.pipeline.agenda.known
+        known = self.pipeline.plan.known
         entries = [
-            (thing, known[key]) for thing in self.pipeline.agenda.things() if (key := (thing.target, INDEX)) in known
+            (thing, known[key]) for thing in self.pipeline.plan.things() if (key := (thing.target, INDEX)) in known
         ]
         wanted = [
             (self.pipeline.repository(entry.repository), tag, entry.digest)
@@ -209,7 +203,7 @@ class Promotion:
             )
         elif date > entry.date and not clock.is_ahead(date, clock.now()):
             return f"it points at something newer, of {date}"
-        elif date > entry.date and not self.pipeline.agenda.force:
+        elif date > entry.date and not self.pipeline.plan.force:
             return f"it points at something of {date}, which is in the future: undo that run, or move it with --force"
         platforms = [item.get("platform") or {} for item in found.content.get("manifests") or []]
         lost = {item.get("architecture", "") for item in platforms} - set(entry.parts) - {"unknown", ""}
@@ -229,9 +223,27 @@ class Promotion:
         text = json.dumps(content, sort_keys=True)
         self.pipeline.ledger.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
 
-    def _move(self, move: Move) -> None:
-        repository = f"{self.pipeline.host}/{self.pipeline.repository(move.repository)}"
-        regctl.tag(self.pipeline.agenda.services, repository, move.new, move.tag)
+    def _move(self, planned: tuple[Image | Payload, list[Move]]) -> tuple[float, str]:
+        """Moves the tags of an image; gives the seconds that it took, and why one did not move. A tag that is protected, or an
+        index that somebody removed, is no other image's fault.
+
+        Raises:
+            RosmlError: the registry does not answer.
+        """
+        started = time.monotonic()
+        try:
+            for move in planned[1]:
+                if self._silent:
+                    raise self._silent
+                self.registry.tag(self.pipeline.repository(move.repository), move.new, move.tag)
+        except RosmlError as error:
+            try:
+                answers(self.pipeline)
+            except RosmlError as silent:
+                self._silent = silent
+                raise
+            return time.monotonic() - started, error.message
+        return time.monotonic() - started, ""
 
 
 def _members(index: Any) -> dict[str, str]:
@@ -248,4 +260,4 @@ def answers(pipeline: Pipeline) -> None:
     Raises:
         RosmlError: it does not.
     """
-    pipeline.registry.head(pipeline.ledger.repository, record_name(pipeline.agenda.date))
+    pipeline.registry.head(pipeline.ledger.repository, record_name(pipeline.plan.date))

@@ -127,13 +127,13 @@ def record(pipeline: Pipeline, file: Path) -> None:
             shelf.store(repository, digest, sbom)
     for found in entries:
         key = found.target, found.architecture
-        known = pipeline.agenda.known.get(key)
+        known = pipeline.plan.known.get(key)
         if known is None or known.digest != found.digest:
             pipeline.outcomes.append(Done("record", *key, "waits", "it was made anew since it was scanned"))
             continue
-        entry = replace(known, scanned=found.scanned, scan=found.scan, changed=pipeline.agenda.date)
+        entry = replace(known, scanned=found.scanned, scan=found.scan, changed=pipeline.plan.date)
         pipeline.ledger.write(entry)
-        pipeline.agenda.known[key] = entry
+        pipeline.plan.known[key] = entry
         pipeline.outcomes.append(Done("record", *key, "done", found.scanned))
 
 

@@ -76,16 +76,16 @@ class Shard:
 
 
 @dataclass(frozen=True)
-class Plan:
+class Dealt:
     """The shards by architecture, the longest first, and how many there might have been."""
 
     allowed: int
     shards: tuple[Shard, ...]
 
 
-def plan(
+def deal(
     catalogue: Catalogue, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
-) -> Plan:
+) -> Dealt:
     """Deals a catalogue's images out to machines.
 
     Args:
@@ -117,7 +117,7 @@ def plan(
         for architecture, share in _shares(units, shards).items()
         for number, content in enumerate(_dealt(units[architecture], share), 1)
     ]
-    return Plan(shards, tuple(dealt))
+    return Dealt(shards, tuple(dealt))
 
 
 def _rates(catalogue: Catalogue) -> Rates:
@@ -307,6 +307,6 @@ def facts(shard: Shard) -> dict[str, Any]:
     }
 
 
-def as_json(plan: Plan) -> str:
+def as_json(plan: Dealt) -> str:
     """plan.json: depends on nothing but the catalogue and the number of shards."""
     return json.dumps({"version": FORMAT, "shards": [facts(shard) for shard in plan.shards]}, indent=2) + "\n"

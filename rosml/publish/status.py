@@ -1,4 +1,4 @@
-"""How the images of a matrix stand: published, stale, failed, not there yet, or not to be had; as a table and as data."""
+"""How the images of a matrix stand: published, outdated, failed, missing, or not to be had; as a table and as data."""
 
 from __future__ import annotations
 
@@ -11,18 +11,20 @@ from typing import Any
 
 from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.images.image_set import Image, Payload, repository_of, tags_of
-from rosml.publish.plan import ELSEWHERE, Agenda
+from rosml.publish.plan import ELSEWHERE, Plan
 from rosml.records.ledger import INDEX, Entry, date_of
 from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
 
+WAITING = "waiting for a builder"
+
 STATES = {
     "published": "green",
-    "stale": "yellow",
+    "outdated": "yellow",
     "failed": "red",
     "missing": "default",
-    "unlocked": "dim",
-    "unbuildable": "dim",
+    "lock missing": "dim",
+    WAITING: "dim",
 }
 """Every state, with its colour: the tag points at what the matrix says now; at something older; what was made last did not
 pass; nothing was published; a lock is missing; it cannot be made on this machine."""
@@ -54,25 +56,23 @@ class Standing:
         return {**vars(self), "platforms": list(self.platforms)}
 
 
-def standings(
-    agenda: Agenda, registry: Client, prefix: str, now: str, serving: Sequence[str] = ()
-) -> Iterator[Standing]:
+def standings(plan: Plan, registry: Client, prefix: str, now: str, serving: Sequence[str] = ()) -> Iterator[Standing]:
     """How every image, and payload, that is asked for stands.
 
     Args:
-        agenda: what there is to do.
+        plan: what there is to do.
         registry: where the tags are. prefix: path of its repositories.
         now: the time from which ages count, as a run's date is written.
         serving: the architectures that the registry serves; all of the matrix if empty.
     """
-    for thing in agenda.things():
+    for thing in plan.things():
         repository, main = repository_of(thing), tags_of(thing)[0]
         found = registry.manifest(repository_path(prefix, repository), main)
         date = date_of(found)
         members = (found.content.get("manifests") or []) if found else []
         platforms = tuple(str((item.get("platform") or {}).get("architecture", "")) for item in members)
         made, today = _moment(date), _moment(now)
-        state, reason = _state(agenda, thing, found.digest if found else "", serving)
+        state, reason = _state(plan, thing, found.digest if found else "", serving)
         if odd := _odd(date, now):
             reason = f"{reason}; {odd}" if reason else odd
         yield Standing(
@@ -87,17 +87,17 @@ def standings(
         )
 
 
-def _state(agenda: Agenda, thing: Image | Payload, tagged: str, serving: Sequence[str]) -> tuple[str, str]:
-    members = [key for key in agenda.members(thing) if not serving or key[1] in serving]
-    index = agenda.known.get((thing.target, INDEX))
+def _state(plan: Plan, thing: Image | Payload, tagged: str, serving: Sequence[str]) -> tuple[str, str]:
+    members = [key for key in plan.members(thing) if not serving or key[1] in serving]
+    index = plan.known.get((thing.target, INDEX))
     still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
     if isinstance(thing, Image) and thing.unlocked and not tagged:
-        return "unlocked", f"{len(thing.unlocked)} of its locks are missing"
-    entries = [entry for key in members if (entry := agenda.known.get(key))]
-    failures = [f"{e.architecture}: {_reason(e)}" for e in entries if e.failed and not _over(agenda, e)]
+        return "lock missing", f"{len(thing.unlocked)} of its locks are missing"
+    entries = [entry for key in members if (entry := plan.known.get(key))]
+    failures = [f"{e.architecture}: {_reason(e)}" for e in entries if e.failed and not _over(plan, e)]
     if failures:
         return "failed", "; ".join(failures)
-    why = [f"{key[1]}: {_first(agenda, key)}" for key in members if _first(agenda, key)]
+    why = [f"{key[1]}: {_first(plan, key)}" for key in members if _first(plan, key)]
     if index and index.failed and all(item.endswith(ELSEWHERE) for item in why):
         return "failed", _reason(index)
     if tagged:
@@ -105,10 +105,10 @@ def _state(agenda: Agenda, thing: Image | Payload, tagged: str, serving: Sequenc
             return "published", ""
         if index and index.digest == tagged and all(item.endswith(ELSEWHERE) for item in why):
             return "published", "; ".join(why)
-        return "stale", "; ".join(why) or still
-    hindered = [agenda.task(agenda.by_key[key]).hindered for key in members]
-    if all(hindered) and any(reason.startswith("unbuildable") for reason in hindered):
-        return "unbuildable", next(reason for reason in hindered if reason.startswith("unbuildable"))
+        return "outdated", "; ".join(why) or still
+    hindered = [plan.task(plan.by_key[key]).hindered for key in members]
+    if all(hindered) and (waiting := [reason for reason in hindered if reason.startswith(WAITING)]):
+        return WAITING, waiting[0].partition(": ")[2]
     return "missing", "; ".join(why) or still
 
 
@@ -119,10 +119,10 @@ def _odd(date: str, now: str) -> str:
     return f"its date {date} is in the future" if date and is_ahead(date, now) else ""
 
 
-def _over(agenda: Agenda, entry: Entry) -> bool:
+def _over(plan: Plan, entry: Entry) -> bool:
     """Whether a failure is of the past: what failed is as it should be, since the change that broke it was taken back."""
-    item = agenda.by_key[entry.target, entry.architecture]
-    return agenda.made(item.key) and (item.kind == "payload" or agenda.passed(item, entry))
+    item = plan.by_key[entry.target, entry.architecture]
+    return plan.made(item.key) and (item.kind == "payload" or plan.passed(item, entry))
 
 
 def _reason(entry: Entry) -> str:
@@ -130,12 +130,12 @@ def _reason(entry: Entry) -> str:
     return next(iter(entry.failed.get("reason", "").splitlines()), "nobody knows why")
 
 
-def _first(agenda: Agenda, key: tuple[str, str]) -> str:
+def _first(plan: Plan, key: tuple[str, str]) -> str:
     """Why an item is not as it should be; the first reason."""
-    task = agenda.task(agenda.by_key[key])
-    if task.hindered and key not in agenda.known:
+    task = plan.task(plan.by_key[key])
+    if task.hindered and key not in plan.known:
         return task.hindered
-    if task.hindered and agenda.made(key):  # what cannot be made here is there as it should be
+    if task.hindered and plan.made(key):  # what cannot be made here is there as it should be
         return ""
     return task.why[0] if task.why else task.hindered
 

@@ -111,7 +111,7 @@ def _read(file: Path) -> dict[str, Any]:
         return {}
     except OSError as error:
         raise RosmlError(f"cannot read {file}: {error.strerror}", "make it readable, or set DOCKER_CONFIG") from None
-    except ValueError:
+    except (ValueError, RecursionError):
         config = None
     if not isinstance(config, dict):
         raise RosmlError(f"{file} is no JSON object", "mend it, or log in again: docker login") from None

@@ -22,6 +22,7 @@ from typing import Any, NamedTuple, TypeVar
 import httpx
 import tenacity
 
+from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.registry import certificates
@@ -259,7 +260,7 @@ class Registry:
         trusted = certificates.of(host)
         scheme = "http" if (local and not trusted if plain is None else plain) else "https"
         self.base = httpx.URL(f"{scheme}://{'registry-1.docker.io' if host == DOCKER_HUB else host}")
-        self._client = httpx.Client(
+        self._client = web.client(
             headers={"User-Agent": "rosml", "Accept-Encoding": "identity"},  # bytes as they are stored
             timeout=httpx.Timeout(ANSWER_SECONDS, connect=10.0, pool=None),
             limits=httpx.Limits(max_connections=CONNECTIONS, max_keepalive_connections=CONNECTIONS),

@@ -14,6 +14,7 @@ from rosml.machine.services import Services
 from rosml.publish import plan as planning
 from rosml.publish import provenance
 from rosml.publish.pipeline import Pipeline
+from rosml.publish.promote import Promotion
 from rosml.publish.sign import Signer, SignerFailed
 from rosml.records import ledger
 from rosml.records.ledger import INDEX, Ledger
@@ -75,8 +76,8 @@ def test_entries_and_provenance(mini: Mini) -> None:
             services, mini.catalogue, counting, mini.prefix, [ONLY[1]], (NATIVE,), date="2027-01-01T00:00:00Z"
         )
         again = Pipeline(plan, counting, services.registry, mini.prefix, LOG.info, (NATIVE,))
-        for step in ("build", "compose", "test", "index", "promote"):
-            getattr(again, step)()
+        for step in (again.build, again.compose, again.test, again.index, Promotion(again).run):
+            step()
         assert (again.outcomes, counting.uploaded) == ([], 0)
 
     test = mini.folder / "tests/structure/contract.yaml"
@@ -92,14 +93,6 @@ def test_entries_and_provenance(mini: Mini) -> None:
     found = Ledger(client, mini.prefix).attached(image.repository, image.digest)
     assert found and found[0].facts == known["bookworm-core", NATIVE].facts
     assert json.loads(mini.publish("prune", "--json").out)["superseded"] == []
-
-    book = Ledger(client, mini.prefix)
-    for name in client.tags(book.repository):
-        if digest := client.head(book.repository, name):
-            client.delete(book.repository, digest)
-    assert not client.tags(book.repository)
-    assert mini.all(*ONLY)["outcomes"] == []
-    assert {key: entry.facts for key, entry in entries(mini).items()} == {k: entry.facts for k, entry in known.items()}
 
     other = mini.elsewhere()
     other.all(*ONLY, "--force")

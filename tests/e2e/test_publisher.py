@@ -83,7 +83,7 @@ def test_status_says_how_things_stand(mini: Mini) -> None:
     mini.mark(ros="2")
     said = json.loads(mini.publish("status", "--json").out)
     states = {item["target"]: item["state"] for item in said["images"]}
-    assert states["bookworm-core"] == "stale" and states["bookworm-base"] == "missing"
+    assert states["bookworm-core"] == "outdated" and states["bookworm-base"] == "missing"
 
 
 def test_a_poisoned_image_keeps_its_tags(mini: Mini) -> None:

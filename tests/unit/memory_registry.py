@@ -23,7 +23,7 @@ from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.publish import plan, provenance, undo
 from rosml.publish.pipeline import Outcome, Pipeline
-from rosml.publish.plan import Agenda
+from rosml.publish.plan import Plan
 from rosml.publish.sign import SignerFailed
 from rosml.records import ledger, tag_moves
 from rosml.registry.oci import Manifest
@@ -203,22 +203,19 @@ class MemoryRegistry:
         data = json.dumps(content, sort_keys=True).encode()
         return self.put_manifest(repository, digest(data), data, INDEX)
 
-    def regctl_tag(self, _services: Services, reference: str, target: str, name: str) -> None:
-        self.tag(reference.removeprefix(f"{HOST}/"), target, name)
-
 
 @dataclass
 class Bytes(Maker):
     """Makes images and parts of a few bytes each.
 
     Attributes:
-        agenda: of the run that it works for. registry: where they go.
+        plan: of the run that it works for. registry: where they go.
         made: what was built, composed and tested, in order: (step, target, architecture).
         poisoned: targets whose tests fail. broken: targets whose build fails. packages: what is in the ROS images.
         odd: labels that an image has on an architecture.
     """
 
-    agenda: Agenda
+    plan: Plan
     registry: Any
     made: list[tuple[str, str, str]] = field(default_factory=list)
     poisoned: set[str] = field(default_factory=set)
@@ -228,7 +225,7 @@ class Bytes(Maker):
 
     def build_part(self, part: Payload, architecture: str) -> Made:
         self._require_whole(part.target)
-        inputs = self.agenda.inputs.digest(part.target, architecture)
+        inputs = self.plan.inputs.digest(part.target, architecture)
         return Made(self._put("build", part, architecture, [f"{part.target} {inputs}".encode()]), base=BASE)
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
@@ -261,7 +258,7 @@ class Bytes(Maker):
     def _layers(self, parts: Mapping[str, str], architecture: str) -> list[bytes]:
         found = []
         for target, name in parts.items():
-            repository = f"{PREFIX}/{self.agenda.by_key[target, architecture].repository}"
+            repository = f"{PREFIX}/{self.plan.by_key[target, architecture].repository}"
             content = self.registry.manifest(repository, name).content
             found += [self.registry.blob(repository, layer["digest"]) for layer in content["layers"]]
         return found
@@ -397,7 +394,6 @@ def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> 
     """A place whose regctl and repositories of packages are in memory as well."""
     found = Place(services)
     monkeypatch.setattr(regctl, "create_index", lambda *a: found.registry.create_index(*a))
-    monkeypatch.setattr(regctl, "tag", lambda *a: found.registry.regctl_tag(*a))
 
     def state(_matrix: object, distribution: str) -> str:
         answer = found.upstream[distribution]
@@ -409,4 +405,4 @@ def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> 
     return found
 
 
-__all__ = ["Agenda", "Killed", "Place", "place"]
+__all__ = ["Killed", "Place", "Plan", "place"]

@@ -19,10 +19,10 @@ from rosml.bake import bake_file, hcl, targets
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.cli import command
+from rosml.cli import generate as generate_bake
 from rosml.images import apt_source, expand, labels, load
 from rosml.images.image_set import Catalogue
 from rosml.matrix import model, schema, source
-from scripts import generate_bake
 
 SCRIPT = ROOT / "scripts/generate_bake.py"
 
@@ -180,7 +180,7 @@ def test_list_json(real: Catalogue) -> None:
 
 
 def test_explain_json(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """What a tag, a test, a payload or a group is, and whether there is one; the text is what people read."""
+    """What a tag, a test, a payload or a group is, and whether there is one; the reasons are what people read."""
     image = small.image("alpha-core-torch-cu1")
     for name, target, exists in (
         (image.target, image.target, True),
@@ -196,7 +196,10 @@ def test_explain_json(small: Catalogue, small_file: Path, capsys: pytest.Capture
             arguments = ["--explain", name, "--matrix", str(small_file), *form]
             assert command.run(generate_bake.main, arguments=arguments) == 0
             said.append(capsys.readouterr().out)
-        assert json.loads(said[1]) == {"target": target, "exists": exists, "text": said[0].rstrip("\n")}
+        found = json.loads(said[1])
+        assert (found["target"], found["exists"]) == (target, exists)
+        reasons = [line.removeprefix("  - ") for line in said[0].splitlines()]
+        assert found["reasons"] == (reasons[1:] or reasons)
 
 
 def test_list_is_one_line_for_each_image(small: Catalogue, small_file: Path) -> None:

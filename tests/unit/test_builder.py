@@ -300,7 +300,7 @@ def interrupt_when(ready: Path) -> threading.Thread:
     """Sends this process what Ctrl-C sends, as soon as a file is there."""
 
     def send() -> None:
-        end = time.monotonic() + 5
+        end = time.monotonic() + 60
         while not ready.exists() and time.monotonic() < end:
             time.sleep(0.01)
         os.kill(os.getpid(), signal.SIGINT)

@@ -21,12 +21,12 @@ from rosml.catalogue import site
 from rosml.catalogue.model import Image, Published, status
 from rosml.catalogue.model import Tests as Ran
 from rosml.catalogue.read import Gatherer
+from rosml.cli import catalogue as command
 from rosml.images import locked
 from rosml.images.image_set import Catalogue
 from rosml.matrix import schema
 from rosml.records import ledger, tag_moves
 from rosml.registry import oci
-from scripts import catalogue as command
 
 NOW = "2026-11-22T06:00:00Z"
 TORCH = "bookworm-base-torch-cu128"

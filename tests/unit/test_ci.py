@@ -19,13 +19,13 @@ from rosml.bake import pull_request
 from rosml.bake.inputs import Inputs
 from rosml.base import ci, units
 from rosml.base.errors import RosmlError
-from rosml.cli import report
+from rosml.cli import locks as lock
+from rosml.cli import publish, report
 from rosml.images import locked
 from rosml.images.image_set import Catalogue
 from rosml.locks.resolve import Move
 from rosml.machine import revision
 from rosml.publish import plan_file
-from scripts import lock, publish
 
 
 @pytest.fixture
@@ -98,7 +98,7 @@ def test_a_plan_names_what_changed_when_asked(
         report.print_plan(run, why)
         said = capsys.readouterr().out
         assert ("changed: components/torch/files.sh" in said) == why
-        counts = f"{len(named)} to do, {len(run.agenda.items) - len(named)} as they should be\n"
+        counts = f"{len(named)} to do, {len(run.plan.items) - len(named)} as they should be\n"
         assert said.endswith(counts) and "its inputs changed" in said
 
 
@@ -354,7 +354,7 @@ def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
     head, _, *rest = rows
     assert head == ["step", "image", "architecture", "state", "time", "size", "digest", "what"]
     found = {tuple(row[:3]): row[3:] for row in rest}
-    entry = run.agenda.known["alpha-core", "amd64"]
+    entry = run.plan.known["alpha-core", "amd64"]
     state, _, size, digest, _ = found["build", "`alpha-core`", "amd64"]
     assert (state, size, digest) == ("done", units.size(entry.size), f"`{entry.digest[:19]}`")
     assert entry.size and entry.digest.startswith("sha256:")
@@ -362,6 +362,6 @@ def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
     assert (state, size, digest, what) == ("failed", "", "", "building alpha-base failed")
     assert found["promote", "`alpha-core`", ""][0] == "done"
     assert not [key for key in found if "omega" in key[1]]
-    unchanged = sum(item.thing.target == "omega-core" for item in run.agenda.items)
+    unchanged = sum(item.thing.target == "omega-core" for item in run.plan.items)
     assert unchanged == 2 and f"- {unchanged} left alone, as they should be\n" in text
     assert "- build: 2 done\n" in text and "- build: 2 failed\n" in text

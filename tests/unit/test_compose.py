@@ -18,13 +18,13 @@ from registry_stand_in import DROP, Fault, StandIn, standing_in
 
 from rosml.base.errors import RosmlError
 from rosml.cli import command
+from rosml.cli import join as script
 from rosml.join import file_lists
 from rosml.join.composer import Composed, Composer
 from rosml.join.file_lists import Files
 from rosml.matrix.model import PARTS, Part
 from rosml.registry import oci
 from rosml.registry.oci import Reference, Registry
-from scripts import compose as script
 from tests.e2e import parts
 from tests.e2e.parts import Tiny, payload, ros
 

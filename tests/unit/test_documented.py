@@ -19,10 +19,11 @@ from workflows import COMMANDS, accepted
 
 from bench import cli as bench
 from rosml.base.errors import RosmlError
+from rosml.cli import join as compose
+from rosml.cli import publish
 from rosml.images.explain import explain
 from rosml.images.image_set import Catalogue
 from rosml.images.selection import members
-from scripts import compose, publish
 from tests.calls import lacking
 from tests.documented import blocks, commands, documented, pages
 from tests.proof import Proof

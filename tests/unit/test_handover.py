@@ -72,12 +72,12 @@ def scan(found: Run, file: Path, outcome: str = "clean") -> str:
     """Does what a scan does with the registry: an SBOM, and an entry."""
     reader = scan_results.Reader(found.registry)
     found.registry = reader
-    entry = found.agenda.known[CORE]
+    entry = found.plan.known[CORE]
     Shelf(reader, "trivy 1").store(f"{PREFIX}/ros", entry.digest, sbom(entry.digest))
     changed = ledger.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
     assert changed
-    found.ledger.write(changed, found.agenda.inputs.of(*CORE))
-    reader.write(file, found.agenda.date)
+    found.ledger.write(changed, found.plan.inputs.of(*CORE))
+    reader.write(file, found.plan.date)
     return entry.digest
 
 
@@ -88,10 +88,10 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
     digest = scan(run(), tmp_path / "scan.json")
     assert registry.registry.writes == before
     found = run()
-    assert found.agenda.known[CORE].scanned == ""
+    assert found.plan.known[CORE].scanned == ""
     found.registry = shelved = Shelved(found.registry)
     scan_results.record(found, tmp_path / "scan.json")
-    entry = run().agenda.known[CORE]
+    entry = run().plan.known[CORE]
     assert (entry.scanned, entry.scan, entry.digest) == ("clean", {"policy": "sha256:1"}, digest)
     assert entry.passed == 5, "tests are no business of a scan"
     kept = Shelf(shelved, "trivy 1").load(f"{PREFIX}/ros", digest)
@@ -104,10 +104,10 @@ def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp
     scan(run(), tmp_path / "scan.json")
     found = run()
     found.registry = Shelved(found.registry)
-    entry = found.agenda.known[CORE]
-    found.agenda.known[CORE] = entry.made(f"sha256:{'7' * 64}")
+    entry = found.plan.known[CORE]
+    found.plan.known[CORE] = entry.made(f"sha256:{'7' * 64}")
     scan_results.record(found, tmp_path / "scan.json")
-    assert run().agenda.known[CORE].scanned == ""
+    assert run().plan.known[CORE].scanned == ""
     assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was made anew since it was scanned")]
 
 
@@ -144,7 +144,7 @@ class Meanwhile:
 def test_another_run_may_write_the_entry_meanwhile(run: Callable[[], Run]) -> None:
     """What it wrote stays, and what it replaced is not the scan's to remove."""
     here = run()
-    entry = here.agenda.known[CORE]
+    entry = here.plan.known[CORE]
     book = ledger.Ledger(here.registry, PREFIX)
     other = ledger.parse(entry.to_json() | {"passed": 77})
     found = ledger.parse(entry.to_json() | {"scanned": "clean"})
@@ -183,4 +183,4 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
     with pytest.raises(RosmlError, match="holds no results of a scan") as caught:
         scan_results.record(found, file)
     assert caught.value.exit_code == 2
-    assert run().agenda.known[CORE].scanned == ""
+    assert run().plan.known[CORE].scanned == ""

@@ -8,11 +8,11 @@ import pytest
 from conftest import SMALL, changed, parse, write_locks
 
 from rosml.cli import command
+from rosml.cli import generate as generate_bake
 from rosml.images import load as loading
 from rosml.images import missing
 from rosml.images.image_set import Catalogue
 from rosml.images.locked import with_locks
-from scripts import generate_bake
 
 TORCH = "locks/cu1/amd64/3.12/torch.txt"
 COMMON = "locks/cpu/amd64/3.14/common.txt"

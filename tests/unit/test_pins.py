@@ -14,12 +14,12 @@ from registry_stand_in import StandIn, standing_in
 
 from rosml.bake.inputs import Inputs
 from rosml.cli import command
+from rosml.cli import locks as script
 from rosml.images import locked
 from rosml.locks import base_digests
 from rosml.matrix import names, source
 from rosml.registry import oci
 from rosml.registry.oci import Registry
-from scripts import lock as script
 
 OLD = "sha256:" + "1" * 64
 OTHER = "sha256:" + "2" * 64

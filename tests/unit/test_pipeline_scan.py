@@ -35,11 +35,11 @@ def scanned(registry: Place, catalogue: Catalogue, world: World, **options: obje
     run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
     for step in ("build", "compose", "test"):
         do(run, step)
-    for item in run.agenda.items:
+    for item in run.plan.items:
         packages = ("bash",) if item.kind == "ros" else (item.thing.part,) if item.kind == "payload" else ()  # type: ignore[union-attr]
         if packages:
             world.part("x", *packages, ros=item.kind == "ros")
-            world.images[run.agenda.known[item.key].digest] = world.images.popitem()[1]
+            world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]
     trivy = world.trivy()
     trivy.fetch(rules().policy.database)
     run.scan(rules(), trivy)
@@ -58,10 +58,10 @@ def test_what_the_policy_stops_gets_no_tag(
     assert "alpha-core" in registry.tagged("ros") and "alpha-core-cu1" in registry.tagged("ros-cuda")
     assert registry.tagged("ros-torch") == {}
     assert any("scan: policy failed" in reason for reason in waiting(run, BASE))
-    entry = run.agenda.known[BASE, "amd64"]
+    entry = run.plan.known[BASE, "amd64"]
     assert entry.scan["failing"] == ["CVE-2026-2"] and entry.scan["findings"] == {"critical": 1}
     calls = world.calls("sbom")
-    parts = {item.key for item in run.agenda.items if item.kind != "joined"}
+    parts = {item.key for item in run.plan.items if item.kind != "joined"}
     assert len(calls) == len(parts), "a part that images share is scanned once"
 
     again = scanned(registry, catalogue, world, date=NEXT)
@@ -99,8 +99,8 @@ def test_what_another_run_made_anew_keeps_its_entry(
         do(run, step)
     other = registry.run(catalogue, date=NEXT, only=["alpha-core"], force=True, packages="2")
     other.build()
-    made = other.agenda.known["alpha-core", "amd64"]
-    assert made.digest != run.agenda.known["alpha-core", "amd64"].digest
+    made = other.plan.known["alpha-core", "amd64"]
+    assert made.digest != run.plan.known["alpha-core", "amd64"].digest
     run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
     assert run.ledger.read("alpha-core", "amd64") == made
     assert "another run has made it anew since it was scanned" in waiting(run, "alpha-core")
@@ -124,8 +124,8 @@ def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(judging, "summarise", judge)
             run.scan(rules(), ScannerFailed("none", "make scanner"))
-    for key in [key for key in run.agenda.present if key[0] == "omega-base"]:
-        run.agenda.present.discard(key)
+    for key in [key for key in run.plan.present if key[0] == "omega-base"]:
+        run.plan.present.discard(key)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(judging, "summarise", judge)
         run.scan(rules(), ScannerFailed("none", "make scanner"))

@@ -14,10 +14,10 @@ from counting import calls
 from bench import synthetic
 from rosml.base.errors import RosmlError
 from rosml.cli import command
+from rosml.cli import generate as generate_bake
 from rosml.images.image_set import Catalogue, Image
 from rosml.machine import disk
 from rosml.publish import shards as dealing
-from scripts import generate_bake
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +34,7 @@ def everything(image: Image) -> bool:
 
 
 def test_a_shard(small: Catalogue) -> None:
-    shards = dealing.plan(small, 4).shards
+    shards = dealing.deal(small, 4).shards
     assert [shard.name for shard in shards] == ["amd64-1", "amd64-2", "arm64-1", "arm64-2"]
     first = shards[0]
     assert (first.architecture, first.platform, first.runner) == ("amd64", "linux/amd64", "amd")
@@ -58,7 +58,7 @@ def test_a_shard(small: Catalogue) -> None:
 
 def test_what_a_shard_has_already_costs_nothing(small: Catalogue) -> None:
     """Both distributions need CUDA, which is assembled once: 10 s, and 2 * 1100 MB; their Pythons differ."""
-    apart, together = dealing.plan(small, 4).shards, dealing.plan(small, 2).shards
+    apart, together = dealing.deal(small, 4).shards, dealing.deal(small, 2).shards
     assert [shard.seconds for shard in together] == [124 + 77 - 10, 74 + 42]
     assert together[0].payloads.count("cuda-cu1") == 1
     saved = apart[0].disk_mb + apart[1].disk_mb - together[0].disk_mb
@@ -67,11 +67,11 @@ def test_what_a_shard_has_already_costs_nothing(small: Catalogue) -> None:
 
 
 def test_a_further_shard_goes_where_it_takes_longest(small: Catalogue) -> None:
-    assert [shard.name for shard in dealing.plan(small, 3).shards] == ["amd64-1", "amd64-2", "arm64-1"]
+    assert [shard.name for shard in dealing.deal(small, 3).shards] == ["amd64-1", "amd64-2", "arm64-1"]
 
 
 def test_only_what_is_included(small: Catalogue) -> None:
-    found = dealing.plan(small, 4, lambda image: image.target == "alpha-desktop-torch-cpu").shards
+    found = dealing.deal(small, 4, lambda image: image.target == "alpha-desktop-torch-cpu").shards
     assert [(shard.name, shard.targets) for shard in found] == [
         ("arm64-1", ("alpha-core", "alpha-base", "alpha-desktop", "alpha-desktop-torch-cpu"))
     ]
@@ -82,7 +82,7 @@ def test_distributions_that_share_come_together() -> None:
     """Two on each of eight operating systems, all equally long; the second ones where the first ones are."""
     catalogue = parse(synthetic.matrix(16 * synthetic.IMAGES))
     system = {name: row.os for name, row in catalogue.matrix.distributions.items()}
-    for shard in dealing.plan(catalogue, 16).shards:
+    for shard in dealing.deal(catalogue, 16).shards:
         assert len(shard.distributions) == 2
         assert len({system[name] for name in shard.distributions}) == 1
 
@@ -92,7 +92,7 @@ def test_distributions_that_share_come_together() -> None:
 
 @pytest.mark.parametrize("number", [2, 3, 7, 12, 20, 99])
 def test_every_plan(big: Catalogue, number: int) -> None:
-    found = dealing.plan(big, number)
+    found = dealing.deal(big, number)
     assert len(found.shards) == min(number, 20)
     wanted = {(image.target, architecture) for image in big.images for architecture in image.architectures}
     built = [(target, shard.architecture) for shard in found.shards for target in shard.targets]
@@ -112,21 +112,21 @@ def test_every_plan(big: Catalogue, number: int) -> None:
 @pytest.mark.parametrize("number", [4, 8, 12])
 def test_balanced(big: Catalogue, number: int) -> None:
     """No shard takes longer than its fair share of all the work and the longest unit together."""
-    units = dealing.plan(big, 99).shards
+    units = dealing.deal(big, 99).shards
     longest = max(unit.seconds for unit in units)
-    shards = dealing.plan(big, number).shards
+    shards = dealing.deal(big, number).shards
     assert max(shard.seconds for shard in shards) <= sum(unit.seconds for unit in units) / number + longest
 
 
 def test_more_machines_never_take_longer(big: Catalogue) -> None:
-    times = [max(shard.seconds for shard in dealing.plan(big, number).shards) for number in range(2, 22)]
+    times = [max(shard.seconds for shard in dealing.deal(big, number).shards) for number in range(2, 22)]
     assert times == sorted(times, reverse=True)
     assert times[0] > 4 * times[-1]
 
 
 def test_same_input_same_bytes(big: Catalogue) -> None:
-    text = dealing.as_json(dealing.plan(big, 7))
-    assert text == dealing.as_json(dealing.plan(parse(synthetic.matrix(10 * synthetic.IMAGES)), 7, everything))
+    text = dealing.as_json(dealing.deal(big, 7))
+    assert text == dealing.as_json(dealing.deal(parse(synthetic.matrix(10 * synthetic.IMAGES)), 7, everything))
     assert re.findall(r"\b20\d\d-\d\d-\d\d\b", text) == []
 
 
@@ -136,14 +136,14 @@ def test_order_of_the_matrix_does_not_make_it_worse() -> None:
     times = set()
     for order in orders:
         catalogue = parse("\n".join([f"{head}distributions:", *order, ""]))
-        times.add(max(shard.seconds for shard in dealing.plan(catalogue, 4).shards))
+        times.add(max(shard.seconds for shard in dealing.deal(catalogue, 4).shards))
     assert len(times) == 1
 
 
 def test_work_grows_with_the_images_and_not_with_their_square() -> None:
     """Ten times the images; with their square it would be 100 times the work."""
     few, many = (parse(synthetic.matrix(images)) for images in (1_000, 10_000))
-    assert calls(lambda: dealing.plan(many, 20)) < 12 * calls(lambda: dealing.plan(few, 20))
+    assert calls(lambda: dealing.deal(many, 20)) < 12 * calls(lambda: dealing.deal(few, 20))
 
 
 # ---- Errors ----------------------------------------------------------------------------------------------------------
@@ -160,7 +160,7 @@ ERRORS: dict[str, tuple[str, int, str, str]] = {
 def test_errors(name: str) -> None:
     text, number, message, remedy = ERRORS[name]
     with pytest.raises(RosmlError) as caught:
-        dealing.plan(parse(text), number)
+        dealing.deal(parse(text), number)
     assert message in caught.value.message
     assert remedy in caught.value.remedy
     assert caught.value.exit_code == 2
@@ -169,20 +169,20 @@ def test_errors(name: str) -> None:
 def test_an_architecture_that_nothing_is_built_for_needs_no_runner() -> None:
     text = changed(", runner: arm", "", changed("default_stack: cpu", "default_stack: cu1"))
     text = text.replace("architectures: [amd64, arm64]", "architectures: [amd64]")
-    assert [shard.architecture for shard in dealing.plan(parse(text), 1).shards] == ["amd64"]
+    assert [shard.architecture for shard in dealing.deal(parse(text), 1).shards] == ["amd64"]
 
 
 @pytest.mark.parametrize("shards", [0, -1])
 def test_no_machines(shards: int, small: Catalogue) -> None:
     with pytest.raises(RosmlError) as caught:
-        dealing.plan(small, shards)
+        dealing.deal(small, shards)
     assert (caught.value.message, caught.value.exit_code) == (f"{shards} machines can build nothing", 2)
     assert caught.value.remedy == "say how many there are, one or more: make plan SHARDS=8"
 
 
 def test_nothing_to_plan(small: Catalogue) -> None:
     with pytest.raises(RosmlError, match="nothing to plan") as caught:
-        dealing.plan(small, 2, lambda image: False)
+        dealing.deal(small, 2, lambda image: False)
     assert "make locks" in caught.value.remedy
 
 
@@ -227,7 +227,7 @@ def test_json(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[
     assert run("--matrix", small_file, "--shards", "3", "--json") == 0
     found = json.loads(capsys.readouterr().out)
     assert found["version"] == 1
-    assert found["shards"] == [dealing.facts(shard) for shard in dealing.plan(small, 3).shards]
+    assert found["shards"] == [dealing.facts(shard) for shard in dealing.deal(small, 3).shards]
     assert found["shards"][0].keys() == {
         "name", "architecture", "platform", "runner", "distributions", "targets", "payloads", "estimates",
     }  # fmt: skip
@@ -237,7 +237,7 @@ def test_json(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[
 def test_output(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     output = small_file.with_name("plan.json")
     assert run("--matrix", small_file, "--shards", "3", "--output", output) == 0
-    assert output.read_text() == dealing.as_json(dealing.plan(small, 3))
+    assert output.read_text() == dealing.as_json(dealing.deal(small, 3))
     done = capsys.readouterr()
     assert (done.out, "plan.json: written" in done.err) == ("", True)
 
@@ -252,5 +252,5 @@ def test_table(small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_real_matrix_has_a_plan(real: Catalogue) -> None:
     units = {(image.distribution, name) for image in real.images for name in image.architectures}
-    assert len(dealing.plan(real, 100).shards) == len(units)
+    assert len(dealing.deal(real, 100).shards) == len(units)
     assert (ROOT / "matrix.yaml").read_text().count("runner:") == len(real.matrix.architectures)

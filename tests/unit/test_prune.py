@@ -124,7 +124,7 @@ def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
 
     def states(**options: object) -> dict[str, status.Standing]:
         run = nights.run(catalogue, **options)  # type: ignore[arg-type]
-        found = status.standings(run.agenda, nights.registry, PREFIX, now, run.serving)
+        found = status.standings(run.plan, nights.registry, PREFIX, now, run.serving)
         return {item.target: item for item in found}
 
     found = states()
@@ -136,8 +136,8 @@ def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
     )
     nights.upstream["alpha"] = "week 7"
     found = states()
-    assert found["alpha-core"].state == "stale" and "packages moved" in found["alpha-core"].reason
-    assert found[BASE].state == "stale"
+    assert found["alpha-core"].state == "outdated" and "packages moved" in found["alpha-core"].reason
+    assert found[BASE].state == "outdated"
     nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", poisoned={BASE})
     found = states()
     assert found[BASE].state == "failed" and "tests failed" in found[BASE].reason
@@ -145,7 +145,7 @@ def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
     assert states(architectures=("amd64",))["alpha-core"].state == "published", "another machine's work is no fault"
     nights.publish(catalogue, only=["omega-core"], architectures=("amd64",), serving=("amd64",))
     assert states(serving=("amd64",))["omega-core"].state == "published", "what is not served is not missed"
-    assert states()["omega-core"].state == "stale"
+    assert states()["omega-core"].state == "outdated"
     assert status.age(None) == "" and status.age(59) == "59 s" and status.age(7300) == "2 h"
     assert '"failed": 1' in status.as_json(list(found.values()))
 
@@ -164,25 +164,25 @@ def test_what_cannot_be_had_is_told_apart(
     lacking = locked.with_locks(catalogue, catalogue.locks - {lock})
     (project / lock).unlink()
     run = here.run(lacking, only=["alpha-core", "alpha-base", BASE, "alpha-core-ml-cu1"])
-    found = list(status.standings(run.agenda, here.registry, PREFIX, DAY))
+    found = list(status.standings(run.plan, here.registry, PREFIX, DAY))
     states = {item.target: (item.state, item.reason) for item in found if not item.target.startswith("payload")}
-    why = "unbuildable here: docker.io/library/ubuntu:24.04 is on Docker Hub, which does not answer"
+    why = "docker.io/library/ubuntu:24.04 is on Docker Hub, which does not answer"
     assert states == {
         "alpha-core": ("published", ""),
-        "alpha-base": ("unbuildable", why),
-        BASE: ("unlocked", "1 of its locks are missing"),
-        "alpha-core-ml-cu1": ("unlocked", "1 of its locks are missing"),
+        "alpha-base": ("waiting for a builder", why),
+        BASE: ("lock missing", "1 of its locks are missing"),
+        "alpha-core-ml-cu1": ("lock missing", "1 of its locks are missing"),
     }
     counts = json.loads(status.as_json(found))["counts"]
-    assert (counts["published"], counts["unbuildable"], counts["unlocked"]) == (1, 1, 2)
+    assert (counts["published"], counts["waiting for a builder"], counts["lock missing"]) == (1, 1, 2)
     tables.print_status(found)
     lines = {line.split()[0]: " ".join(line.split()[1:]) for line in capsys.readouterr().out.splitlines() if line}
     assert lines["image"] == "state age platforms why"
     assert lines["alpha-core"] == "published 3 d amd64, arm64"
-    assert lines["alpha-base"] == f"unbuildable {why}"
-    assert lines[BASE] == "unlocked 1 of its locks are missing"
+    assert lines["alpha-base"] == f"waiting for a builder {why}"
+    assert lines[BASE] == "lock missing 1 of its locks are missing"
     total = lines[str(len(found))]
-    assert total.startswith("images: 1 published") and total.endswith("2 unlocked, 1 unbuildable")
+    assert total.startswith("images: 1 published") and total.endswith("2 lock missing, 1 waiting for a builder")
 
 
 def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, catalogue: Catalogue) -> None:
@@ -212,7 +212,7 @@ def test_a_tag_of_somebody_else_stays(nights: Place, catalogue: Catalogue) -> No
 def test_how_images_stand_after_a_failure_is_over(nights: Place, catalogue: Catalogue, project: Path) -> None:
     def state(target: str) -> tuple[str, str]:
         run = nights.run(catalogue, only=["alpha"])
-        found = status.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+        found = status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
         return next((item.state, item.reason) for item in found if item.target == target)
 
     script = project / "components/ros/install.sh"
@@ -229,7 +229,7 @@ def test_an_index_that_cannot_be_made_has_failed(nights: Place, catalogue: Catal
     odd = {("alpha-core", "arm64"): {"org.opencontainers.image.version": "another"}}
     nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", odd=odd)
     run = nights.run(catalogue, only=["alpha"])
-    found = {i.target: i for i in status.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
+    found = {i.target: i for i in status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
     assert found["alpha-core"].state == "failed" and "not the same on all" in found["alpha-core"].reason
 
 
@@ -239,8 +239,8 @@ def test_a_date_that_is_none_has_no_age(nights: Place, catalogue: Catalogue, dat
     content = {"manifests": None, "annotations": {"io.rosml.date": date}}
     nights.registry.put_manifest(path, "alpha-core", content, "application/json")
     run = nights.run(catalogue, only=["alpha-core"])
-    (found,) = status.standings(run.agenda, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
-    assert (found.state, found.age, found.platforms) == ("stale", None, ())
+    (found,) = status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+    assert (found.state, found.age, found.platforms) == ("outdated", None, ())
 
 
 def between(nights: Place, work: Callable[[], object], monkeypatch: pytest.MonkeyPatch, what: str = "@") -> None:
@@ -272,7 +272,7 @@ def test_what_a_run_comes_to_need_while_others_go_stays(
     def run() -> None:
         nights.upstream["alpha"] = "week 1 again"
         done = nights.publish(catalogue, only=["alpha"], date="2026-10-07T03:00:00Z", packages="1")
-        again.extend(entry.digest for entry in done.agenda.known.values())
+        again.extend(entry.digest for entry in done.plan.known.values())
         assert not done.failed
 
     between(nights, run, monkeypatch, ":" if when == "tags go" else "@")

@@ -16,10 +16,10 @@ from projects import copy
 from stubs import buildx, calls, services
 
 from rosml.cli import command
+from rosml.cli import publish as script
 from rosml.images import image_set
 from rosml.machine import base_images
 from rosml.machine.services import Services
-from scripts import publish as script
 
 TARGET = "alpha-base-torch-cu1"
 TAGS = ["alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "alpha", "latest"]

@@ -63,11 +63,6 @@ def test_index(tmp_path: Path, address: str) -> None:
     ]
 
 
-def test_tag(tmp_path: Path, address: str) -> None:
-    regctl.tag(having(tmp_path, address, ""), "r", DIGEST, "latest")
-    assert calls(tmp_path) == [f"image copy r@{DIGEST} r:latest"]
-
-
 def test_digest(tmp_path: Path, address: str) -> None:
     assert regctl.digest(having(tmp_path, address, f"echo {DIGEST}"), "r:t") == DIGEST
     assert calls(tmp_path) == ["manifest head r:t"]
@@ -88,10 +83,10 @@ def test_another_failure_is_not_a_missing_tag(tmp_path: Path, address: str, refe
 
 def test_failure_says_the_last_line(tmp_path: Path, address: str) -> None:
     with pytest.raises(RosmlError) as caught:
-        regctl.tag(having(tmp_path, address, "echo one >&2; echo denied >&2; exit 1"), "r", DIGEST, "t")
-    assert caught.value.message == f"regctl image copy r@{DIGEST} r:t: denied"
+        regctl.delete(having(tmp_path, address, "echo one >&2; echo denied >&2; exit 1"), "r:t")
+    assert caught.value.message == "regctl manifest delete r:t: denied"
     with pytest.raises(RosmlError, match=r"r:t: exit code 3$"):
-        regctl.tag(having(tmp_path, address, "exit 3"), "r", DIGEST, "t")
+        regctl.delete(having(tmp_path, address, "exit 3"), "r:t")
 
 
 def test_registry_is_down(tmp_path: Path) -> None:

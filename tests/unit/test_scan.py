@@ -18,12 +18,12 @@ from stubs import services
 
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
+from rosml.cli import publish
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.scan import judge, sbom, trivy
 from rosml.scan.judge import Outcome
 from rosml.scan.trivy import ScannerFailed, Trivy
-from scripts import publish
 
 IGNORE = "- {id: CVE-2026-1, reason: not reachable, expires: 2027-01-31}\n"
 

@@ -149,7 +149,7 @@ def signing(run: Run) -> list[Outcome]:
 def test_every_index_is_signed_once(registry: Place, catalogue: Catalogue) -> None:
     run = registry.publish(catalogue, only=ONLY)
     registry.check(catalogue)
-    indexes = {entry.digest for key, entry in run.agenda.known.items() if key[1] == INDEX}
+    indexes = {entry.digest for key, entry in run.plan.known.items() if key[1] == INDEX}
     assert {name.rpartition("@")[2] for name in registry.pen.signed} == indexes
     assert f"{HOST}/{PREFIX}/ros@{registry.tagged('ros')['alpha-core']}" in registry.pen.signed
     assert [outcome.state for outcome in signing(run)] == ["done"] * len(indexes)
@@ -160,7 +160,7 @@ def test_every_index_is_signed_once(registry: Place, catalogue: Catalogue) -> No
     registry.pen.signed.clear()
     other = registry.publish(catalogue, only=ONLY, date=NEXT)
     assert len(registry.pen.signed) == len(indexes) and not other.made
-    entry = other.agenda.known["alpha-core", INDEX]
+    entry = other.plan.known["alpha-core", INDEX]
     assert entry.signed.keys() == {"sha256:pen", "sha256:another"}
 
 
@@ -179,7 +179,7 @@ def test_without_a_signature_no_tag(registry: Place, catalogue: Catalogue) -> No
 def test_a_tag_that_moves_wants_more_than_the_ledgers_word(registry: Place, catalogue: Catalogue) -> None:
     """Somebody may have deleted the signature since."""
     run = registry.publish(catalogue, only=ONLY)
-    name = f"{HOST}/{PREFIX}/ros@{run.agenda.known['alpha-core', INDEX].digest}"
+    name = f"{HOST}/{PREFIX}/ros@{run.plan.known['alpha-core', INDEX].digest}"
     registry.pen.signed.remove(name)
     registry.registry.delete(f"{PREFIX}/ros", "alpha-core")
     again = registry.publish(catalogue, only=ONLY, date=LATER)

@@ -10,11 +10,11 @@ import pytest
 from registry_stand_in import StandIn, standing_in
 
 from rosml.cli import command
+from rosml.cli import publish as script
 from rosml.images.labels import TITLE
 from rosml.records import ledger
 from rosml.records.ledger import INDEX, Entry, Ledger
 from rosml.registry import oci
-from scripts import publish as script
 
 PREFIX = "me/rosml"
 RUN = "2026-11-22T03:00:00Z"

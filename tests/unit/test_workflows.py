@@ -17,7 +17,7 @@ import pytest
 from conftest import ROOT
 from workflows import COMMANDS, FOLDER, accepted, load, text
 
-from scripts import publish
+from rosml.cli import publish
 
 NAMES = ("ci", "locks", "nightly", "proofs")
 

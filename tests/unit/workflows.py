@@ -8,7 +8,9 @@ import click
 import yaml
 from conftest import ROOT
 
-from scripts import catalogue, generate_bake, lock, publish
+from rosml.cli import catalogue, publish
+from rosml.cli import generate as generate_bake
+from rosml.cli import locks as lock
 
 FOLDER = ROOT / ".github/workflows"
 

@@ -53,6 +53,20 @@ ACTIONLINT = GoTool("actionlint", "actionlint")
 GO_TOOLS = (REGCTL, REGISTRY, BUILDX, BUILDKITD, TRIVY, COSIGN, ACTIONLINT)
 
 
+LAUNCHER = """\
+#!{python}
+import sys
+
+sys.path.insert(0, {root!r})
+
+import rosml.base.environment
+from rosml.cli.main import run
+
+sys.exit(run())
+"""
+"""The command `rosml` of this checkout, in `.state/bin`."""
+
+
 @dataclass(frozen=True)
 class Pin:
     """What a go.mod says of its tool: the package to build (``.``: the main.go beside it) and the version of its module."""
@@ -360,6 +374,9 @@ class Installer:
         sync = [uv, "pip", "sync", "--python", str(python), "--require-hashes", "--no-build", str(file)]
         run("Python packages", sync, log, env=env, cwd=self.state.root)
         write_atomically(known, group)
+        launcher = self.state.bin / "rosml"
+        write_atomically(launcher, LAUNCHER.format(python=python, root=str(self.state.root)))
+        launcher.chmod(0o755)
         if fresh:
             say(f"Python packages: installed into .venv in {elapsed(started)}")
 

@@ -1,0 +1,12 @@
+"""`python -m rosml`: the command `rosml`, where nobody installed it."""
+
+import sys
+
+import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
+
+# isort: split
+
+from rosml.cli import main
+
+if __name__ == "__main__":
+    sys.exit(main.run())

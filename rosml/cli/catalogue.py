@@ -1,0 +1,85 @@
+"""Writes the catalogue of what is published: a page for people, and catalogue.json."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import click
+
+from rosml import ROOT, STATE
+from rosml.base.errors import RosmlError
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--registry",
+    default="",
+    metavar="PREFIX",
+    help="where the images are, such as ghcr.io/me/rosml; the local registry's rosml if left out",
+)
+@click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
+@click.option("--only", multiple=True, metavar="GLOB", help="images by target, pattern or group; repeatable")
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=STATE / "catalogue",
+    help="the folder to write; .state/catalogue of the checkout if left out, or rosml/catalogue in the user's cache",
+)
+@click.option(
+    "--history",
+    type=click.IntRange(min=1),
+    default=10,
+    show_default=True,
+    help="describe so many builds of each image that no tag points at any more; those with a tag are all described",
+)
+@click.option("--json", "as_json", is_flag=True, help="print catalogue.json on standard output, and write nothing")
+def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, history: int, as_json: bool) -> None:
+    """Writes the catalogue into a folder that any static host can serve, or that is opened as it is.
+
+    Reads manifests, configs and the ledger; pulls no layer, builds nothing, and needs no right to write.
+
+    \b
+    Examples:
+      rosml catalogue
+      rosml catalogue --registry ghcr.io/me/rosml --output public
+      rosml catalogue --only 'bookworm-*' --json
+    """
+    from rosml.base.clock import now
+    from rosml.base.problems import counted
+    from rosml.catalogue import site
+    from rosml.catalogue.read import Gatherer
+    from rosml.images import load
+    from rosml.machine.services import Services
+    from rosml.registry import oci
+    from rosml.registry.repositories import destination
+
+    if not output.name:
+        raise click.UsageError("--output names no folder")
+    catalogue = load.load(matrix, ROOT)
+    ca_bundle = os.environ.get("SSL_CERT_FILE", "")
+    if not registry:
+        try:
+            services = Services.load(ROOT)
+        except RosmlError as error:
+            raise RosmlError(error.message, f"name a registry with --registry, or {error.remedy}") from None
+        registry, ca_bundle = services.place, services.ca_bundle
+    place = destination(registry.lower())
+    words = tuple(word for text in only for word in text.split())  # a job in CI has one field for all of them
+    with oci.Registry(place.host, ca_bundle=ca_bundle) as client:
+        gatherer = Gatherer(catalogue, client, f"{place.host}/{place.prefix}", place.prefix, history)
+        found = gatherer.gather(now(), words)
+    for remark in gatherer.remarks:
+        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {remark}", err=True)
+    if as_json:
+        click.echo(site.text(found), nl=False)
+        return
+    try:
+        written = site.write(output, found)
+    except OSError as error:
+        raise RosmlError(f"{output}: {error.strerror}", "name a folder that you may write to") from None
+    published = sum(image.status == "built" for image in found.images)
+    click.echo(
+        f"{counted(len(found.images), 'image')} described, {published} of them published in {found.registry}", err=True
+    )
+    click.echo(next(file for file in written if file.name == "index.html").resolve().as_uri())

@@ -1,0 +1,194 @@
+"""Writes the hash-pinned locks in locks/ from matrix.yaml, and moves the digests of base images in it."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from rosml import ROOT
+from rosml.base import ci, files, terminal
+from rosml.base.errors import RosmlError
+
+if TYPE_CHECKING:
+    from rosml.locks.base_digests import Pins
+    from rosml.locks.resolve import Move
+
+
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
+@click.option(
+    "--upgrade",
+    is_flag=True,
+    help="Move to the newest versions that fit, and base images to what their tags point at; otherwise earlier ones stay.",
+)
+@click.option("--bases", is_flag=True, help="Only move base images to what their tags point at; resolve nothing.")
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock would change.")
+@click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only the locks of this stack or row of wheels.")
+@click.option(
+    "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
+)
+@click.option(
+    "--report", type=click.Path(path_type=Path, dir_okay=False), help="Write the table of versions there, as Markdown."
+)
+@click.option("--json", "as_json", is_flag=True, help="Print what moved as JSON; all else goes to standard error.")
+def main(
+    upgrade: bool,
+    bases: bool,
+    check: bool,
+    stacks: tuple[str, ...],
+    matrix: Path,
+    report: Path | None,
+    as_json: bool,
+) -> None:
+    """Resolves every stack for every Python version and architecture, and writes the locks that changed.
+
+    With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'make generate' then.
+
+    \b
+    Examples:
+      rosml locks              after a change in matrix.yaml
+      rosml locks --upgrade    take new releases of the dependencies
+      rosml locks --stack cpu  the locks of one stack
+      rosml locks --check --json   what would move, for machines
+      rosml locks --bases      take base images that their makers renewed
+    """
+    from rosml.base.problems import unknown
+    from rosml.images import load, locked
+    from rosml.locks.resolve import lock, moves
+    from rosml.matrix import source
+
+    catalogue = load.catalogue(source.read(matrix))
+    if bases and (upgrade or stacks):
+        raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
+    pinned = base_images(matrix, check, as_json) if bases or (upgrade and not stacks) else None
+    if bases and pinned:
+        tell_bases(pinned, check, report, as_json)
+        return
+    for name in stacks:
+        if name not in (known := [*catalogue.matrix.stacks, *(item.distribution for item in catalogue.wheels)]):
+            raise RosmlError(unknown("stack", name, known), exit_code=2)
+    locks = lock(catalogue, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
+    there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
+    earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
+    stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
+    for path in () if check else stale:
+        (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
+        files.write(ROOT / path, locks.texts[path])
+    for path in stale:  # when all is written: whoever reads along may stop reading
+        click.echo(f"{path}: {'would change' if check else 'written'}", err=as_json)
+    moved = moves(earlier, {path: locks.texts[path] for path in stale if path in earlier})
+    fresh = [path for path in stale if path not in earlier]
+    if not as_json:
+        print_moves(moved)
+    if report:
+        files.write(report, markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else ""))
+    for path in sorted(there - locks.texts.keys()):
+        click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
+    for request, reason in locks.left_out.items():
+        click.echo(f"{request}: locks stay as they are: {reason}", err=True)
+    click.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}", err=as_json)
+    if as_json:
+        click.echo(to_json(moved, stale, fresh, locks.left_out, pinned))
+    if check and (stale or (pinned and pinned.moved)):
+        stop(RosmlError(f"{len(stale)} locks are stale", "run 'make locks' and commit the result"), as_json)
+
+
+def tell_bases(pinned: Pins, check: bool, report: Path | None, as_json: bool) -> None:
+    """Says which base images moved, where nothing else was asked for; with `check` an error if any did."""
+    if report:
+        files.write(report, base_table(pinned))
+    if as_json:
+        click.echo(to_json(pinned=pinned))
+    if check and pinned.moved:
+        wrong = f"{len(pinned.moved)} base images have moved"
+        stop(RosmlError(wrong, "run 'make locks UPGRADE=1' and commit the result"), as_json)
+
+
+def stop(error: RosmlError, as_json: bool) -> None:
+    """Ends with an error; with `--json`, whose one object is printed by then, it is told on standard error alone."""
+    if not as_json:
+        raise error
+    click.echo(f"error: {error.message}\nremedy: {error.remedy}", err=True)
+    raise click.exceptions.Exit(error.exit_code)
+
+
+def to_json(
+    moved: Mapping[Move, int] | None = None,
+    stale: Sequence[str] = (),
+    fresh: Sequence[str] = (),
+    left_out: Mapping[Any, str] | None = None,
+    pinned: Pins | None = None,
+) -> str:
+    """What `--json` prints. Where a package was, or is, not there, its version is `null`.
+
+    Args:
+        moved: versions, with how many locks have each. stale: locks that changed, or would. fresh: new ones among them.
+        left_out: requests whose locks stay as they are, with the reason. pinned: base images.
+    """
+    found = {
+        "moved": [
+            {"stack": m.stack, "package": m.package, "old": m.old or None, "new": m.new or None, "locks": count}
+            for m, count in sorted((moved or {}).items())
+        ],
+        "changed": list(stale),
+        "new": list(fresh),
+        "left_out": {str(request): reason for request, reason in (left_out or {}).items()},
+        "base_images": [asdict(pin) for pin in (pinned.moved if pinned else ())],
+        "base_images_left_out": dict(pinned.left_out) if pinned else {},
+    }
+    return json.dumps(found, indent=2, ensure_ascii=False)
+
+
+def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
+    """Looks where the tags of base images point, and writes that into the matrix; nothing where it is only checked."""
+    from rosml.images import load
+    from rosml.locks import base_digests
+    from rosml.matrix import source
+    from rosml.registry import oci
+
+    document = source.read(matrix)
+    with oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
+        found = base_digests.look(load.catalogue(document).matrix, registries)
+    if found.moved and not check:
+        files.write(matrix, base_digests.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))
+    for system, image, old, new in base_digests.rows(found.moved):
+        click.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}", err=as_json)
+    for line in base_digests.reasons(found.left_out):
+        click.echo(line, err=True)
+    total = len(load.catalogue(document).matrix.operating_systems)
+    click.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
+    return found
+
+
+def base_table(pinned: Pins) -> str:
+    """The base images that moved, and those of which nobody knows: a part of the text of a pull request."""
+    from rosml.locks import base_digests
+
+    rows = base_digests.rows(pinned.moved)
+    text = ci.table(("system", "base image", "old", "new"), rows) if rows else "No base image moved.\n"
+    lines = "".join(f"- {line}\n" for line in base_digests.reasons(pinned.left_out))
+    return f"\n{text}" + (f"\n{lines}" if lines else "")
+
+
+def markdown(moved: Mapping[Move, int], fresh: Sequence[str], left_out: Mapping[Any, str]) -> str:
+    """The table, new locks, and those that stay as they are with the reason: the text of a pull request."""
+    rows = [(m.stack, m.package, m.old or "-", m.new or "-", str(count)) for m, count in sorted(moved.items())]
+    text = ci.table(("stack", "package", "old", "new", "locks"), rows) if rows else "No version moved.\n"
+    lines = [f"- new: `{path}`" for path in fresh]
+    lines += [f"- {request}: locks stay as they are: {reason}" for request, reason in left_out.items()]
+    return text + ("\n" + "\n".join(lines) + "\n" if lines else "")
+
+
+def print_moves(moved: Mapping[Move, int]) -> None:
+    """A table of old and new versions."""
+    if not moved:
+        return
+    table = terminal.table("stack", "package", "old", "new", "locks")
+    for move, count in sorted(moved.items()):
+        table.add_row(move.stack, move.package, move.old or "-", move.new or "-", str(count))
+    terminal.show(table)

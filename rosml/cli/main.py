@@ -1,0 +1,171 @@
+"""The command `rosml`: one word for each thing that people do with images."""
+
+from __future__ import annotations
+
+import functools
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import ParamSpec, TypeVar
+
+import click
+
+from rosml import IN_CHECKOUT, ROOT, __version__
+from rosml.base.errors import RosmlError
+from rosml.cli import catalogue, command, completion, generate, join, locks, publish
+
+SETTINGS = {"help_option_names": ["-h", "--help"]}
+
+MATRIX = click.option(
+    "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
+)
+JSON = click.option("--json", "as_json", is_flag=True, help="Print the result as JSON on standard output.")
+
+
+@click.group(context_settings=SETTINGS)
+@click.version_option(__version__, prog_name="rosml")
+def cli() -> None:
+    """ROS base images with machine learning inside.
+
+    list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
+    prune where --registry names a registry. What builds needs a checkout, and what 'rosml setup' starts there.
+
+    \b
+    Examples:
+      rosml list jazzy torch
+      rosml explain jazzy-robot
+      rosml image bookworm-core-torch-cu128
+      rosml status --registry ghcr.io/me/rosml
+
+    \b
+    Completion in bash; in zsh and fish likewise:
+      eval "$(_ROSML_COMPLETE=bash_source rosml)"
+    """
+
+
+@cli.command(name="list")
+@click.argument("groups", nargs=-1, type=completion.Name("groups"), metavar="[GROUP]...")
+@MATRIX
+@JSON
+def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
+    """Lists every image with its facts; with GROUPs, those that are in all of them.
+
+    \b
+    Examples:
+      rosml list
+      rosml list trixie tensorflow --json
+    """
+    from rosml.images import load
+
+    generate.list_images(load.load(matrix, ROOT), groups, as_json)
+
+
+@cli.command()
+@click.argument("name", type=completion.Name("targets"))
+@MATRIX
+@JSON
+def explain(name: str, matrix: Path, as_json: bool) -> None:
+    """Says why an image exists, or why it does not. NAME is a target or a tag.
+
+    \b
+    Examples:
+      rosml explain jazzy-robot
+      rosml explain ros-torch:jazzy-base-cu128
+    """
+    from rosml.images import load
+
+    generate.say_why(load.load(matrix, ROOT), name, as_json)
+
+
+@cli.command()
+@click.argument("version", metavar="REVISION")
+@MATRIX
+@JSON
+def diff(version: str, matrix: Path, as_json: bool) -> None:
+    """Says which images differ from a git revision or another matrix file, and why.
+
+    \b
+    Examples:
+      rosml diff HEAD          what the uncommitted changes would build anew
+      rosml diff v1.2 --json   all of it since a tag, for machines
+    """
+    from rosml.images import load
+
+    generate.compare(load.load(matrix, ROOT), version, as_json)
+
+
+@cli.command()
+@click.argument("what", default="up", metavar="[WORD]", type=click.Choice(["up", "down", "client", "status", "clean"]))
+def setup(what: str) -> None:
+    """Makes this machine ready: tools at pinned versions, a local registry, a builder.
+
+    It takes your Docker. Without Docker it starts a buildkitd of its own, which needs root. WORD is one of: up, which is
+    taken if none is given; down, which stops both; client, for commands that only read or write a registry; status; clean,
+    which stops both and removes all that was made.
+    """
+    program = ROOT / "scripts/bootstrap.py"
+    sys.exit(subprocess.run([sys.executable, str(program), what], check=False).returncode)
+
+
+@cli.group(name="publish", context_settings=SETTINGS)
+def publishing() -> None:
+    """The steps of a publishing run, and what is done with published tags.
+
+    \b
+    Examples:
+      rosml publish all --registry ghcr.io/me/rosml --only 'bookworm-*' --serve amd64
+      rosml publish undo --registry ghcr.io/me/rosml
+    """
+
+
+Given = ParamSpec("Given")
+Result = TypeVar("Result")
+
+
+def _in_checkout(callback: Callable[Given, Result]) -> Callable[Given, Result]:
+    """Has a command say first that it needs a checkout, where there is none."""
+
+    @functools.wraps(callback)
+    def called(*arguments: Given.args, **options: Given.kwargs) -> Result:
+        if not IN_CHECKOUT:
+            text = "there is no checkout here: no folder of yours, this one or one above it, has matrix.yaml and Dockerfile"
+            raise RosmlError(text, "git clone the project, or your fork of it, and call it there", exit_code=2)
+        return callback(*arguments, **options)
+
+    return called
+
+
+TOP = {"image": "image", "payload": "part", "plan": "plan", "status": "status"}
+"""Commands of a publishing run that are words of their own, and the words."""
+
+for name, step in publish.cli.commands.items():
+    if name in TOP:
+        cli.add_command(step, TOP[name])
+    else:
+        publishing.add_command(step)
+cli.add_command(join.main, "join")
+cli.add_command(locks.main, "locks")
+cli.add_command(catalogue.main, "catalogue")
+cli.add_command(generate.main, "generate")
+
+ALONE = {"explain", "join", "list", "catalogue", "status", "undo", "prune"}
+"""Commands that need no checkout."""
+
+for name, step in [*cli.commands.items(), *publishing.commands.items()]:
+    if name not in ALONE and not isinstance(step, click.Group):
+        assert step.callback
+        step.callback = _in_checkout(step.callback)
+
+KEPT = {"join": join.KEPT} | dict.fromkeys(("image", "part", "publish"), publish.KEPT)
+"""What is said after Ctrl-C, by the first word."""
+
+
+def run() -> int:
+    """What the installed command calls; gives its exit code. Shells ask it how words go on (`rosml --help` says how)."""
+    if (answered := completion.answer(cli)) is not None:
+        return answered
+    word = next(iter(sys.argv[1:]), "")
+    prints = word in ("list", "explain", "diff")
+    code = command.run(cli, KEPT.get(word, "interrupted"), reader_gone=0 if prints else command.BROKEN_PIPE)
+    return command.ended(code)

@@ -1,0 +1,283 @@
+"""The command `rosml`: its words, where it finds the matrix, what it needs, completion; and as an installed wheel."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import zipfile
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import click
+import pytest
+from click.testing import CliRunner
+from conftest import ROOT
+from registry_stand_in import standing_in
+
+import rosml
+from rosml.cli import main
+from rosml.images import load
+from rosml.registry.oci import Registry
+from tests.e2e import parts
+
+IMAGES = load.load(ROOT / "matrix.yaml").images
+JOINED = next(image for image in IMAGES if image.stack)
+DISTRIBUTIONS = list(dict.fromkeys(image.distribution for image in IMAGES))
+
+WORDS = [
+    "catalogue",
+    "diff",
+    "explain",
+    "generate",
+    "image",
+    "join",
+    "list",
+    "locks",
+    "part",
+    "plan",
+    "publish",
+    "setup",
+]
+
+
+def commands(group: click.Group, before: str = "") -> Iterator[tuple[str, click.Command]]:
+    """All commands of a group, and of the groups in it."""
+    for name, command in group.commands.items():
+        yield f"{before}{name}", command
+        if isinstance(command, click.Group):
+            yield from commands(command, f"{before}{name} ")
+
+
+ALL = dict(commands(main.cli))
+
+
+def test_its_words() -> None:
+    assert sorted(main.cli.commands) == sorted([*WORDS, "status"])
+    assert {"all", "build", "compose", "test", "scan", "record", "index", "promote", "undo", "prune"} <= set(
+        main.publishing.commands
+    )
+
+
+@pytest.mark.parametrize("words", ALL)
+def test_each_has_its_help(words: str) -> None:
+    done = CliRunner().invoke(main.cli, [*words.split(), "--help"])
+    assert done.exit_code == 0
+    assert "Usage: " in done.output and ALL[words].help
+
+
+def test_its_version(wheel: Path, tmp_path: Path) -> None:
+    said = CliRunner().invoke(main.cli, ["--version"]).output
+    assert said == installed(wheel, tmp_path, "--version").stdout == f"rosml, version {rosml.__version__}\n"
+    assert (wheel / f"rosml-{rosml.__version__}.dist-info").is_dir()
+
+
+def test_a_target_and_a_tag_are_both_understood() -> None:
+    def explained(name: str) -> object:
+        return json.loads(CliRunner().invoke(main.cli, ["explain", name, "--json"]).output)
+
+    found = explained(JOINED.target)
+    assert found == explained(JOINED.tags[0])
+    assert isinstance(found, dict) and found["exists"] and len(found["reasons"]) > 3
+
+
+def test_a_list_of_groups() -> None:
+    wanted = [JOINED.distribution, JOINED.framework]
+    listed = json.loads(CliRunner().invoke(main.cli, ["list", *wanted, "--json"]).output)
+    assert listed and all(set(wanted) <= set(image["groups"]) for image in listed)
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_shells_complete(shell: str) -> None:
+    def asked(instruction: str, **facts: str) -> str:
+        env = {**os.environ, "_ROSML_COMPLETE": f"{shell}_{instruction}", **facts}
+        return subprocess.run([sys.executable, "-m", "rosml"], cwd=ROOT, env=env, capture_output=True, text=True).stdout
+
+    assert "rosml" in asked("source")
+    begun = JOINED.target[:-2]
+    words = {"COMP_WORDS": f"rosml explain {begun}", "COMP_CWORD": begun if shell == "fish" else "2"}
+    assert JOINED.target in asked("complete", **words)
+    assert "publish" in asked("complete", COMP_WORDS="rosml pu", COMP_CWORD="pu" if shell == "fish" else "1")
+
+
+def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The checkout that the package is in, or that somebody is in, or else what came with the package."""
+    package, project = tmp_path / "site-packages/rosml", tmp_path / "project"
+    (project / "docs").mkdir(parents=True)
+    monkeypatch.chdir(project / "docs")
+    (project / "matrix.yaml").touch()
+    assert rosml.root_of(package) == package / "data", "somebody else's file of that name"
+    (project / "Dockerfile").touch()
+    (project / "components").mkdir()
+    assert rosml.root_of(package) == project
+    (package.parent / "scripts").mkdir(parents=True)
+    (package.parent / "scripts/bootstrap.py").touch()
+    assert rosml.root_of(package) == package.parent
+
+
+def test_another_users_folder_is_no_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Programs of a checkout are called."""
+    for name in rosml.PARTS:
+        (tmp_path / name).touch()
+    monkeypatch.chdir(tmp_path)
+    assert rosml.root_of(tmp_path / "x") == tmp_path
+    owner = tmp_path.stat().st_uid
+    monkeypatch.setattr("os.geteuid", lambda: owner + 1)
+    monkeypatch.delenv("SUDO_UID", raising=False)
+    assert rosml.root_of(tmp_path / "x") == (tmp_path if owner == 0 else tmp_path / "x/data")
+    monkeypatch.setenv("SUDO_UID", str(owner))
+    assert rosml.root_of(tmp_path / "x") == tmp_path
+
+
+# ---- Installed, without a checkout -----------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel as its build backend makes it, unpacked."""
+    folder = tmp_path_factory.mktemp("wheel")
+    build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
+    subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
+    (file,) = folder.glob("rosml-*.whl")
+    with zipfile.ZipFile(file) as archive:
+        for member in archive.infolist():  # as pip does: what is a program stays one
+            made = Path(archive.extract(member, folder / "site"))
+            if member.external_attr >> 16 & 0o111:
+                made.chmod(made.stat().st_mode | 0o111)
+    return folder / "site"
+
+
+def installed(wheel: Path, folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Runs the command in a folder, with nothing of the checkout in reach."""
+    env: Mapping[str, str] = {"PATH": "/usr/bin:/bin", "HOME": str(folder / "home"), "PYTHONPATH": str(wheel)}
+    program = folder / "rosml"
+    program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
+    argv = [sys.executable, str(program), *words]
+    return subprocess.run(argv, cwd=folder, env={**env, **environment}, capture_output=True, text=True, check=False)
+
+
+def test_what_needs_no_checkout(wheel: Path, tmp_path: Path) -> None:
+    listed = installed(wheel, tmp_path, "list", "--json")
+    assert listed.returncode == 0, listed.stderr
+    assert json.loads(listed.stdout) == json.loads(CliRunner().invoke(main.cli, ["list", "--json"]).output), (
+        "the same images, and the same inputs"
+    )
+    assert installed(wheel, tmp_path, "explain", JOINED.target).stdout.startswith(f"{JOINED.target} exists")
+    assert not (wheel / "rosml/data/.state").exists()
+
+
+def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
+    """No Docker, no root, no checkout: the registry is enough."""
+    with standing_in() as place:
+        asked = ("--registry", f"{place.address}/rosml", "--only", IMAGES[0].target, "--json")
+        done = installed(wheel, tmp_path, "status", *asked)
+        assert done.returncode == 0, done.stderr
+        assert {image["target"] for image in json.loads(done.stdout)["images"]} >= {IMAGES[0].target}
+        page = installed(wheel, tmp_path, "catalogue", *asked[:4])
+        assert page.returncode == 0, page.stderr
+    assert (tmp_path / "home/.cache/rosml/catalogue/index.html").is_file()
+    assert not (wheel / "rosml/data/.state").exists()
+
+
+def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
+    with standing_in() as place, Registry(place.address) as client:
+        ros = parts.ros().put(client, "me/ros", "bookworm-core", ["linux/amd64"])
+        payloads = parts.stack(client, "me/payload", ("cuda", "common", "torch"), "cu128")
+        tag = f"{place.address}/me/mine:latest"
+        done = installed(wheel, tmp_path, "join", ros, *payloads, "--tag", tag)
+        assert done.returncode == 0, done.stderr
+        assert done.stdout.startswith(f"{tag}@{client.head('me/mine', 'latest')}\n")
+    assert not (wheel / "rosml/data/.state").exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "image",
+        "part",
+        "setup",
+        "locks --check",
+        "generate --check",
+        "diff HEAD",
+        "plan",
+        "publish all",
+        "publish index",
+    ],
+)
+def test_what_needs_one_says_so(wheel: Path, tmp_path: Path, words: str) -> None:
+    done = installed(wheel, tmp_path, *words.split())
+    assert done.returncode == 2
+    assert "error: there is no checkout here" in done.stderr
+    assert "remedy: git clone the project" in done.stderr
+
+
+def test_a_matrix_of_ones_own(wheel: Path, tmp_path: Path) -> None:
+    text = (ROOT / "matrix.yaml").read_text()
+    (tmp_path / "matrix.yaml").write_text("include: []\n")
+    assert installed(wheel, tmp_path, "explain", IMAGES[0].target).returncode == 0, "it is not asked for"
+    (tmp_path / "mine.yaml").write_text(text + "# mine\nmine: 1\n")
+    done = installed(wheel, tmp_path, "explain", IMAGES[0].target, "--matrix", "mine.yaml")
+    assert (done.returncode, done.stderr.startswith("mine.yaml:")) == (2, True), done.stderr
+
+
+GONE = "mkdir gone && cd gone && rmdir ../gone && "
+
+
+@pytest.mark.parametrize(
+    ("before", "environment"),
+    [(GONE, {}), ("", {"XDG_CACHE_HOME": "rel"}), ("", {"HOME": ""}), ("", {"_ROSML_COMPLETE": "nonsense"})],
+    ids=["no folder", "odd cache", "no home", "completion"],
+)
+def test_odd_surroundings(wheel: Path, tmp_path: Path, before: str, environment: dict[str, str]) -> None:
+    script = f'{before}"$0" -m rosml list --json'
+    env = {"PATH": "/usr/bin:/bin", "HOME": str(tmp_path), "PYTHONPATH": str(wheel), **environment}
+    argv = ["bash", "-c", script, sys.executable]
+    done = subprocess.run(argv, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)
+
+
+@pytest.mark.parametrize(("name", "value"), [("HTTPS_PROXY", "socks5://me:secret@x:1"), ("ALL_PROXY", "ftp://x")])
+def test_a_proxy_of_another_kind(wheel: Path, tmp_path: Path, name: str, value: str) -> None:
+    words = ("status", "--registry", "registry.invalid/x", "--only", IMAGES[0].target, "--json")
+    done = installed(wheel, tmp_path, *words, **{name: value})
+    assert done.returncode == 2 and "secret" not in done.stderr
+    assert name in json.loads(done.stdout)["error"]
+
+
+def test_remedies_are_in_its_own_words(wheel: Path, tmp_path: Path) -> None:
+    for words in (
+        ["explain", "nope"],
+        ["explain", DISTRIBUTIONS[0]],
+        ["status"],
+        ["catalogue"],
+        ["list", *DISTRIBUTIONS[:2]],
+    ):
+        done = installed(wheel, tmp_path, *words)
+        assert not re.search(r"\bmake |scripts/", done.stdout + done.stderr), words
+
+
+def test_a_join_overwrites_nothing_that_it_reads(wheel: Path, tmp_path: Path) -> None:
+    done = installed(wheel, tmp_path, "join", "a.example/ros:core", "a.example/part:b", "--tag", "a.example/ros:core")
+    assert done.returncode == 2
+    assert "would be overwritten" in done.stderr
+
+
+def test_an_interrupted_join_ends_at_once(wheel: Path, tmp_path: Path) -> None:
+    """Whatever a registry that never answers is waited for."""
+    with socket.create_server(("127.0.0.1", 0)) as hole:
+        host = f"127.0.0.1:{hole.getsockname()[1]}"
+        env = {"PATH": "/usr/bin:/bin", "HOME": str(tmp_path), "PYTHONPATH": str(wheel)}
+        argv = [sys.executable, "-m", "rosml", "join", f"{host}/a:b", f"{host}/c:d", "--tag", f"{host}/x:y"]
+        process = subprocess.Popen(argv, cwd=tmp_path, env=env, stderr=subprocess.PIPE, text=True)
+        hole.accept()
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert "no tag was moved" in said
