@@ -255,7 +255,7 @@ def test_a_certificate_that_is_not_trusted(
         refused(outcome, says)
         assert why == "expired" or f"{tmp_path}/docker/certs.d/{found.host}/ca.crt" in outcome.err
         script, target = str(company.folder / "scripts/compose.py"), f"{found.host}/a:b"
-        composed = run(sys.executable, script, target, f"{found.host}/c:d", "--tag", target)
+        composed = run(sys.executable, script, target, f"{found.host}/c:d", "--tag", f"{found.host}/e:f")
         refused(composed, says)
         assert found.repositories == []
         nothing_secret(company, outcome, composed)
