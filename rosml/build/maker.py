@@ -144,9 +144,7 @@ class BuildKitMaker:
     def build_part(self, part: Payload, architecture: str) -> Made:
         """Builds a part from its lock."""
         platform = self._platform(architecture)
-        start, digest = parts.push(
-            self.services, self.catalogue, part, self.say, self._reference("").rstrip("/"), [platform], self.force
-        )
+        start, digest = parts.push(self.services, self.catalogue, part, self.say, self._place, [platform], self.force)
         self._list_files(part, digest)
         return Made(digest, base=start.reference)
 
@@ -206,8 +204,7 @@ class BuildKitMaker:
 
     def variables(self, image: Image, architecture: str, moment: str = "") -> dict[str, str]:
         """Variables of the bake file for an image; `build/variables.py` says which."""
-        prefix = self._reference("").rstrip("/")
-        return variables(self.services, self.catalogue, image, architecture, prefix, self.say, moment)
+        return variables(self.services, self.catalogue, image, architecture, self._place, self.say, moment)
 
     @cached_property
     def _composer(self) -> Composer:
@@ -222,6 +219,11 @@ class BuildKitMaker:
 
     def _repository(self, name: str) -> str:
         return repositories.repository_path(self.prefix, name)
+
+    @property
+    def _place(self) -> str:
+        """The registry and the path before the names of repositories."""
+        return self._reference("").rstrip("/")
 
     def _reference(self, name: str) -> str:
         return f"{self.host}/{self._repository(name)}"

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import click
 
 from rosml import ROOT, STATE
 from rosml.base.errors import RosmlError
+from rosml.cli import options
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.option(
-    "--registry",
-    default="",
-    metavar="PREFIX",
-    help="where the images are, such as ghcr.io/me/rosml; the local registry's rosml if left out",
-)
-@click.option("--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml")
-@click.option("--only", multiple=True, metavar="GLOB", help="images by target, pattern or group; repeatable")
+@options.registry("where the images are")
+@options.MATRIX
+@options.ONLY
 @click.option(
     "--output",
     type=click.Path(path_type=Path, file_okay=False),
@@ -50,25 +45,14 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     from rosml.catalogue import site
     from rosml.catalogue.read import Gatherer
     from rosml.images import load
-    from rosml.machine.services import Services
-    from rosml.registry import oci
-    from rosml.registry.repositories import destination
 
     if not output.name:
         raise click.UsageError("--output names no folder")
     catalogue = load.load(matrix, ROOT)
-    ca_bundle = os.environ.get("SSL_CERT_FILE", "")
-    if not registry:
-        try:
-            services = Services.load(ROOT)
-        except RosmlError as error:
-            raise RosmlError(error.message, f"name a registry with --registry, or {error.remedy}") from None
-        registry, ca_bundle = services.place, services.ca_bundle
-    place = destination(registry.lower())
-    words = tuple(word for text in only for word in text.split())  # a job in CI has one field for all of them
-    with oci.Registry(place.host, ca_bundle=ca_bundle) as client:
-        gatherer = Gatherer(catalogue, client, f"{place.host}/{place.prefix}", place.prefix, history)
-        found = gatherer.gather(now(), words)
+    place, prefix = options.place_of(registry, ROOT)
+    with place as client:
+        gatherer = Gatherer(catalogue, client, f"{place.host}/{prefix}", prefix, history)
+        found = gatherer.gather(now(), only)
     for remark in gatherer.remarks:
         click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {remark}", err=True)
     if as_json:

@@ -24,17 +24,16 @@ class Name(click.ParamType[str]):
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
         """Names that begin so; none where the matrix cannot be read."""
-        from rosml.images import load
+        from rosml.images import load, selection
 
         try:
             images = load.load(ROOT / "matrix.yaml", ROOT)
         except RosmlError:
             return []
-        architectures = list(images.matrix.architectures)
         names = {
             "targets": list(images.by_target),
             "parts": list(images.payload_by_name),
-            "groups": sorted({group for image in images.images for group in image.groups} | {*architectures}),
+            "groups": selection.groups_of(images),
         }
         return [CompletionItem(name) for name in names[self.kind] if name.startswith(incomplete)]
 

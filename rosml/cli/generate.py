@@ -24,7 +24,7 @@ import click
 from rosml import ROOT
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.cli import command
+from rosml.cli import command, options
 
 if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
     from rosml.images.image_set import Catalogue
@@ -48,9 +48,7 @@ COMMAND = "make generate"
 )
 @click.option("--explain", metavar="TARGET", help="Say why an image exists, or why it does not.")
 @click.option("--shards", metavar="N", type=int, help="Plan the build of all images on N machines.")
-@click.option(
-    "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
-)
+@options.MATRIX
 @click.option(
     "--output",
     type=click.Path(path_type=Path),

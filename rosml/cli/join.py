@@ -8,6 +8,7 @@ import os
 import click
 
 from rosml import STATE
+from rosml.cli import options
 
 KEPT = "interrupted: no tag was moved; what was pushed is found again by the next call"
 """What is said after Ctrl-C."""
@@ -21,7 +22,7 @@ KEPT = "interrupted: no tag was moved; what was pushed is found again by the nex
     "--platform", "platforms", multiple=True, metavar="PLATFORM", help="only for it, such as linux/arm64; repeatable"
 )
 @click.option("--allow-unlisted", is_flag=True, help="go on where an image has no list of its files to be compared")
-@click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
+@options.JSON
 def main(
     ros_image: str, payloads: tuple[str, ...], tag: str, platforms: tuple[str, ...], allow_unlisted: bool, as_json: bool
 ) -> None:

@@ -14,6 +14,7 @@ import click
 from rosml import ROOT
 from rosml.base import ci, files, terminal
 from rosml.base.errors import RosmlError
+from rosml.cli import options
 
 if TYPE_CHECKING:
     from rosml.locks.base_digests import Pins
@@ -29,9 +30,7 @@ if TYPE_CHECKING:
 @click.option("--bases", is_flag=True, help="Only move base images to what their tags point at; resolve nothing.")
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock would change.")
 @click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only the locks of this stack or row of wheels.")
-@click.option(
-    "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
-)
+@options.MATRIX
 @click.option(
     "--report", type=click.Path(path_type=Path, dir_okay=False), help="Write the table of versions there, as Markdown."
 )

@@ -13,14 +13,9 @@ import click
 
 from rosml import IN_CHECKOUT, ROOT, __version__
 from rosml.base.errors import RosmlError
-from rosml.cli import catalogue, command, completion, generate, join, locks, publish
+from rosml.cli import catalogue, command, completion, generate, join, locks, options, publish
 
 SETTINGS = {"help_option_names": ["-h", "--help"]}
-
-MATRIX = click.option(
-    "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="Read this matrix instead."
-)
-JSON = click.option("--json", "as_json", is_flag=True, help="Print the result as JSON on standard output.")
 
 
 @click.group(context_settings=SETTINGS)
@@ -46,8 +41,8 @@ def cli() -> None:
 
 @cli.command(name="list")
 @click.argument("groups", nargs=-1, type=completion.Name("groups"), metavar="[GROUP]...")
-@MATRIX
-@JSON
+@options.MATRIX
+@options.JSON
 def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     """Lists every image with its facts; with GROUPs, those that are in all of them.
 
@@ -63,8 +58,8 @@ def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
 
 @cli.command()
 @click.argument("name", type=completion.Name("targets"))
-@MATRIX
-@JSON
+@options.MATRIX
+@options.JSON
 def explain(name: str, matrix: Path, as_json: bool) -> None:
     """Says why an image exists, or why it does not. NAME is a target or a tag.
 
@@ -80,8 +75,8 @@ def explain(name: str, matrix: Path, as_json: bool) -> None:
 
 @cli.command()
 @click.argument("version", metavar="REVISION")
-@MATRIX
-@JSON
+@options.MATRIX
+@options.JSON
 def diff(version: str, matrix: Path, as_json: bool) -> None:
     """Says which images differ from a git revision or another matrix file, and why.
 

@@ -3,33 +3,30 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from rosml import ROOT
-from rosml.base.errors import RosmlError
-from rosml.cli import completion
+from rosml.cli import completion, options
+from rosml.cli.options import Function, place_of
 
 if TYPE_CHECKING:
     from rosml.images.image_set import Catalogue
     from rosml.machine.services import Services
     from rosml.publish.pipeline import Pipeline
-    from rosml.registry import oci
     from rosml.scan.judge import Run
 
 
 KEPT = "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on"
 """What is said after Ctrl-C."""
-
-Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
@@ -69,27 +66,9 @@ def _options(*names: str) -> Callable[[Function], Function]:
     return decorate
 
 
-def _lower(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
-    """A place for images: no registry knows capitals, and names of repositories on forges have them."""
-    return value.lower()
-
-
-def _words(_context: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> tuple[str, ...]:
-    """Values, several of which may stand in one text: a job in CI has one field for them, which may be empty."""
-    return tuple(word for value in values for word in value.split())
-
-
 _OPTIONS: dict[str, Callable[[Function], Function]] = {
-    "registry": click.option(
-        "--registry",
-        default="",
-        metavar="PREFIX",
-        callback=_lower,
-        help="where images go, such as ghcr.io/me/rosml; the local registry's rosml if left out",
-    ),
-    "matrix": click.option(
-        "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml"
-    ),
+    "registry": options.registry("where images go"),
+    "matrix": options.MATRIX,
     "namespace": click.option(
         "--namespace",
         default="rosml",
@@ -97,22 +76,20 @@ _OPTIONS: dict[str, Callable[[Function], Function]] = {
         callback=_namespace,
         help="first part of the repositories' names",
     ),
-    "only": click.option(
-        "--only", multiple=True, metavar="GLOB", callback=_words, help="images by target, pattern or group; repeatable"
-    ),
+    "only": options.ONLY,
     "architecture": click.option(
         "--architecture",
         "architectures",
         multiple=True,
         metavar="NAME",
-        callback=_words,
+        callback=options.words,
         help="work for it; repeatable; this machine's own if left out",
     ),
     "serve": click.option(
         "--serve",
         multiple=True,
         metavar="NAME",
-        callback=_words,
+        callback=options.words,
         help="architectures that this registry serves; repeatable; all of the matrix if left out",
     ),
     "force": click.option(
@@ -153,7 +130,7 @@ _OPTIONS: dict[str, Callable[[Function], Function]] = {
         default=ROOT / "scan.yaml",
         help="which vulnerabilities keep an image from its tags; scan.yaml",
     ),
-    "json": click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output"),
+    "json": options.JSON,
 }
 
 
@@ -184,13 +161,13 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     from rosml.build.maker import require_buildable
     from rosml.cli import summary
     from rosml.images import apt_source, explain, selection
-    from rosml.images import load as loading
     from rosml.machine import disk
     from rosml.machine.base_images import native_architecture
     from rosml.machine.services import Services
     from rosml.publish import promote
 
-    catalogue = loading.load(matrix, ROOT)
+    call = Call(matrix=matrix, force=force)
+    catalogue = call.catalogue
     # A typo is told before anything else happens.
     native = native_architecture()
     architecture = selection.architecture_of(catalogue, platform) if platform else native
@@ -202,9 +179,8 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     services = Services.load(ROOT)
     services.require_registry()
     services.require_builder("" if architecture == native else catalogue.matrix.architectures[architecture].platform)
-    call = Call(
-        f"{services.registry}/{namespace}", matrix, (wanted.target,), (architecture,), (architecture,), force=force
-    )
+    call.registry, call.only = f"{services.registry}/{namespace}", (wanted.target,)
+    call.architectures = call.serve = (architecture,)
     run = call.pipeline()
     there = {target.removeprefix("payload-") for target, name in run.plan.by_key if run.plan.made((target, name))}
     disk.require(services.state, disk.needed_mb(catalogue, wanted, there), wanted.target)
@@ -331,23 +307,12 @@ class Call:
             raise click.exceptions.Exit(0)
         return choice.built
 
-    def client(self) -> tuple[oci.Registry, str]:
-        """The registry, and the path of its repositories: what commands need that build nothing. The services of this
-        checkout are looked up only where the call names no registry.
-        """
-        from rosml.machine.services import Services
-        from rosml.registry import oci
-        from rosml.registry.repositories import destination
+    @cached_property
+    def catalogue(self) -> Catalogue:
+        """All that the matrix describes, with the locks of this checkout."""
+        from rosml.images import load
 
-        ca_bundle = os.environ.get("SSL_CERT_FILE", "")
-        if not self.registry:
-            try:
-                services = Services.load(ROOT)
-            except RosmlError as error:
-                raise RosmlError(error.message, f"name a registry with --registry, or {error.remedy}") from None
-            self.registry, ca_bundle = f"{services.registry}/rosml", services.ca_bundle
-        place = destination(self.registry)
-        return oci.Registry(place.host, ca_bundle=ca_bundle), place.prefix
+        return load.load(self.matrix, ROOT)
 
     def pipeline(self, reading: bool = False) -> Pipeline:
         """The run, after the registry and the repositories of packages were asked how things are.
@@ -357,7 +322,6 @@ class Call:
                 registry named, no service of this machine is needed.
         """
         from rosml.base import clock
-        from rosml.images import load as loading
         from rosml.images import selection
         from rosml.machine import trust
         from rosml.machine.services import Services
@@ -369,7 +333,7 @@ class Call:
         from rosml.scan import policy
 
         started = time.monotonic()
-        catalogue = loading.load(self.matrix, ROOT)
+        catalogue = self.catalogue
         services = Services.load(ROOT, required=not (reading and self.registry))
         upstream: Mapping[str, str] = {}
         if self.plan_file:
@@ -452,11 +416,10 @@ def plan(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     """
     from rosml.base import files
     from rosml.cli import report
-    from rosml.images import load as loading
 
     call = Call(**options)
     if everywhere:
-        call.architectures = call.serve or tuple(loading.load(call.matrix, ROOT).matrix.architectures)
+        call.architectures = call.serve or tuple(call.catalogue.matrix.architectures)
     pipeline = call.pipeline()
     text = report.plan_json(pipeline, shards, why)
     if output:
@@ -668,7 +631,7 @@ def undo(run: str, **options: Any) -> None:
     from rosml.records.ledger import Ledger
 
     started, call = time.monotonic(), Call(**options)
-    client, prefix = call.client()
+    client, prefix = place_of(call.registry, ROOT)
     with client:
         date = now()
         outcomes = undoing.undo(Ledger(client, prefix), date, run)
@@ -712,7 +675,7 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
 
     call = Call(**options)
     catalogue = loading.catalogue(source.read(call.matrix))  # without its locks: it names repositories
-    client, prefix = call.client()
+    client, prefix = place_of(call.registry, ROOT)
     with client:
         pruner = Pruner(client, prefix, catalogue, datetime.now(UTC).date(), days, newest)
         found = pruner.find()

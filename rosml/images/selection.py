@@ -41,6 +41,11 @@ def require_architectures(catalogue: Catalogue, names: Iterable[str]) -> None:
             raise RosmlError(unknown("architecture", name, known), f"there is {', '.join(known)}", exit_code=2)
 
 
+def groups_of(catalogue: Catalogue) -> list[str]:
+    """All groups that `members` knows, those of images without a lock and architectures among them."""
+    return sorted({group for image in catalogue.images for group in (*image.groups, *image.architectures)})
+
+
 def members(catalogue: Catalogue, groups: Sequence[str] = ()) -> tuple[Image, ...]:
     """The images that are in all of some groups, those without a lock among them, in the order of the matrix. An
     architecture counts as the group of the images that exist for it.
@@ -48,10 +53,10 @@ def members(catalogue: Catalogue, groups: Sequence[str] = ()) -> tuple[Image, ..
     Raises:
         RosmlError: there is no such group (exit code 2).
     """
-    known = {group for image in catalogue.images for group in (*image.groups, *image.architectures)}
+    known = groups_of(catalogue)
     for name in groups:
         if name not in known:
-            raise RosmlError(unknown("group", name, sorted(known)), f"there is {listed(sorted(known))}", exit_code=2)
+            raise RosmlError(unknown("group", name, known), f"there is {listed(known)}", exit_code=2)
     wanted = set(groups)
     return tuple(image for image in catalogue.images if wanted <= {*image.groups, *image.architectures})
 

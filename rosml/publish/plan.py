@@ -31,6 +31,7 @@ Kind = Literal["ros", "payload", "joined"]
 Step = Literal["build", "compose", "test", "scan"]
 
 ELSEWHERE = "left to a machine for it"
+WAITING = "waiting for a builder"
 
 
 @dataclass(frozen=True)
@@ -264,7 +265,7 @@ class Plan:
             return ""
         if item.kind == "payload":
             return ""
-        return f"waiting for a builder: {system.image} is on Docker Hub, which does not answer"
+        return f"{WAITING}: {system.image} is on Docker Hub, which does not answer"
 
     def _reason(self, key: tuple[str, str]) -> str:
         """Why a part cannot be made here; of what it needs itself, if that is the reason."""

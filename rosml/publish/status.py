@@ -11,12 +11,10 @@ from typing import Any
 
 from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.images.image_set import Image, Payload, repository_of, tags_of
-from rosml.publish.plan import ELSEWHERE, Plan
+from rosml.publish.plan import ELSEWHERE, WAITING, Plan
 from rosml.records.ledger import INDEX, Entry, date_of
 from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
-
-WAITING = "waiting for a builder"
 
 STATES = {
     "published": "green",

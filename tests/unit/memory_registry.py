@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from steps import do
+from steps import STEPS, do
 
 from rosml.base.errors import RosmlError
 from rosml.build import package_state
@@ -309,9 +309,6 @@ class Pen:
         with self.registry.writing("sign"):
             self.signed.add(reference)
         return True
-
-
-STEPS = ("build", "compose", "test", "index", "promote")
 
 
 @dataclass

@@ -383,6 +383,7 @@ def here(shelf: Shelf, monkeypatch: pytest.MonkeyPatch) -> None:
     class Client:
         def __init__(self, host: str, ca_bundle: str = "") -> None:
             assert host == "ghcr.io"
+            self.host = host
 
         def __enter__(self) -> MemoryRegistry:
             return shelf.registry

@@ -1,0 +1,69 @@
+"""Options that several commands have, and the registry that one of them names."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from rosml import ROOT
+from rosml.base.errors import RosmlError
+
+if TYPE_CHECKING:
+    from rosml.registry import oci
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def _lower(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
+    """A place for images: no registry knows capitals, and names of repositories on forges have them."""
+    return value.lower()
+
+
+def words(_context: click.Context, _parameter: click.Parameter, values: tuple[str, ...]) -> tuple[str, ...]:
+    """Values, several of which may stand in one text: a job in CI has one field for them, which may be empty."""
+    return tuple(word for value in values for word in value.split())
+
+
+MATRIX = click.option(
+    "--matrix", type=click.Path(path_type=Path), default=ROOT / "matrix.yaml", help="another matrix.yaml"
+)
+ONLY = click.option(
+    "--only", multiple=True, metavar="GLOB", callback=words, help="images by target, pattern or group; repeatable"
+)
+JSON = click.option("--json", "as_json", is_flag=True, help="print the result as JSON on standard output")
+
+
+def registry(where: str) -> Callable[[Function], Function]:
+    """The option for a registry.
+
+    Args:
+        where: what it is, such as `where images go`.
+    """
+    text = f"{where}, such as ghcr.io/me/rosml; the local registry's rosml if left out"
+    return click.option("--registry", default="", metavar="PREFIX", callback=_lower, help=text)
+
+
+def place_of(named: str, root: Path) -> tuple[oci.Registry, str]:
+    """A registry, and the path of its repositories: what commands need that build nothing. The services of a checkout are
+    looked up only where none is named.
+
+    Raises:
+        RosmlError: none is named, and there is no local one.
+    """
+    from rosml.machine.services import Services
+    from rosml.registry import oci
+    from rosml.registry.repositories import destination
+
+    ca_bundle = os.environ.get("SSL_CERT_FILE", "")
+    if not named:
+        try:
+            services = Services.load(root)
+            named, ca_bundle = services.place, services.ca_bundle
+        except RosmlError as error:
+            raise RosmlError(error.message, f"name a registry with --registry, or {error.remedy}") from None
+    place = destination(named)
+    return oci.Registry(place.host, ca_bundle=ca_bundle), place.prefix
