@@ -5,18 +5,15 @@
 #
 #   os ─► base ─► ros (core) ─► ros (base) ─► …            each `ros` is FROM the component below it: context `parent`
 #            └──► ros-wheels                               ROS 2 from Python wheels, in the place of Debian packages
-#                                  │
-#   os ─► assembler ─► payload-files ─► payload           one per part, stack, Python and architecture
-#                                  │
-#              ros + cuda + common + torch + tensorflow   joined with COPY --link: nothing runs after the join
-#                                  │
-#                                image ─► test            structure tests on top of the finished image
 #
-# Contexts: os, parent, upstream, ros, part-cuda, part-common, part-torch, part-tensorflow-cc, part-tensorflow, image, listed,
-# metadata.
-
-ARG ACCELERATOR=cpu
-ARG PART=common
+#   os ─► assembler ─► part-assembler ─► payload-files ─► payload   one per part, stack, Python and architecture
+#
+#   ros + part-cuda + part-common + …                      joined with COPY --link: nothing runs after the join
+#    └──► image ─► test                                    structure tests on top of the finished image
+#
+# The join has a line for each part that an image has, so docker-bake.hcl writes it: the target `_joined`. No stage here
+# knows what parts there are.
+# Contexts: os, parent, upstream, listed, image, metadata.
 
 # ---- ROS ------------------------------------------------------------------------------------------------------------
 # Of when the packages are, where the caller knows it: the builder's cache does not know when they move.
@@ -93,30 +90,23 @@ RUN --mount=type=tmpfs,target=/run \
 ENV ROS_DISTRO=${ROS_DISTRO} \
     ROS_VERSION=${ROS_VERSION}
 
-# What a part needs besides: TensorFlow's gets a compiler for the architecture that it is assembled for.
-FROM assembler AS assembler-cuda
-
-FROM assembler AS assembler-common
-
-FROM assembler AS assembler-torch
-
-FROM assembler AS assembler-tensorflow-cc
-
-FROM assembler AS assembler-tensorflow
-ARG TARGETARCH
+# What a part needs besides, such as a compiler: install-assembler.sh in its folder, where it has one. The pattern may
+# match nothing.
+FROM assembler AS part-assembler
+ARG PART TARGETARCH
+COPY components/${PART}/install-assembler.s[h] /run/part/
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
-    --mount=type=bind,source=components/tensorflow/install-compiler.sh,target=/run/components/tensorflow/install-compiler.sh \
     --mount=type=secret,id=ca-bundle \
     --mount=type=secret,id=os-apt-mirror \
-    /run/components/tensorflow/install-compiler.sh
+    if [ -e /run/part/install-assembler.sh ]; then /run/part/install-assembler.sh; fi
 
-FROM assembler-${PART} AS payload-files
+FROM part-assembler AS payload-files
 ARG PART STACK PYTHON WHEEL_PYTHON ACCELERATOR TARGETARCH
 ARG BYTECODE=checked-hash
 COPY locks/${STACK}/${TARGETARCH}/${PYTHON}/${PART}.txt /lock.txt
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
     --mount=type=bind,source=components/payload,target=/run/components/payload \
-    --mount=type=bind,source=components/${PART},target=/run/components/part \
+    --mount=type=bind,source=components/${PART},target=/run/components/${PART} \
     --mount=type=secret,id=ca-bundle \
     LOCK=/lock.txt /run/components/payload/assemble.sh
 
@@ -136,45 +126,6 @@ RUN --mount=type=bind,from=listed,target=/listed \
 
 FROM scratch AS file-list
 COPY --from=list-files /files.gz /
-
-# ---- Images: a ROS image and payloads, joined -----------------------------------------------------------------------
-# *_ROOT: where a part's files are in its context: /out/ where it was assembled here, / where it is a published payload.
-FROM ros AS join-cpu
-
-FROM ros AS join-cuda
-ARG CUDA_ROOT=/out/
-COPY --link --from=part-cuda ${CUDA_ROOT} /
-ARG CUDA_VERSION CUDNN_VERSION
-ENV CUDA_VERSION=${CUDA_VERSION} \
-    CUDNN_VERSION=${CUDNN_VERSION}
-
-FROM join-cuda AS cuda
-
-FROM join-${ACCELERATOR} AS join-common
-ARG COMMON_ROOT=/out/
-COPY --link --from=part-common ${COMMON_ROOT} /
-
-FROM join-common AS torch
-ARG TORCH_ROOT=/out/
-COPY --link --from=part-torch ${TORCH_ROOT} /
-ARG TORCH_VERSION
-ENV TORCH_VERSION=${TORCH_VERSION}
-
-FROM join-common AS tensorflow
-ARG TENSORFLOW_CC_ROOT=/out/
-COPY --link --from=part-tensorflow-cc ${TENSORFLOW_CC_ROOT} /
-ARG TENSORFLOW_ROOT=/out/
-COPY --link --from=part-tensorflow ${TENSORFLOW_ROOT} /
-ARG TENSORFLOW_VERSION
-ENV TENSORFLOW_VERSION=${TENSORFLOW_VERSION}
-
-FROM torch AS ml
-ARG TENSORFLOW_CC_ROOT=/out/
-COPY --link --from=part-tensorflow-cc ${TENSORFLOW_CC_ROOT} /
-ARG TENSORFLOW_ROOT=/out/
-COPY --link --from=part-tensorflow ${TENSORFLOW_ROOT} /
-ARG TENSORFLOW_VERSION
-ENV TENSORFLOW_VERSION=${TENSORFLOW_VERSION}
 
 # ---- Structure tests, inside the build: no daemon, no export, no unpacking ------------------------------------------
 FROM --platform=${BUILDPLATFORM} assembler AS structure-test

@@ -170,31 +170,55 @@ stacks = {
   }
 }
 
-# What images carry. counted: whose versions a tag names. stacks: the platforms that all of it has wheels for.
+# What is built once and joined to many images. brings: whose versions labels and the environment name.
+entries = {
+  cuda = {
+    accelerator = "cuda", any_python = true, tested = true
+    release = "", brings = [{ name = "cuda", short = "cuda", title = "CUDA" }, { name = "cudnn", short = "", title = "" }]
+  }
+  common = {
+    accelerator = "", any_python = false, tested = false
+    release = "", brings = []
+  }
+  torch = {
+    accelerator = "", any_python = false, tested = true
+    release = "torch", brings = [{ name = "torch", short = "torch", title = "PyTorch" }]
+  }
+  tensorflow-cc = {
+    accelerator = "", any_python = true, tested = false
+    release = "tensorflow", brings = [{ name = "tensorflow", short = "", title = "" }]
+  }
+  tensorflow = {
+    accelerator = "", any_python = false, tested = true
+    release = "tensorflow", brings = [{ name = "tensorflow", short = "tf", title = "TensorFlow" }]
+  }
+}
+
+# What images carry. spelled: whose versions a tag names. stacks: the platforms that all of it has wheels for.
 frameworks = {
   none = {
-    repository = "ros", parts = [], releases = []
-    versions = [], counted = []
+    repository = "ros", parts = [], tests = []
+    versions = [], spelled = []
     stacks = {}
   }
   cuda = {
-    repository = "ros-cuda", parts = ["cuda"], releases = []
-    versions = ["cuda", "cudnn", "nccl"], counted = ["cuda"]
+    repository = "ros-cuda", parts = ["cuda"], tests = []
+    versions = ["cuda", "cudnn", "nccl"], spelled = ["cuda"]
     stacks = { cu128 = ["linux/amd64"], cu130 = ["linux/amd64", "linux/arm64"], cu121 = ["linux/amd64"] }
   }
   torch = {
-    repository = "ros-torch", parts = ["cuda", "common", "torch"], releases = ["torch"]
-    versions = ["torch", "cuda", "cudnn", "nccl"], counted = ["torch"]
+    repository = "ros-torch", parts = ["cuda", "common", "torch"], tests = []
+    versions = ["torch", "cuda", "cudnn", "nccl"], spelled = ["torch"]
     stacks = { cu128 = ["linux/amd64"], cu130 = ["linux/amd64", "linux/arm64"], cu121 = ["linux/amd64"], cpu = ["linux/amd64", "linux/arm64"], cpu38 = ["linux/amd64", "linux/arm64"] }
   }
   tensorflow = {
-    repository = "ros-tf", parts = ["cuda", "common", "tensorflow-cc", "tensorflow"], releases = ["tensorflow"]
-    versions = ["tensorflow", "cuda", "cudnn", "nccl"], counted = ["tensorflow"]
+    repository = "ros-tf", parts = ["cuda", "common", "tensorflow-cc", "tensorflow"], tests = []
+    versions = ["tensorflow", "cuda", "cudnn", "nccl"], spelled = ["tensorflow"]
     stacks = { cu128 = ["linux/amd64"], cpu = ["linux/amd64", "linux/arm64"], cpu38 = ["linux/amd64", "linux/arm64"] }
   }
   ml = {
-    repository = "ros-ml", parts = ["cuda", "common", "torch", "tensorflow-cc", "tensorflow"], releases = ["torch", "tensorflow"]
-    versions = ["torch", "tensorflow", "cuda", "cudnn", "nccl"], counted = ["torch", "tensorflow"]
+    repository = "ros-ml", parts = ["cuda", "common", "torch", "tensorflow-cc", "tensorflow"], tests = ["ml"]
+    versions = ["torch", "tensorflow", "cuda", "cudnn", "nccl"], spelled = ["torch", "tensorflow"]
     stacks = { cu128 = ["linux/amd64"], cpu = ["linux/amd64", "linux/arm64"] }
   }
 }
@@ -204,12 +228,7 @@ plain           = "none"
 assembler       = "bookworm"
 source          = null
 short_component = "base"
-short_names     = { torch = "torch", tensorflow = "tf", cuda = "cuda" }
-titles          = { torch = "PyTorch", tensorflow = "TensorFlow", cuda = "CUDA" }
-parts           = ["cuda", "common", "torch", "tensorflow-cc", "tensorflow"]
-brings          = { cuda = ["cuda", "cudnn"], common = [], torch = ["torch"], tensorflow-cc = ["tensorflow"], tensorflow = ["tensorflow"] }
-for_any_python  = ["cuda", "tensorflow-cc"]
-untested        = ["common", "tensorflow-cc"]
+releases        = ["torch", "tensorflow"]
 
 # covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
 distributions = {
@@ -408,7 +427,7 @@ group "cpu" { targets = having("stack", "cpu") }
 group "cpu38" { targets = having("stack", "cpu38") }
 
 # ---- What follows from the tables ------------------------------------------------------------------------------------
-# From here on all is written by hand, in rosml/graph.hcl. rosml/bake/targets.py says the same in Python, for whoever asks what
+# From here on all is written by hand, in rosml/bake/graph.hcl. rosml/bake/targets.py says the same in Python, for whoever asks what
 # decides an image, and a test compares the two.
 
 # What the caller says in JSON. An empty text says nothing.
@@ -433,6 +452,12 @@ function "overridable" {
   result = value == "" ? fact : value
 }
 
+# How variables begin that are about a part or a version.
+function "variable" {
+  params = [name]
+  result = upper(replace(name, "-", "_"))
+}
+
 # A value that is left out when it is empty.
 function "given" {
   params = [value]
@@ -448,14 +473,20 @@ function "os_target" {
 # A payload's name: torch-cu128-py312, or cuda-cu128 where it is the same for every Python.
 function "payload_name" {
   params = [part, stack, python]
-  result = contains(for_any_python, part) ? "${part}-${stack}" : "${part}-${stack}-py${replace(python, ".", "")}"
+  result = entries[part].any_python ? "${part}-${stack}" : "${part}-${stack}-py${replace(python, ".", "")}"
 }
 
 # The parts that a framework takes of a stack, in the order in which they are joined.
 function "parts_of" {
   params = [framework, stack]
-  result = [for part in frameworks[framework].parts : part if part != "cuda" || stacks[stack].accelerator == "cuda"]
+  result = [
+    for part in frameworks[framework].parts : part if contains(["", try(stacks[stack].accelerator, "")], entries[part].accelerator)
+  ]
 }
+
+# Whose versions labels and the environment name; of what has a title, how descriptions and tags call it.
+counted = flatten([for part in entries : [for item in part.brings : item.name]])
+called  = { for item in flatten([for part in entries : part.brings]) : item.name => item if item.title != "" }
 
 # What a distribution is joined with: nothing, or a framework on a stack.
 choices = { for name, row in distributions : name => concat(
@@ -499,8 +530,8 @@ images = flatten([for kind in kinds : [for component, packages in kind.row.packa
   target    = kind.stack == "" ? "${kind.distribution}-${component}" : "${kind.distribution}-${component}-${kind.key}"
   main      = join("-", compact([kind.distribution, component, kind.stack]))
   spelled = join("-", concat(compact([kind.distribution, component, kind.stack]), [
-    for item in kind.versions : "${short_names[item.name]}${item.version}"
-    if contains(frameworks[kind.framework].counted, item.name)
+    for item in kind.versions : "${called[item.name].short}${item.version}"
+    if contains(frameworks[kind.framework].spelled, item.name)
   ]))
 })]])
 
@@ -523,7 +554,7 @@ function "labels" {
     "org.opencontainers.image.title" = image.target
     "org.opencontainers.image.description" = join(", ", concat(
       ["ROS ${image.row.ros} ${image.component} (${image.distribution})"],
-      [for item in image.versions : "${titles[item.name]} ${item.version}" if can(titles[item.name])]
+      [for item in image.versions : "${called[item.name].title} ${item.version}" if can(called[item.name])]
     ))
     "org.opencontainers.image.version"     = image.spelled
     "org.opencontainers.image.base.name"   = trimprefix(split("@", image.system.image)[0], "docker-image://")
@@ -537,7 +568,7 @@ function "labels" {
     "io.rosml.ros"                         = image.row.ros
     "io.rosml.ros.sync"                    = image.row.apt == null ? null : try(sync_dates[image.distribution], null)
     "io.rosml.experimental"                = image.row.experimental ? "true" : null
-  }, { for item in image.versions : "io.rosml.${item.name}" => item.version if item.name != "nccl" })
+  }, { for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name) })
 }
 
 # The structure tests of an image. What takes longer than all others runs in the image with the most frameworks.
@@ -546,8 +577,8 @@ function "tests" {
   result = concat(
     ["contract"],
     image.row.wheels == "" ? concat([ros], [for component in image.chain : "${ros}-${component}"]) : ["${ros}-wheels"],
-    [for payload in image.payloads : payload.part if !contains(untested, payload.part)],
-    length(frameworks[image.framework].releases) > 1 ? ["ml"] : [],
+    [for payload in image.payloads : payload.part if entries[payload.part].tested],
+    frameworks[image.framework].tests,
     image.covered || image.row.wheels != "" ? [] : ["${ros}-workspace", "${ros}-components"],
     image.covered ? [] : ["pip"]
   )
@@ -560,6 +591,7 @@ function "expected" {
     ["os=${row.os}", "python=${image.system.python}", "ros=${row.ros}", "ros_distro=${row.ros_distro}"],
     row.rmw == "" ? [] : ["rmw=${row.rmw}"],
     row.wheels == "" ? [] : ["wheels=${row.wheels}"],
+    length(releases) == 0 ? [] : ["releases=${join(",", releases)}"],
     [for component in image.chain :
       "packages_${replace(component, "-", "_")}=${replace(row.packages[component], " ", ",")}"
     if row.packages[component] != ""],
@@ -675,24 +707,28 @@ target "_payload" {
     "io.rosml.part"   = payload.part
     "io.rosml.stack"  = payload.stack
     "io.rosml.python" = payload.python
-    "io.rosml.parts"  = join(",", parts)
     "io.rosml.frameworks" = join(" ", [
-      for framework in stacks[payload.stack].frameworks : "${framework}=${join(",", parts_of(framework, payload.stack))}"
+      for framework in stacks[payload.stack].frameworks : join("=", [framework, join(",", [
+        for part in parts_of(framework, payload.stack) : entries[part].any_python ? "${part}*" : part
+      ])])
       if contains(frameworks[framework].parts, payload.part)
     ])
     }, {
-    for name in brings[payload.part] : "io.rosml.${name}" => stacks[payload.stack].versions[name]
-    if can(stacks[payload.stack].versions[name])
+    for item in entries[payload.part].brings : "io.rosml.${item.name}" => stacks[payload.stack].versions[item.name]
+    }, length(entries[payload.part].brings) == 0 ? {} : {
+    "io.rosml.brings" = join(" ", [for item in entries[payload.part].brings : "${item.name}:${item.short}:${item.title}"])
+    }, entries[payload.part].release == "" ? {} : {
+    "io.rosml.release" = entries[payload.part].release
   })
 }
 
-# Images with a framework: a ROS image joined with payloads. Nothing runs after the join.
+# Images with a framework: a ROS image joined with payloads, by a Dockerfile that has a line for each. Nothing runs after
+# the join. *_ROOT: where a part's files are: /out/ where it was assembled here, / where it is a published payload.
 target "_joined" {
   matrix      = { image = [for image in images : image if image.stack != ""] }
   name        = image.target
   description = image.unlocked
   inherits    = ["_image"]
-  target      = image.framework
   platforms   = platforms(image.platforms)
   tags        = tags(image)
   labels      = labels(image)
@@ -700,12 +736,17 @@ target "_joined" {
     for payload in image.payloads : "part-${payload.part}" =>
     dependency(payload.name, "payload", "_files-${payload.name}")
   })
-  args = merge(
-    { ACCELERATOR = stacks[image.stack].accelerator },
-    { for payload in image.payloads : "${upper(replace(payload.part, "-", "_"))}_ROOT" =>
-    can(digests[payload.name]) ? "/" : "/out/" },
-    { for item in image.versions : "${upper(item.name)}_VERSION" => item.version if item.name != "nccl" }
-  )
+  args = { for payload in image.payloads : "${variable(payload.part)}_ROOT" =>
+  can(digests[payload.name]) ? "/" : "/out/" }
+  dockerfile-inline = join("\n", concat(
+    ["FROM ros"],
+    [for payload in image.payloads : format(
+      "ARG %s_ROOT\nCOPY --link --from=part-%s $%s_ROOT /",
+      variable(payload.part), payload.part, variable(payload.part)
+    )],
+    [for item in image.versions : "ENV ${variable(item.name)}_VERSION=${item.version}" if contains(counted, item.name)],
+    [""]
+  ))
 }
 
 # The structure tests of every image, inside the build.

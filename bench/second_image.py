@@ -32,7 +32,6 @@ from rosml.images import lock_file
 from rosml.images.image_set import Catalogue, Image
 from rosml.machine import base_images, buildx, disk, regctl
 from rosml.machine.progress import BuildProgress
-from rosml.matrix.model import FAMILIES
 
 NAMESPACE = "bench"
 """Namespace in the local registry: nothing of anybody else is in it."""
@@ -207,8 +206,7 @@ def require_comparable(image: Image, catalogue: Catalogue, root: Path) -> None:
 
 def frameworks(image: Image, catalogue: Catalogue) -> tuple[str, ...]:
     """What is imported: the modules of an image's frameworks."""
-    parts = [catalogue.payload_by_name[name].part for name in image.parts]
-    return tuple(part for part in parts if part in FAMILIES)
+    return tuple(item.name for item in image.brought if item.released)
 
 
 def locks(image: Image, catalogue: Catalogue) -> tuple[str, ...]:
@@ -319,7 +317,7 @@ class _Bench:
             usual=replace(self._side(usual, ros), **best["usual"]),
             versions=versions[0],
             packages=len(pins(image, catalogue, self.here.services.root)),
-            assembling_seconds=ours["yesterday"].progress.phases().get("assemble payloads", 0.0),
+            assembling_seconds=ours["yesterday"].progress.phases().get("build parts", 0.0),
         )
 
     def clean(self) -> list[str]:

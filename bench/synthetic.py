@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 
-from rosml.matrix.model import PARTS
-
 _SYSTEMS = 8
 _COMPONENTS = ("core", "base", "robot", "perception", "desktop", "desktop-full")
 _STACKS = ("cu118", "cu126", "cu128", "cu130", "cpu")
 _FAMILIES = {"torch": "2.10.0", "tensorflow": "2.20.0"}
+
+_PARTS = ("cuda", "common", "torch", "tensorflow-cc", "tensorflow")
 
 IMAGES = len(_COMPONENTS) * (1 + 3 * len(_STACKS))
 """Images of a distribution: ROS alone, and three frameworks on each stack."""
@@ -63,11 +63,17 @@ def _head() -> str:
     for name, below in zip(_COMPONENTS, (None, *_COMPONENTS), strict=False):
         lines.append(f"  {name}: {{{f'builds_on: {below}' if below else ''}}}")
     lines += [
+        "parts:",
+        "  - {name: cuda, title: CUDA, accelerator: cuda, any_python: true, versions: [cuda, cudnn], takes: [nvidia-*]}",
+        "  - {name: common, needs: [cuda], shared: true, tested: false}",
+        "  - {name: torch, title: PyTorch, release: torch, needs: [common]}",
+        "  - {name: tensorflow-cc, release: tensorflow, any_python: true, needs: [tensorflow], repeats: [tensorflow], tested: false}",
+        "  - {name: tensorflow, title: TensorFlow, short: tf, release: tensorflow, needs: [common, tensorflow-cc]}",
         "frameworks:",
         "  none: {repository: ros}",
-        "  torch: {repository: ros-torch, parts: [cuda, common, torch], releases: [torch]}",
-        "  tensorflow: {repository: ros-tf, parts: [cuda, common, tensorflow-cc, tensorflow], releases: [tensorflow]}",
-        "  ml: {repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow], releases: [torch, tensorflow]}",
+        "  torch: {repository: ros-torch, parts: [cuda, common, torch]}",
+        "  tensorflow: {repository: ros-tf, parts: [cuda, common, tensorflow-cc, tensorflow]}",
+        "  ml: {repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow], tests: [ml]}",
         "releases:",
         *(
             f"  {family}: {{{version}: {{python: [{pythons}], wheels: {{{wheels}}}}}}}"
@@ -79,9 +85,9 @@ def _head() -> str:
         cuda = "" if stack == "cpu" else "cuda: 12.8.90, cudnn: 9.10.2.21, nccl: 2.27.5, "
         accelerator = "cpu" if stack == "cpu" else "cuda"
         versions = ", ".join(f"{family}: {version}" for family, version in _FAMILIES.items())
-        lines.append(f"  {stack}: {{accelerator: {accelerator}, {cuda}{versions}}}")
+        lines.append(f"  {stack}: {{accelerator: {accelerator}, {cuda}releases: {{{versions}}}}}")
     lines += ["disk:", f"  os: {forecast}", "  components:", *(f"    {name}: {forecast}" for name in _COMPONENTS)]
-    parts = ", ".join(f"{part}: {forecast}" for part in PARTS)
+    parts = ", ".join(f"{part}: {forecast}" for part in _PARTS)
     lines += ["  parts:", *(f"    {stack}: {{{parts}}}" for stack in _STACKS)]
     lines.append("rates: {packages: 25, payloads: 60, test: 15}")
     return "\n".join(lines)

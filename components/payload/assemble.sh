@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Assembles one payload part under /out from a hash-pinned lock, for TARGETARCH, on whatever architecture this runs.
-#   PART       cuda | common | torch | tensorflow-cc | tensorflow
+#   PART       its name in matrix.yaml
 #   PYTHON     3.11, ...; "any" for a part that does not depend on the Python version
 #   WHEEL_PYTHON  the Python whose wheels it is taken from
 #   TARGETARCH amd64 | arm64 (set by BuildKit)
@@ -25,10 +25,10 @@ if [[ ${PYTHON:?} == any ]]; then
 else
   SITE=/usr/local/lib/python$PYTHON/dist-packages
 fi
-export OUT=/out SITE TRIPLET PYTHON
+export OUT=/out SITE TRIPLET PYTHON PART
 
 # PyTorch's wheels for the CPU of amd64 are on its own index alone; uv knows where that is.
-if grep -q '^torch==.*+cpu' "${LOCK:?}"; then export UV_TORCH_BACKEND=cpu; fi
+if grep -q '^[^ ]*==[^ ]*+cpu' "${LOCK:?}"; then export UV_TORCH_BACKEND=cpu; fi
 
 # uv unpacks while it downloads and checks every hash. Its cache is on the same file system, so files are linked,
 # not copied: one copy on disk instead of two.
@@ -44,8 +44,8 @@ rm -rf /out/.cache "$OUT$SITE/.lock"
 mkdir -p "$OUT/usr/local/share/rosml/versions.d"
 sed -n 's/^\([A-Za-z0-9._-]*\)==\([^ ]*\).*/\1 \2/p' "$LOCK" >"$OUT/usr/local/share/rosml/versions.d/$PART"
 
-if [[ $PART == tensorflow* ]]; then "$here/abseil_for_gcc.py"; fi
-if [[ -x $here/../part/files.sh ]]; then "$here/../part/files.sh"; fi
+"$here/abseil_for_gcc.py"
+if [[ -x $here/../$PART/files.sh ]]; then "$here/../$PART/files.sh"; fi
 "$here/records.py" verify
 [[ $PYTHON == any ]] || "$here/bytecode.sh"
 "$here/normalise.sh"

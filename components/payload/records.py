@@ -27,7 +27,7 @@ from pathlib import Path
 
 OUT = Path(os.environ["OUT"])
 SITE = OUT / os.environ["SITE"].lstrip("/")
-PART = Path(os.environ.get("PART_FOLDER", Path(__file__).resolve().parent.parent / "part"))
+PART = Path(os.environ.get("PART_FOLDER", Path(__file__).resolve().parent.parent / os.environ.get("PART", "")))
 
 
 def patterns(name: str) -> list[str]:

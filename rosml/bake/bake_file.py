@@ -16,7 +16,7 @@ from rosml.images import labels
 from rosml.images.expand import FLOATING, long_tests
 from rosml.images.image_set import Catalogue, Image, Payload
 from rosml.matrix import names, rules
-from rosml.matrix.model import FOR_ANY_PYTHON, PARTS, UNTESTED, Matrix
+from rosml.matrix.model import Matrix, Part
 
 GRAPH = Path(__file__).with_name("graph.hcl")
 """What is made of the tables."""
@@ -86,8 +86,10 @@ def _tables(catalogue: Catalogue) -> Iterator[str]:
     yield _table("components", about, aligned({name: rules.chain(matrix, name) for name in matrix.components}))
     about = "Versions that go together. frameworks: those that can have them, the smallest first."
     yield _table("stacks", about, _tall({name: _stack(matrix, name) for name in matrix.stacks}))
+    about = "What is built once and joined to many images. brings: whose versions labels and the environment name."
+    yield _table("entries", about, _tall({part.name: _entry(part) for part in matrix.parts}))
     about = (
-        "What images carry. counted: whose versions a tag names. stacks: the platforms that all of it has wheels for."
+        "What images carry. spelled: whose versions a tag names. stacks: the platforms that all of it has wheels for."
     )
     yield _table("frameworks", about, _tall({name: _framework(matrix, name) for name in matrix.frameworks}))
     yield (
@@ -150,19 +152,19 @@ def _platforms(matrix: Matrix, architectures: Iterable[str]) -> list[str]:
 
 def _stack(matrix: Matrix, name: str) -> Lines:
     facts = matrix.stacks[name]
-    versions = {item: version for item in rules.COUNTED if (version := getattr(facts, item))}
     taking = labels.smallest_first(rules.frameworks(matrix, name))
-    return [{"accelerator": facts.accelerator, "frameworks": taking}, {"versions": versions}]
+    return [{"accelerator": facts.accelerator, "frameworks": taking}, {"versions": rules.versions(matrix, facts)}]
 
 
 def _framework(matrix: Matrix, name: str) -> Lines:
     facts = matrix.frameworks[name]
-    releases = rules.families(facts)
+    releases = rules.families(matrix, facts)
     stacks = [stack for stack in matrix.stacks if facts.parts and name in rules.frameworks(matrix, stack)]
-    parts = [part for part in PARTS if part in facts.parts]
+    parts = [part.name for part in matrix.parts if part.name in facts.parts]
+    spelled = releases or [part.brings[0] for part in matrix.parts if part.name in parts and part.title]
     return [
-        {"repository": facts.repository, "parts": parts, "releases": releases},
-        {"versions": rules.counted(facts), "counted": releases or (rules.counted(facts) and ("cuda",))},
+        {"repository": facts.repository, "parts": parts, "tests": facts.tests},
+        {"versions": rules.counted(matrix, facts), "spelled": spelled},
         {"stacks": {stack: _platforms(matrix, rules.joined_for(matrix, name, stack)) for stack in stacks}},
     ]
 
@@ -174,13 +176,16 @@ def _words(matrix: Matrix) -> dict[str, object]:
         "assembler": matrix.default.assembler,
         "source": matrix.source,
         "short_component": FLOATING,
-        "short_names": names.SHORT,
-        "titles": labels.TITLES,
-        "parts": PARTS,
-        "brings": {part: labels.brought(part) for part in PARTS},
-        "for_any_python": FOR_ANY_PYTHON,
-        "untested": UNTESTED,
+        "releases": matrix.families,
     }
+
+
+def _entry(part: Part) -> Lines:
+    brings = [{"name": item.name, "short": item.short, "title": item.title} for item in rules.brought_by(part)]
+    return [
+        {"accelerator": part.accelerator or "", "any_python": part.any_python, "tested": part.tested},
+        {"release": part.release or "", "brings": brings},
+    ]
 
 
 def _distributions(catalogue: Catalogue) -> dict[str, Lines]:

@@ -14,7 +14,7 @@ from pathlib import Path
 from string import Template
 
 from rosml.bake import dockerfile, targets
-from rosml.bake.targets import Dependency, NoInput, Overridable, Value
+from rosml.bake.targets import Dependency, Join, NoInput, Overridable, Value
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import Catalogue, Image, Payload
@@ -50,22 +50,36 @@ class Inputs:
             found = self._targets[target]
             arguments = _facts(found.arguments, f"{target}, argument")
             inputs = {"platform": self.catalogue.matrix.architectures[architecture].platform}
-            if found.stage not in self._stages:
-                raise RosmlError(
-                    f"the Dockerfile has no stage {found.stage}, which {target} is built from",
-                    remedy="write it there as 'FROM … AS name' on one line, or rename the framework in matrix.yaml",
-                )
-            inputs["Dockerfile: before the first stage"] = self._stages[""].digest
-            inputs[".dockerignore"] = self._ignored
-            inputs |= self._stage(found.stage, self._contexts(target, architecture), arguments, architecture)
+            contexts = self._contexts(target, architecture)
+            if found.join:
+                form = Join(found.join.parts, dict.fromkeys(found.join.environment, ""))
+                inputs["Dockerfile of the join"] = hashlib.sha256(form.dockerfile().encode()).hexdigest()
+                inputs |= {f"environment {name}": value for name, value in found.join.environment.items()}
+                inputs |= {name: value for context in contexts.values() for name, value in context.items()}
+            else:
+                inputs |= self._built(found.stage, target, contexts, arguments, architecture)
             inputs |= {f"argument {name}": value for name, value in arguments.items()}
             inputs |= {f"label {name}": value for name, value in _facts(found.labels, f"{target}, label").items()}
             self._known[key] = inputs
         return self._known[key]
 
+    def _built(
+        self,
+        stage: str,
+        target: str,
+        contexts: Mapping[str, Mapping[str, str]],
+        arguments: Mapping[str, str],
+        architecture: str,
+    ) -> dict[str, str]:
+        """What decides a stage of the Dockerfile."""
+        if stage not in self._stages:
+            text = f"the Dockerfile has no stage {stage}, which {target} is built from"
+            raise RosmlError(text, "write it there as 'FROM … AS name' on one line")
+        above = {"Dockerfile: before the first stage": self._stages[""].digest, ".dockerignore": self._ignored}
+        return above | self._stage(stage, contexts, arguments, architecture)
+
     def check(self) -> None:
-        """Checks that the Dockerfile can build what the catalogue describes, and that it would be tested: every framework
-        has a stage, which takes exactly the framework's parts; every file of structure tests is there.
+        """Checks that what the catalogue describes would be tested: every file of structure tests is there.
 
         Raises:
             RosmlError: it cannot.
@@ -76,29 +90,6 @@ class Inputs:
             f"{name}.yaml" for name in tests if folder.is_dir() and not (folder / f"{name}.yaml").is_file()
         ]:
             raise RosmlError(f"tests/structure has no {listed(untested)}", "write what must hold in these images there")
-        kinds: dict[tuple[str, str | None], Image] = {}  # images of one framework and stack are joined alike
-        for image in self.catalogue.images:
-            kinds.setdefault((image.framework, image.stack), image)
-        for image in kinds.values():
-            self._check_parts(image)
-
-    def _check_parts(self, image: Image) -> None:
-        """Checks that an image's stage takes exactly the contexts that its target gives; raises as `check` does."""
-        architecture = image.architectures[0]
-        used = self.of(image.target, architecture)
-        missing = [name.removeprefix("base image ") for name, value in used.items() if value == UNPINNED]
-        contexts = self._contexts(image.target, architecture)
-        idle = [name for name, inputs in contexts.items() if not inputs.items() <= used.items()]
-        if missing:
-            wrong = f"needs {listed(missing)}, which {image.target} does not have"
-        elif idle:
-            wrong = f"does not take {listed(idle)}"
-        else:
-            return
-        raise RosmlError(
-            f"the Dockerfile's stage {self._targets[image.target].stage} {wrong}",
-            f"correct the parts of framework {image.framework} in matrix.yaml, or write a stage for it",
-        )
 
     def digest(self, target: str, architecture: str) -> str:
         """The digest of a target's inputs."""

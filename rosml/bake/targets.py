@@ -75,11 +75,32 @@ Context = Dependency | Overridable
 
 
 @dataclass(frozen=True)
+class Join:
+    """What an image joins to a ROS image: parts in their order, and variables of the environment."""
+
+    parts: tuple[str, ...]
+    environment: Mapping[str, str]
+
+    def dockerfile(self) -> str:
+        """The Dockerfile that does it. *_ROOT is where a part's files are in its context."""
+        lines = ["FROM ros"]
+        for part in self.parts:
+            root = root_variable(part)
+            lines += [f"ARG {root}", f"COPY --link --from=part-{part} ${root} /"]
+        return "\n".join([*lines, *(f"ENV {name}={value}" for name, value in self.environment.items()), ""])
+
+
+def root_variable(part: str) -> str:
+    """The argument that says where a part's files are in its context."""
+    return f"{labels.variable(part)}_ROOT"
+
+
+@dataclass(frozen=True)
 class Target:
     """What buildx is told of a target.
 
     Attributes:
-        stage: of the Dockerfile. platforms: all that it can be built for; empty: the builder's own.
+        stage: of the Dockerfile; empty where parts are joined. platforms: all that it can be built for; empty: the builder's own.
         tags: `repository:tag` without the registry.
     """
 
@@ -90,6 +111,7 @@ class Target:
     tags: tuple[str, ...] = ()
     labels: Mapping[str, Value] = field(default_factory=dict)
     description: str = ""
+    join: Join | None = None
 
 
 def of(catalogue: Catalogue) -> dict[str, Target]:
@@ -198,16 +220,18 @@ def _joined(catalogue: Catalogue, image: Image) -> Target:
     contexts |= {
         f"part-{part}": Dependency(names.files_target(name), name, PAYLOADS) for part, name in payloads.items()
     }
-    arguments: dict[str, Value] = {**_common(), "ACCELERATOR": matrix.stacks[image.stack or ""].accelerator}
-    arguments |= {f"{part.upper().replace('-', '_')}_ROOT": NoInput("root", name) for part, name in payloads.items()}
-    arguments |= {f"{name.upper()}_VERSION": version for name, version in _counted(image).items()}
-    found = _labels(matrix, image)
-    return Target(image.framework, contexts, arguments, image.platforms, image.tags, found, unlocked(image))
-
-
-def _counted(image: Image) -> dict[str, str]:
-    """The versions that labels and the environment name."""
-    return {name: version for name, version in image.versions.items() if name in labels.VERSIONS}
+    roots = {root_variable(part): NoInput("root", name) for part, name in payloads.items()}
+    join = Join(tuple(payloads), labels.environment(image.brought))
+    return Target(
+        "",
+        contexts,
+        {**_common(), **roots},
+        image.platforms,
+        image.tags,
+        _labels(matrix, image),
+        unlocked(image),
+        join,
+    )
 
 
 def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
@@ -224,9 +248,9 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         f"{labels.PREFIX}os": image.os,
         f"{labels.PREFIX}python": image.python,
         f"{labels.PREFIX}ros": str(image.ros),
-        **{f"{labels.PREFIX}{name}": version for name, version in _counted(image).items()},
+        **{f"{labels.PREFIX}{item.name}": item.version for item in image.brought},
         **labels.named(
-            image.distribution, image.component, str(image.ros), image.framework, image.stack, image.versions
+            image.distribution, image.component, str(image.ros), image.framework, image.stack, image.brought
         ),
     }
     if matrix.source:
@@ -251,10 +275,14 @@ def _payload(matrix: Matrix, payload: Payload) -> Iterator[tuple[str, Target]]:
         "WHEEL_PYTHON": matrix.operating_systems[payload.os].python,
         "ACCELERATOR": matrix.stacks[payload.stack].accelerator,
     }
-    stack = matrix.stacks[payload.stack]
-    versions = {name: version for name in labels.VERSIONS if (version := getattr(stack, name))}
-    taking = {name: parts for name, parts in rules.frameworks(matrix, payload.stack).items() if payload.part in parts}
-    found = labels.of_payload(payload.part, payload.stack, payload.python, versions, taking)
+    part, stack = matrix.part[payload.part], matrix.stacks[payload.stack]
+    taking = {
+        name: [matrix.part[other] for other in parts]
+        for name, parts in rules.frameworks(matrix, payload.stack).items()
+        if part.name in parts
+    }
+    brought = rules.brought(matrix, [part.name], stack)
+    found = labels.of_payload(part, payload.stack, payload.python, brought, taking)
     yield names.files_target(payload.name), Target("payload-files", contexts, arguments, payload.platforms)
     tags = (f"{PAYLOADS}:{payload.name}",)
     yield payload.target, Target("payload", contexts, arguments, payload.platforms, tags, found)
@@ -274,6 +302,8 @@ def _expected(catalogue: Catalogue, image: Image) -> str:
         facts["rmw"] = ",".join(distribution.rmw)
     if distribution.wheels:
         facts["wheels"] = wheels(distribution.wheels)
+    if families := catalogue.matrix.families:
+        facts["releases"] = ",".join(families)
     facts |= {**dict(reversed(packages.items())), **image.versions}
     return " ".join(f"{name}={fact}" for name, fact in facts.items())
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from rosml.base.errors import RosmlError
+from rosml.images import labels
 from rosml.images.image_set import Image
 from rosml.machine import base_images, buildx, regctl
 from rosml.machine.services import Services
@@ -83,11 +84,7 @@ def expected_labels(image: Image) -> dict[str, str]:
         "python": image.python,
         "ros": str(image.ros),
         **({"stack": image.stack} if image.stack else {}),
-        **{
-            name: version
-            for name, version in image.versions.items()
-            if name in ("torch", "tensorflow", "cuda", "cudnn")
-        },
+        **{item.name: item.version for item in image.brought},
     }
     return {LABEL + name: value for name, value in facts.items()}
 
@@ -105,10 +102,7 @@ def expected_environment(image: Image) -> dict[str, str]:
         "ROS_DISTRO": image.ros_distro,
         "ROS_VERSION": str(image.ros),
     }
-    for name in ("torch", "tensorflow", "cuda", "cudnn"):
-        if name in image.versions:
-            promised[f"{name.upper()}_VERSION"] = image.versions[name]
-    return promised
+    return promised | labels.environment(image.brought)
 
 
 def metadata_test(image: Image) -> dict[str, Any]:
@@ -131,14 +125,14 @@ def flat_config(config: Mapping[str, Any]) -> dict[str, Any]:
     Only what is tested: a label that changes with every commit would make the builder run the same tests again.
     """
     inner = config.get("config", {})
-    labels = inner.get("Labels") or {}
+    found = inner.get("Labels") or {}
     return {
         "config": {
             "Env": inner.get("Env") or [],
             "Entrypoint": inner.get("Entrypoint") or [],
             "Cmd": inner.get("Cmd") or [],
             "WorkingDir": inner.get("WorkingDir", ""),
-            "Labels": {key: value for key, value in sorted(labels.items()) if key.startswith(LABEL)},
+            "Labels": {key: value for key, value in sorted(found.items()) if key.startswith(LABEL)},
         }
     }
 

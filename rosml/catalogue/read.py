@@ -35,7 +35,7 @@ from rosml.catalogue.model import (
 )
 from rosml.images import image_set
 from rosml.images.image_set import repository_of, tags_of
-from rosml.images.labels import PREFIX, VERSIONS
+from rosml.images.labels import PREFIX
 from rosml.images.selection import select
 from rosml.matrix.names import DATED
 from rosml.records import tag_moves
@@ -322,6 +322,7 @@ class _Table:
     ) -> None:
         self.layers: list[Layer] = []
         self._position: dict[str, int] = {}
+        self._counted = ["python", *dict.fromkeys(name for part in catalogue.matrix.parts for name in part.brings)]
         # Payloads first; then ROS images from the lowest up, so that a layer belongs to the lowest that has it.
         whole: list[Thing] = [
             *catalogue.payloads,
@@ -378,9 +379,7 @@ class _Table:
         self._add(member.layers, thing.name if isinstance(thing, image_set.Payload) else "")
         entry = member.entry
         versions = dict(entry.versions) if entry else {}
-        promised = {
-            name: member.labels[PREFIX + name] for name in ("python", *VERSIONS) if PREFIX + name in member.labels
-        }
+        promised = {name: member.labels[PREFIX + name] for name in self._counted if PREFIX + name in member.labels}
         positions = tuple(self._position[digest] for digest, _ in member.layers)
         total = sum(size for _, size in member.layers)
         tested = isinstance(thing, image_set.Image) and entry and (entry.passed or entry.failures)

@@ -13,14 +13,6 @@ from rosml.matrix import rules
 BEGIN = "<!-- images: written by scripts/generate_bake.py -->"
 END = "<!-- /images -->"
 
-_CONTENT = {
-    "none": "ROS",
-    "cuda": "ROS, CUDA",
-    "torch": "ROS, PyTorch, libtorch",
-    "tensorflow": "ROS, TensorFlow",
-    "ml": "ROS, PyTorch, libtorch, TensorFlow",
-}
-
 
 def render(readme: str, catalogue: Catalogue) -> str:
     """The README with the tables of this catalogue.
@@ -99,15 +91,15 @@ def _contents(catalogue: Catalogue) -> Iterator[str]:
 
 def _content(catalogue: Catalogue, image: Image) -> str:
     versions = listed([f"{name} {version}" for name, version in image.versions.items() if name != "nccl"])
-    return (
-        _CONTENT.get(image.framework, image.framework) + _abi(catalogue, image) + (f": {versions}" if versions else "")
-    )
+    titles = [item.title for item in image.brought if item.title]
+    released = [item.title for item in image.brought if item.title and item.released]
+    return ", ".join(["ROS", *(released or titles)]) + _abi(catalogue, image) + (f": {versions}" if versions else "")
 
 
 def _abi(catalogue: Catalogue, image: Image) -> str:
     """Says which images' C++ libraries cannot be linked together with ROS's."""
     matrix = catalogue.matrix
-    for family in rules.families(matrix.frameworks[image.framework]):
-        if not matrix.releases.of(family)[image.versions[family]].cxx11_abi:
+    for family in rules.families(matrix, matrix.frameworks[image.framework]):
+        if not matrix.releases[family][image.versions[family]].cxx11_abi:
             return " (old C++ ABI on amd64: not in one program with ROS's libraries)"
     return ""

@@ -9,11 +9,7 @@ from rosml.base.problems import listed, unknown
 from rosml.images.explain import why_not
 from rosml.images.image_set import Catalogue
 from rosml.matrix import names, rules
-from rosml.matrix.model import (
-    ANY_PYTHON,
-    FOR_ANY_PYTHON,
-    Part,
-)
+from rosml.matrix.model import ANY_PYTHON
 
 
 def collisions(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
@@ -41,12 +37,11 @@ def _shared_by_images(catalogue: Catalogue, owners: dict[str, str]) -> Iterator[
 
 def _shared_by_payloads(catalogue: Catalogue) -> Iterator[tuple[Place, str]]:
     """Names that the payloads of two stacks would share."""
-    sources: dict[str, tuple[Part, str, str]] = {}
+    matrix = catalogue.matrix
+    sources: dict[str, tuple[str, str, str]] = {}
     for stack, python, framework in {(image.stack, image.python, image.framework): None for image in catalogue.images}:
-        for part in (
-            rules.parts(catalogue.matrix.frameworks[framework], catalogue.matrix.stacks[stack]) if stack else ()
-        ):
-            source = (part, stack or "", ANY_PYTHON if part in FOR_ANY_PYTHON else python)
+        for part in rules.parts(matrix, matrix.frameworks[framework], matrix.stacks[stack]) if stack else ():
+            source = (part, stack or "", ANY_PYTHON if matrix.part[part].any_python else python)
             name = names.payload_name(*source)
             if sources.setdefault(name, source) != source:
                 yield (

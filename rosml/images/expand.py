@@ -5,20 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from rosml.images import labels
 from rosml.images.image_set import Catalogue, Image, Payload, Wheels
 from rosml.matrix import names, rules
-from rosml.matrix.model import (
-    ANY_PYTHON,
-    FAMILY_OF,
-    FOR_ANY_PYTHON,
-    UNTESTED,
-    Distribution,
-    Framework,
-    Matrix,
-    Part,
-    Size,
-    Stack,
-)
+from rosml.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix, Size
+from rosml.matrix.rules import Brought
 
 
 def long_tests(distribution: Distribution) -> tuple[str, ...]:
@@ -60,6 +51,7 @@ class _Kind:
     architectures: tuple[str, ...]
     payloads: tuple[Payload, ...]
     versions: dict[str, str]
+    brought: tuple[Brought, ...] = ()
     covering: tuple[str, ...] = ()
 
 
@@ -81,21 +73,21 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
     python = matrix.operating_systems[distribution.os].python
     if stack is None:
         return _Kind(framework, facts, None, architectures, (), {})
-    parts = rules.parts(facts, matrix.stacks[stack])
+    parts = rules.parts(matrix, facts, matrix.stacks[stack])
+    families = set(rules.families(matrix, facts))
     payloads = tuple(_payload(matrix, part, stack, python, architectures) for part in parts)
     covering = tuple(
         other
         for other, more in matrix.frameworks.items()
-        if facts.releases
-        and set(facts.releases) < set(more.releases)
+        if families
+        and families < set(rules.families(matrix, more))
         and rules.stack_reason(matrix, name, other, stack) is None
         and set(architectures) <= set(rules.architectures(matrix, name, other, stack))
     )
-    return _Kind(framework, facts, stack, architectures, payloads, _versions(facts, matrix.stacks[stack]), covering)
-
-
-def _versions(framework: Framework, stack: Stack) -> dict[str, str]:
-    return {name: version for name in rules.counted(framework) if (version := getattr(stack, name))}
+    known = rules.versions(matrix, matrix.stacks[stack])
+    versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
+    brought = rules.brought(matrix, parts, matrix.stacks[stack])
+    return _Kind(framework, facts, stack, architectures, payloads, versions, brought, covering)
 
 
 def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
@@ -105,10 +97,9 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     target = names.image_target(name, component, kind.framework, kind.stack)
     groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
     ros = f"ros{distribution.ros}"
-    ml = ["ml"] if len(kind.facts.releases) > 1 else []
     apt = [ros, *(f"{ros}-{link}" for link in chain)]
     long = long_tests(distribution) if distribution.wheels or not kind.covering else ()
-    shared = [payload.part for payload in kind.payloads if payload.part not in UNTESTED]
+    shared = [payload.part for payload in kind.payloads if matrix.part[payload.part].tested]
     wheels = _wheels_of(matrix, name, kind.architectures)
     return Image(
         target=target,
@@ -123,6 +114,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         architectures=kind.architectures,
         platforms=tuple(matrix.architectures[architecture].platform for architecture in kind.architectures),
         versions=kind.versions,
+        brought=kind.brought,
         repository=kind.facts.repository,
         tags=_tags(distribution, name, component, kind, latest),
         groups=(*groups, "default") if target in matrix.default.group else tuple(groups),
@@ -130,7 +122,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
         wheels=() if kind.stack else distribution.wheels,
         parts=tuple(payload.name for payload in kind.payloads),
-        tests=("contract", *([f"{ros}-wheels"] if distribution.wheels else apt), *shared, *ml, *long),
+        tests=("contract", *([f"{ros}-wheels"] if distribution.wheels else apt), *shared, *kind.facts.tests, *long),
         covered=tuple(names.image_target(name, component, other, kind.stack) for other in kind.covering),
         locks=(
             *(lock for item in wheels for lock in item.locks),
@@ -158,7 +150,7 @@ def _packages(matrix: Matrix, name: str, distribution: Distribution, component: 
 
 def _tags(distribution: Distribution, name: str, component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
     main = names.main_tag(name, component, kind.stack)
-    tags = list(dict.fromkeys((main, names.spelled_tag(main, kind.versions))))
+    tags = list(dict.fromkeys((main, names.spelled_tag(main, labels.spelled(kind.brought)))))
     if component == FLOATING and kind.stack in (None, distribution.default_stack):
         tags += [name, *(["latest"] if latest else [])]
     return tuple(f"{kind.facts.repository}:{tag}" for tag in tags)
@@ -192,12 +184,13 @@ def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tup
     return (found,) if distribution.wheels else ()
 
 
-def _payload(matrix: Matrix, part: Part, stack: str, python: str, architectures: tuple[str, ...]) -> Payload:
-    pythons = _pythons(matrix, part, stack) if part in FOR_ANY_PYTHON else (python,)
+def _payload(matrix: Matrix, part: str, stack: str, python: str, architectures: tuple[str, ...]) -> Payload:
+    any_python = matrix.part[part].any_python
+    pythons = _pythons(matrix, part, stack) if any_python else (python,)
     fitting = sorted(name for name, system in matrix.operating_systems.items() if system.python in pythons)
     assembler = matrix.default.assembler
     os = assembler if assembler in fitting or not fitting else fitting[0]
-    if part in FOR_ANY_PYTHON:
+    if any_python:
         python = ANY_PYTHON
     return Payload(
         name=names.payload_name(part, stack, python),
@@ -212,24 +205,24 @@ def _payload(matrix: Matrix, part: Part, stack: str, python: str, architectures:
     )
 
 
-def _pythons(matrix: Matrix, part: Part, stack: str) -> tuple[str, ...]:
+def _pythons(matrix: Matrix, part: str, stack: str) -> tuple[str, ...]:
     """The Pythons of the wheels that a part for any Python is taken from; none where the wheels say the same themselves."""
-    family = FAMILY_OF.get(part)
-    return matrix.releases.of(family)[matrix.stacks[stack].release(family) or ""].python if family else ()
+    family = matrix.part[part].release
+    return matrix.releases[family][matrix.stacks[stack].releases[family]].python if family else ()
 
 
 def _payloads(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Payload]:
     """Each payload that an image needs, once, for all architectures that any image needs it for."""
-    needed: dict[tuple[str, str], dict[Part, set[str]]] = {}
+    needed: dict[tuple[str, str], dict[str, set[str]]] = {}
     for image in images:
         if image.stack:
             parts = needed.setdefault((image.stack, image.python), {})
-            for part in rules.parts(matrix.frameworks[image.framework], matrix.stacks[image.stack]):
+            for part in rules.parts(matrix, matrix.frameworks[image.framework], matrix.stacks[image.stack]):
                 parts.setdefault(part, set()).update(image.architectures)
-    merged: dict[str, tuple[Part, str, str, set[str]]] = {}
+    merged: dict[str, tuple[str, str, str, set[str]]] = {}
     for (stack, python), parts in needed.items():
         for part, wanted in parts.items():
-            name = names.payload_name(part, stack, ANY_PYTHON if part in FOR_ANY_PYTHON else python)
+            name = names.payload_name(part, stack, ANY_PYTHON if matrix.part[part].any_python else python)
             merged.setdefault(name, (part, stack, python, set()))[3].update(wanted)
     for part, stack, python, wanted in merged.values():
         yield _payload(matrix, part, stack, python, tuple(name for name in matrix.architectures if name in wanted))

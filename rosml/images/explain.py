@@ -213,10 +213,11 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
         yield f"{image.distribution} is experimental: docs/limits.md says what it has, and it never gets the tag latest"
     if image.stack:
         stack = matrix.stacks[image.stack]
-        for family in rules.families(matrix.frameworks[image.framework]):
-            release = matrix.releases.of(family)[stack.release(family) or ""]
+        for family in rules.families(matrix, matrix.frameworks[image.framework]):
+            version = stack.releases[family]
+            release = matrix.releases[family][version]
             wheels = listed(release.architectures(image.stack))
-            yield f"{family} {stack.release(family)} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
+            yield f"{family} {version} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
         yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
         yield f"it is {image.parent} joined with {listed(image.parts)}"
     elif image.wheels:

@@ -8,11 +8,8 @@ from functools import cached_property
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
 from rosml.matrix import names
-from rosml.matrix.model import (
-    Matrix,
-    Part,
-    Size,
-)
+from rosml.matrix.model import Matrix, Size
+from rosml.matrix.rules import Brought
 
 PAYLOADS = "payload"
 """The repository of payloads, without the registry's prefix."""
@@ -24,7 +21,7 @@ class Payload:
 
     Attributes:
         name: `torch-cu128-py311`; also the tag in the repository `payload`, and the key in DIGESTS.
-        part: `cuda`, `common`, `torch`, `tensorflow-cc` or `tensorflow`.
+        part: the entry of the matrix that it is built from, such as `torch`.
         stack: name of the stack.
         python: version of Python, `any` where the part is the same for all.
         os: operating system that it is assembled on, one with that Python: the assembler of the matrix, or else the first
@@ -37,7 +34,7 @@ class Payload:
     """
 
     name: str
-    part: Part
+    part: str
     stack: str
     python: str
     os: str
@@ -82,6 +79,7 @@ class Image:
         os: operating system. python: version of its Python. ros: 1 or 2. ros_distro: value of ROS_DISTRO.
         architectures: architectures with the same content; platforms: the same as BuildKit calls them.
         versions: what it carries, e.g. `{"torch": "2.10.0", "cuda": "12.8.90"}`.
+        brought: what of it labels and the environment name.
         repository: without the registry. tags: `repository:tag` without the registry; the first one is the main tag.
         groups: bake groups that build it.
         parent: target that it stands on: of a ROS image the component below or the operating system, otherwise the
@@ -121,6 +119,7 @@ class Image:
     locks: tuple[str, ...]
     disk: Size
     wheels: tuple[str, ...] = ()
+    brought: tuple[Brought, ...] = ()
     covered: tuple[str, ...] = ()
     unlocked: tuple[str, ...] = ()
     lost: tuple[str, ...] = ()

@@ -5,11 +5,13 @@ A payload says what it is and what it takes, so that it can be joined by somebod
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from rosml.images.image_set import Image, Payload
 from rosml.matrix import names
-from rosml.matrix.model import ANY_PYTHON, FAMILY_OF, PARTS, Part
+from rosml.matrix.model import ANY_PYTHON, Part
+from rosml.matrix.rules import Brought
 
 PREFIX = "io.rosml."
 TITLE = "org.opencontainers.image.title"
@@ -21,58 +23,96 @@ REVISION = "org.opencontainers.image.revision"
 OCI = "org.opencontainers.image."
 """Prefix of the labels that an index has as annotations too."""
 
-VERSIONS = ("cuda", "cudnn", "torch", "tensorflow")
-"""What labels and the environment count, in the order in which the Dockerfile sets it."""
+BRINGS = f"{PREFIX}brings"
+"""The label of a payload that says what it brings, with how tags and descriptions call it: `tensorflow:tf:TensorFlow`."""
 
-TITLES = {"torch": "PyTorch", "tensorflow": "TensorFlow", "cuda": "CUDA"}
-"""How a description calls what an image carries."""
+RELEASE = f"{PREFIX}release"
+"""The label of a payload that says what it is a release of."""
 
 
 def named(
-    distribution: str, component: str, ros: str, framework: str, stack: str | None, versions: Mapping[str, str]
+    distribution: str, component: str, ros: str, framework: str, stack: str | None, brought: Sequence[Brought]
 ) -> dict[str, str]:
     """The labels by which people know an image.
 
     Args:
-        versions: of what it carries: `{"torch": "2.10.0", "cuda": "12.8.90"}`.
+        brought: what it carries, in the order in which the environment names it.
     """
-    carried = [f"{title} {versions[key]}" for key, title in TITLES.items() if key in versions]
+    carried = [f"{item.title} {item.version}" for item in brought if item.title]
     return {
         TITLE: names.image_target(distribution, component, framework, stack),
         DESCRIPTION: ", ".join([f"ROS {ros} {component} ({distribution})", *carried]),
-        VERSION: names.spelled_tag(names.main_tag(distribution, component, stack), versions),
+        VERSION: names.spelled_tag(names.main_tag(distribution, component, stack), spelled(brought)),
         f"{PREFIX}component": component,
     }
 
 
+def spelled(brought: Sequence[Brought]) -> dict[str, str]:
+    """The versions of what an image is for, by what tags call it: of its releases, or else of what its stack has."""
+    called = [item for item in brought if item.short]
+    return {item.short: item.version for item in [item for item in called if item.released] or called}
+
+
+def environment(brought: Sequence[Brought]) -> dict[str, str]:
+    """The variables that an image has of what was joined to it."""
+    return {f"{variable(item.name)}_VERSION": item.version for item in brought}
+
+
+def variable(name: str) -> str:
+    """How variables begin that are about a part or a version."""
+    return name.upper().replace("-", "_")
+
+
 def of_payload(
-    part: Part, stack: str, python: str, versions: Mapping[str, str], frameworks: Mapping[str, Sequence[str]]
+    part: Part,
+    stack: str,
+    python: str,
+    brought: Sequence[Brought],
+    frameworks: Mapping[str, Sequence[Part]],
 ) -> dict[str, str]:
     """The labels of a payload.
 
     Args:
-        python: `any` where the part is the same for all.
-        versions: of all that the stack has. frameworks: the parts of every framework that takes this one.
+        python: `any` where the part is the same for all. brought: what it brings.
+        frameworks: the parts of every framework that takes this one.
     """
     pythons = "any Python" if python == ANY_PYTHON else f"Python {python}"
     return {
-        TITLE: names.payload_name(part, stack, python),
-        DESCRIPTION: f"part {part} of stack {stack}, for {pythons}",
-        f"{PREFIX}part": part,
+        TITLE: names.payload_name(part.name, stack, python),
+        DESCRIPTION: f"part {part.name} of stack {stack}, for {pythons}",
+        f"{PREFIX}part": part.name,
         f"{PREFIX}stack": stack,
         f"{PREFIX}python": python,
-        **{f"{PREFIX}{name}": versions[name] for name in brought(part) if name in versions},
-        f"{PREFIX}parts": ",".join(PARTS),
-        f"{PREFIX}frameworks": " ".join(f"{name}={','.join(frameworks[name])}" for name in smallest_first(frameworks)),
+        **{f"{PREFIX}{item.name}": item.version for item in brought},
+        **({BRINGS: called(brought)} if brought else {}),
+        **({RELEASE: part.release} if part.release else {}),
+        f"{PREFIX}frameworks": " ".join(f"{name}={_marked(frameworks[name])}" for name in smallest_first(frameworks)),
     }
 
 
-def brought(part: Part) -> tuple[str, ...]:
-    """What a part brings whose version its payloads' labels name."""
-    return ("cuda", "cudnn") if part == "cuda" else (FAMILY_OF[part],) if part in FAMILY_OF else ()
+def _marked(parts: Iterable[Part]) -> str:
+    """Names of parts, with * at those for any Python."""
+    return ",".join(f"{part.name}*" if part.any_python else part.name for part in parts)
 
 
-def smallest_first(frameworks: Mapping[str, Sequence[str]]) -> list[str]:
+def called(brought: Sequence[Brought]) -> str:
+    """What a payload brings, as its label says it: `cuda:cuda:CUDA cudnn::`."""
+    return " ".join(f"{item.name}:{item.short}:{item.title}" for item in brought)
+
+
+def brought_by(labels: Mapping[str, str]) -> Iterator[Brought]:
+    """What a payload with these labels brings.
+
+    Raises:
+        ValueError: the label is damaged.
+    """
+    for item in labels.get(BRINGS, "").split():
+        name, short, title = item.split(":")
+        if version := labels.get(PREFIX + name):
+            yield Brought(name, version, title, short, RELEASE in labels)
+
+
+def smallest_first(frameworks: Mapping[str, Sequence[object]]) -> list[str]:
     """Frameworks by the number of their parts, then by name: the order of the matrix does not count."""
     return sorted(frameworks, key=lambda name: (len(frameworks[name]), name))
 
@@ -84,7 +124,12 @@ def frameworks(text: str) -> dict[str, tuple[str, ...]]:
         ValueError: the label is damaged.
     """
     pairs = (item.split("=") for item in text.split())
-    return {name: tuple(parts.split(",")) for name, parts in pairs}
+    return {name: tuple(part.removesuffix("*") for part in parts.split(",")) for name, parts in pairs}
+
+
+def any_python(text: str, part: str) -> bool:
+    """Whether a part is for any Python, as the label that names it says."""
+    return f"{part}*" in re.split("[ =,]", text)
 
 
 def title(thing: Image | Payload) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from rosml.images.image_set import Payload, Wheels
 from rosml.matrix import names
-from rosml.matrix.model import FAMILY_OF, Stack
+from rosml.matrix.model import Matrix
 
 _PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
 _WHOLE = re.compile(
@@ -39,16 +39,16 @@ def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
         yield fact, f"nvidia-{package}-cu{cuda.split('.')[0]}"
 
 
-def current(text: str, payload: Payload, stack: Stack, architecture: str) -> bool:
+def current(text: str, payload: Payload, matrix: Matrix, architecture: str) -> bool:
     """Whether a text is the payload's lock: its head says so, it is whole, and it pins what the stack's facts say."""
     head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
     if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
         return False
-    pinned = versions(text)
-    if family := FAMILY_OF.get(payload.part):
-        requirement = stack.requirement(family, architecture) or ""
-        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.release(family)
-    if payload.part == "cuda":
+    pinned, stack, part = versions(text), matrix.stacks[payload.stack], matrix.part[payload.part]
+    if part.release:
+        requirement = stack.requirement(part.release, architecture) or ""
+        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.releases[part.release]
+    if part.versions:
         facts = {package: getattr(stack, fact) for fact, package in cuda_packages(stack.cuda or "")}
         return all(pinned[package] == fact for package, fact in facts.items() if package in pinned and fact)
     return True

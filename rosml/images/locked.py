@@ -27,8 +27,7 @@ def current_locks(catalogue: Catalogue, root: Path) -> frozenset[str]:
         lock
         for payload in catalogue.payloads
         for architecture, lock in zip(payload.architectures, payload.locks, strict=True)
-        if lock in present
-        and lock_file.current(_text(root / lock), payload, catalogue.matrix.stacks[payload.stack], architecture)
+        if lock in present and lock_file.current(_text(root / lock), payload, catalogue.matrix, architecture)
     )
 
 

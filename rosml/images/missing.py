@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
 from rosml.images.image_set import Catalogue, Image, Payload
-from rosml.matrix.model import FAMILIES, Family, Matrix
+from rosml.matrix.model import Matrix
 
 MAKE_LOCKS = "run 'make locks'"
 """How a lock comes into being that needs the Python package index alone."""
@@ -30,20 +30,20 @@ def waiting(matrix: Matrix, payloads: Iterable[Payload]) -> frozenset[str]:
     asking: set[str] = set()
     others: set[tuple[str, str, str]] = set()
     for lock, (stack, architecture, python, part) in by_lock.items():
-        if part in FAMILIES:
+        if part in matrix.families:
             if _asks(matrix, stack, architecture, python, part):
                 asking.add(lock)
             else:
                 others.add((stack, architecture, python))
     known = {by_lock[lock][:3] for lock in asking} - others
     return frozenset(
-        asking | {lock for lock, (*key, part) in by_lock.items() if part == "common" and tuple(key) in known}
+        asking | {lock for lock, (*key, part) in by_lock.items() if matrix.part[part].shared and tuple(key) in known}
     )
 
 
-def _asks(matrix: Matrix, stack: str, architecture: str, python: str, family: Family) -> bool:
+def _asks(matrix: Matrix, stack: str, architecture: str, python: str, family: str) -> bool:
     facts = matrix.stacks[stack]
-    digests = matrix.releases.of(family)[facts.release(family) or ""].elsewhere.get(stack, {}).get(architecture)
+    digests = matrix.releases[family][facts.releases[family]].elsewhere.get(stack, {}).get(architecture)
     return digests is not None and python not in digests
 
 

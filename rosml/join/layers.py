@@ -15,7 +15,8 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images import labels
 from rosml.matrix import names
-from rosml.matrix.model import ANY_PYTHON, FOR_ANY_PYTHON
+from rosml.matrix.model import ANY_PYTHON
+from rosml.matrix.rules import Brought
 from rosml.registry import oci
 
 _LAYER = "application/vnd.oci.image.layer.v1.tar"
@@ -113,11 +114,11 @@ def join(ros: Source, payloads: Sequence[Source]) -> Joined:
         _require_fit(ros, payload)
     framework, order = _framework(ros, payloads)
     payloads = sorted(payloads, key=lambda item: order.index(item.labels[_PART]))
-    versions = _versions(payloads)
+    brought = _brought(payloads)
     stack = payloads[0].labels[_STACK]
-    merged = _labels(ros, framework, stack, versions)
+    merged = _labels(ros, framework, stack, brought)
     sources = (ros, *payloads)
-    config = oci.encoded(_config(ros, payloads, versions, merged))
+    config = oci.encoded(_config(ros, payloads, brought, merged))
     manifest = {
         "schemaVersion": 2,
         "mediaType": oci.IMAGE,
@@ -196,12 +197,10 @@ def _framework(ros: Source, payloads: Sequence[Source]) -> tuple[str, tuple[str,
     name, parts = min(shared.items(), key=lambda item: len(item[1]))
     missing = [part for part in parts if part not in by_part]
     text = f"{listed([item.name for item in payloads])} cannot do without {listed(missing)} of stack {stack}"
-    lacking = listed([names.payload_name(part, stack, _python_of(part, ros)) for part in missing])
+    told = payloads[0].labels[_FRAMEWORKS]
+    pythons = {part: ANY_PYTHON if labels.any_python(told, part) else ros.labels[_PYTHON] for part in missing}
+    lacking = listed([names.payload_name(part, stack, python) for part, python in pythons.items()])
     raise RosmlError(text, f"add {lacking}: framework {name} consists of {listed(parts)}", exit_code=2)
-
-
-def _python_of(part: str, ros: Source) -> str:
-    return ANY_PYTHON if part in FOR_ANY_PYTHON else ros.labels[_PYTHON]
 
 
 def _frameworks(payload: Source) -> dict[str, tuple[str, ...]]:
@@ -224,36 +223,40 @@ def _require_fit(ros: Source, payload: Source) -> None:
         raise RosmlError(text, f"take the payload {name}", exit_code=2)
 
 
-def _versions(payloads: Sequence[Source]) -> dict[str, str]:
-    """What payloads bring, by name."""
-    versions: dict[str, tuple[str, str]] = {}
+def _brought(payloads: Sequence[Source]) -> tuple[Brought, ...]:
+    """What payloads bring, each once: releases first, then facts of the stack."""
+    found: dict[str, tuple[Brought, str]] = {}
     for payload in payloads:
-        for name in labels.VERSIONS:
-            if version := payload.labels.get(labels.PREFIX + name):
-                known, whose = versions.setdefault(name, (version, payload.name))
-                if known != version:
-                    text = f"{whose} has {name} {known}, and {payload.name} has {version}"
-                    raise RosmlError(text, "take payloads that were published together", exit_code=2)
-    return {name: versions[name][0] for name in labels.VERSIONS if name in versions}
+        try:
+            brings = list(labels.brought_by(payload.labels))
+        except ValueError:
+            text = f"{payload.name}: its label {labels.BRINGS} is damaged"
+            raise RosmlError(text, "publish it anew", exit_code=2) from None
+        for item in brings:
+            known, whose = found.setdefault(item.name, (item, payload.name))
+            if known.version != item.version:
+                text = f"{whose} has {item.name} {known.version}, and {payload.name} has {item.version}"
+                raise RosmlError(text, "take payloads that were published together", exit_code=2)
+            if item.title:
+                found[item.name] = (item, payload.name)
+    return tuple(sorted((item for item, _ in found.values()), key=lambda item: not item.released))
 
 
 # ---- What they make --------------------------------------------------------------------------------------------------
 
 
-def _labels(ros: Source, framework: str, stack: str, versions: Mapping[str, str]) -> dict[str, str]:
-    named = labels.named(
-        ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], framework, stack, versions
-    )
-    counted = {labels.PREFIX + name: version for name, version in versions.items()}
+def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
+    named = labels.named(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], framework, stack, brought)
+    counted = {labels.PREFIX + item.name: item.version for item in brought}
     return {**ros.labels, **named, _FRAMEWORK: framework, _STACK: stack, **counted}
 
 
 def _config(
-    ros: Source, payloads: Sequence[Source], versions: Mapping[str, str], merged: Mapping[str, str]
+    ros: Source, payloads: Sequence[Source], brought: Sequence[Brought], merged: Mapping[str, str]
 ) -> dict[str, Any]:
     config = copy.deepcopy(dict(ros.config))
     inner = config.setdefault("config", {})
-    environment = {f"{name.upper()}_VERSION": version for name, version in versions.items()}
+    environment = labels.environment(brought)
     kept = [entry for entry in inner.get("Env") or [] if entry.partition("=")[0] not in environment]
     inner["Env"] = [*kept, *(f"{name}={value}" for name, value in environment.items())]
     inner["Labels"] = dict(merged)

@@ -1,13 +1,12 @@
 """Hash-pinned locks: resolve a stack once, split the result into payload parts.
 
-A stack is resolved as a whole, so that PyTorch, TensorFlow, CUDA and numpy agree, and written as one requirements file
-per part. What a part holds follows from the dependency graph alone:
+A stack is resolved as a whole, so that its releases, CUDA and numpy agree, and written as one requirements file per part.
+What a part holds follows from the dependency graph, and from what its entry in matrix.yaml says:
 
-* ``cuda``        NVIDIA's libraries (they do not depend on the Python version)
-* ``common``      numpy, and what both frameworks need
-* ``torch``       what only PyTorch needs
-* ``tensorflow``  what only TensorFlow needs
-* ``tensorflow-cc``  the wheel of TensorFlow once more, for its C++ library and headers (the same for every Python)
+* a part of the name of a release holds what only that release needs
+* one that `takes` packages holds these, whatever needs them: NVIDIA's libraries
+* one that `repeats` packages of its release holds them once more
+* the `shared` one holds numpy, and what several releases need
 
 A distribution whose ROS comes from wheels is resolved like a stack; its one part, ``ros``, is all of it but what the
 operating system has.
@@ -15,6 +14,7 @@ operating system has.
 
 from __future__ import annotations
 
+import fnmatch
 import os
 import re
 import subprocess
@@ -33,7 +33,8 @@ from rosml.base.problems import listed
 from rosml.images.image_set import Catalogue
 from rosml.images.lock_file import NVIDIA_PACKAGES, cuda_packages, package_name, versions
 from rosml.matrix import names
-from rosml.matrix.model import ANY_PYTHON, FAMILIES, FOR_ANY_PYTHON, Family, Matrix
+from rosml.matrix.model import ANY_PYTHON, Matrix, Part
+from rosml.matrix.rules import NVIDIA
 
 _HASH = re.compile(r"sha256:[0-9a-f]+")
 _PIN = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==(?P<version>[^\s;\\]+)")
@@ -70,6 +71,7 @@ class Request:
         provided: packages the operating system has and the payload must not carry, with their versions.
         cuda: the stack's versions of ``cuda``, ``cudnn`` and ``nccl``; empty for a stack without CUDA.
         elsewhere: frameworks whose wheels only PyTorch's own index has.
+        parts: what the packages are dealt out to; none of ROS.
     """
 
     stack: str
@@ -82,6 +84,7 @@ class Request:
     provided: Mapping[str, str] = field(default_factory=dict)
     cuda: Mapping[str, str] = field(default_factory=dict)
     elsewhere: Mapping[str, Elsewhere] = field(default_factory=dict)
+    parts: tuple[Part, ...] = ()
     ros: bool = False
 
     @property
@@ -124,7 +127,7 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
             if (key := (payload.stack, architecture, payload.python)) in seen:
                 continue
             seen.add(key)
-            families = [family for family in FAMILIES if (*key, family) in held]
+            families = [family for family in matrix.families if (*key, family) in held]
             for together in [[family] for family in families] if stack.apart else [families]:
                 wanted = {family: stack.requirement(family, architecture) for family in together}
                 wheels = {family: _elsewhere(matrix, *key, family) for family in together}
@@ -139,10 +142,11 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
                     provided=system.provides,
                     cuda={
                         fact: version
-                        for fact in ("cuda", "cudnn", "nccl")
+                        for fact in NVIDIA
                         if (version := getattr(stack, fact)) and stack.accelerator == "cuda"
                     },
                     elsewhere={family: wheel for family, wheel in wheels.items() if wheel},
+                    parts=matrix.parts,
                 )
     yield from _ros_requests(catalogue)
 
@@ -164,10 +168,10 @@ def _ros_requests(catalogue: Catalogue) -> Iterator[Request]:
             )
 
 
-def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, family: Family) -> Elsewhere | None:
+def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, family: str) -> Elsewhere | None:
     """A framework's wheel on PyTorch's own index, if it is there that a payload's wheel comes from."""
     facts = matrix.stacks[stack]
-    release = matrix.releases.of(family)[facts.release(family) or ""]
+    release = matrix.releases[family][facts.releases[family]]
     digests = release.elsewhere.get(stack, {}).get(architecture)
     requirement = facts.requirement(family, architecture)
     if digests is None or requirement is None:
@@ -375,25 +379,34 @@ def closure(root: str, pins: Iterable[Pin]) -> frozenset[str]:
     return frozenset(seen)
 
 
-TENSORFLOW_WHEELS = ("tensorflow", "tensorflow-cpu", "tensorflow-cpu-aws")
-"""Packages that may hold TensorFlow's C++ library: the last one does where `tensorflow` for arm64 only stands for it."""
+def split(pins: list[Pin], roots: Mapping[str, str], parts: Sequence[Part]) -> dict[str, list[Pin]]:
+    """Assigns every package to a part, and those that parts repeat to these as well.
 
-
-def split(pins: list[Pin], roots: Mapping[str, str]) -> dict[str, list[Pin]]:
-    """Assigns every package to exactly one part. ``roots``: framework name to the requirement that asks for it."""
+    Args:
+        roots: what is released, to the requirement that asks for it. parts: those of the matrix.
+    """
     needs = {framework: closure(package_name(requirement), pins) for framework, requirement in roots.items()}
     shared = closure("numpy", pins)
-    parts: dict[str, list[Pin]] = {"cuda": [], "common": [], **{framework: [] for framework in roots}}
+    common = shared_part(parts)
+    found: dict[str, list[Pin]] = {part.name: [] for part in parts}
     for pin in pins:
         owners = [framework for framework, names in needs.items() if pin.name in names]
-        if pin.name.startswith("nvidia-"):
-            parts["cuda"].append(pin)
-        elif pin.name in shared or len(owners) != 1:
-            parts["common"].append(pin)
-        else:
-            parts[owners[0]].append(pin)
-    parts["tensorflow-cc"] = [pin for pin in parts.get("tensorflow", ()) if pin.name in TENSORFLOW_WHEELS]
-    return {part: sorted(content, key=lambda pin: pin.name) for part, content in parts.items() if content}
+        takers = [part.name for part in parts if _among(pin, part.takes)]
+        if not takers:
+            takers = [common] if pin.name in shared or len(owners) != 1 else owners
+            takers += [part.name for part in parts if part.release in takers and _among(pin, part.repeats)]
+        for name in takers:
+            found[name].append(pin)
+    return {part: sorted(content, key=lambda pin: pin.name) for part, content in found.items() if content}
+
+
+def shared_part(parts: Sequence[Part]) -> str:
+    """The part that holds what several releases need."""
+    return next(part.name for part in parts if part.shared)
+
+
+def _among(pin: Pin, patterns: Sequence[str]) -> bool:
+    return any(fnmatch.fnmatchcase(pin.name, pattern) for pattern in patterns)
 
 
 def render(request: Request, part: str, pins: list[Pin]) -> str:
@@ -494,7 +507,7 @@ def _outcome(request: Request, root: Path, uv: Uv, upgrade: bool) -> _Outcome:
     try:
         pins = resolve(request, uv, upgrade, previous)
     except Unreachable as error:
-        if all(_path(request, part) in earlier for part in ("common", *request.roots)):
+        if all(_path(request, part) in earlier for part in (shared_part(request.parts), *request.roots)):
             return _Outcome(request, kept=earlier, left_out={str(request): error.message})
         here = {family: wanted for family, wanted in request.roots.items() if family not in request.elsewhere}
         asked, request = request, replace(request, roots=here, elsewhere={})
@@ -508,7 +521,7 @@ def _parts(outcome: _Outcome) -> dict[str, list[Pin]]:
     """What a request came to by part. The operating system has the numpy of its own packages."""
     if outcome.request.ros:
         return {names.ROS: [pin for pin in outcome.pins if pin.name != "numpy"]}
-    return split(outcome.pins, outcome.request.roots)
+    return split(outcome.pins, outcome.request.roots, outcome.request.parts)
 
 
 def _path(request: Request, part: str) -> str:
@@ -517,7 +530,7 @@ def _path(request: Request, part: str) -> str:
 
 def _python(request: Request, part: str) -> str:
     """The Python version of a part's lock; some parts are the same for all."""
-    return ANY_PYTHON if part in FOR_ANY_PYTHON else request.python
+    return ANY_PYTHON if any(item.name == part and item.any_python for item in request.parts) else request.python
 
 
 def _merge(path: str, known: dict[str, Pin], found: list[Pin]) -> None:

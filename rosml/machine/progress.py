@@ -20,7 +20,7 @@ from datetime import datetime
 from typing import TextIO
 
 _PREFIX = re.compile(r"^\[(?P<context>[^\]]*)\]\s*(?P<command>.*)$")
-_PART = re.compile(r"source=components/(?P<part>[\w-]+),target=/run/components/part")
+_PART = re.compile(r"^\[(?:_files-|payload-)?(?P<part>\S+) payload-files [^]]*\] .*/assemble\.sh")
 _MOUNT = re.compile(r"--mount=\S+\s*")
 
 HEARTBEAT_SECONDS = 20.0
@@ -63,8 +63,8 @@ class Step:
         if not match:
             return self.name
         context, command = match["context"], match["command"]
-        if part := _PART.search(command):
-            return f"assemble payload part '{part['part']}' from its lock"
+        if part := _PART.match(self.name):
+            return f"build part {part['part']} from its lock"
         command = _MOUNT.sub("", command).replace("RUN ", "", 1).strip()
         return f"[{context}] {' '.join(command.split())}"
 
@@ -72,8 +72,8 @@ class Step:
     def phase(self) -> str:
         """Which line of the summary the step's time belongs to."""
         text = self.name
-        if _PART.search(text):
-            return "assemble payloads"
+        if _PART.match(text):
+            return "build parts"
         if " test" in text.split("]")[0] or "structure-test" in text:
             return "structure tests"
         if "exporting" in text or "pushing" in text:
@@ -83,7 +83,7 @@ class Step:
         if " base " in text and "RUN" in text:
             return "install essentials"
         if "COPY --link" in text:
-            return "join payloads"
+            return "join parts"
         return "other"
 
     @property

@@ -14,28 +14,11 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
 from pydantic_core import PydanticKnownError
 
-Part = Literal["cuda", "common", "torch", "tensorflow-cc", "tensorflow"]
-Family = Literal["torch", "tensorflow"]
 Generation = Literal["ros", "ros2"]
 """ROS 1 and ROS 2, as ROS's apt repositories and their packages call them."""
 
-PARTS: tuple[Part, ...] = ("cuda", "common", "torch", "tensorflow-cc", "tensorflow")
-"""Payload parts in the order in which the Dockerfile joins them."""
-
-FAMILIES: tuple[Family, ...] = ("torch", "tensorflow")
-"""What has releases: a version, and wheels for some Pythons, stacks and architectures."""
-
 ANY_PYTHON = "any"
 """Stands for the Python version of a part that is the same for all of them; also a folder name in locks/."""
-
-FOR_ANY_PYTHON: tuple[Part, ...] = ("cuda", "tensorflow-cc")
-"""Parts that are the same for every Python: NVIDIA's libraries, TensorFlow's C++ library and headers."""
-
-FAMILY_OF: dict[Part, Family] = {"torch": "torch", "tensorflow-cc": "tensorflow", "tensorflow": "tensorflow"}
-"""Whose release a part is taken from."""
-
-UNTESTED: tuple[Part, ...] = ("common", "tensorflow-cc")
-"""Parts without structure tests of their own: the tests of what needs them are theirs."""
 
 # What a pattern asks for, in words: the message for a value that does not match it.
 NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*$"
@@ -59,6 +42,7 @@ REQUIREMENT = (
     r"(,(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*)*)?$"
 )
 PINNED = r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?==[0-9][0-9A-Za-z.+]*$"
+PATTERN = r"^[a-z0-9*][a-z0-9*-]*$"
 SENTENCE = r"^[A-Za-z0-9][A-Za-z0-9 ,.;:()_+=<>-]*$"
 PACKAGES = r"^[a-z0-9.+{}_-]+( [a-z0-9.+{}_-]+)*$"
 MEANING = {
@@ -78,6 +62,7 @@ MEANING = {
     RMW: "an RMW implementation, such as rmw_cyclonedds_cpp",
     WORD: "one word",
     SPECIFIER: 'a version range, such as "<2" or ">=2.2,<2.3"',
+    PATTERN: "a Python package, or a pattern of packages, such as nvidia-*",
     SENTENCE: "a sentence without quotes",
     REQUIREMENT: 'a Python requirement, such as "protobuf>=5.28,<7"',
     PINNED: "a Python package with its version, such as ros-jazzy-rclpy[fastrtps]==7.1.6",
@@ -100,6 +85,7 @@ Sentence = Annotated[str, Field(pattern=SENTENCE, max_length=200)]
 Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
 Pinned = Annotated[str, Field(pattern=PINNED, max_length=120)]
 Packages = Annotated[str, Field(pattern=PACKAGES, max_length=400)]
+Pattern = Annotated[str, Field(pattern=PATTERN, max_length=64)]
 Target = Annotated[str, Field(pattern=NAME, max_length=128)]
 Names = Annotated[tuple[Name, ...], Field(min_length=1)]
 Megabytes = Annotated[int, Field(ge=0, le=1_000_000)]
@@ -195,19 +181,53 @@ class Component(Facts):
     metapackage: Word | None = Field(default=None, description="name in package names; the component's own if left out")
 
 
+class Part(Facts):
+    """What is built once from locked inputs and joined to many images."""
+
+    name: Name = Field(description="its own; also that of its folder in components/ and of its tests")
+    title: Word | None = Field(default=None, description="how descriptions call what it brings, such as PyTorch")
+    short: Name | None = Field(
+        default=None, description="how tags that spell versions out call it; its name if left out, where it has a title"
+    )
+    release: Name | None = Field(default=None, description="what it is a release of: a name from releases")
+    versions: tuple[Literal["cuda", "cudnn"], ...] = Field(
+        default=(), description="facts of its stack that labels and the environment name beside releases"
+    )
+    accelerator: Literal["cpu", "cuda"] | None = Field(
+        default=None, description="only stacks with this accelerator have it"
+    )
+    any_python: bool = Field(default=False, description="the same for every Python version")
+    needs: tuple[Name, ...] = Field(default=(), description="parts without which no image has it")
+    shared: bool = Field(default=False, description="it holds numpy and what several releases need; one part does")
+    takes: tuple[Pattern, ...] = Field(default=(), description="packages that it holds, whatever needs them")
+    repeats: tuple[Pattern, ...] = Field(
+        default=(), description="packages of its release that it holds beside the part of the release's own name"
+    )
+    tested: bool = Field(default=True, description="whether tests/structure has tests of its own for it")
+
+    @property
+    def brings(self) -> tuple[str, ...]:
+        """Names of the versions that labels and the environment of its images have."""
+        return (self.release,) if self.release else self.versions
+
+
 class Framework(Facts):
     """What is added to a ROS image."""
 
     repository: Name = Field(description="repository of its images, without the registry")
-    parts: tuple[Part, ...] = Field(default=(), description="payload parts; cuda applies to stacks that have CUDA only")
-    releases: tuple[Family, ...] = Field(default=(), description="of what a stack must have a release")
+    parts: tuple[Name, ...] = Field(
+        default=(), description="names from parts; those of an accelerator apply to stacks that have it"
+    )
     accelerators: tuple[Literal["cpu", "cuda"], ...] = Field(
         default=("cpu", "cuda"), description="accelerators that it exists for; both if left out"
+    )
+    tests: tuple[Name, ...] = Field(
+        default=(), description="tests in tests/structure beside those of its parts: of what these do together"
     )
 
 
 class Release(Facts):
-    """A release of PyTorch or TensorFlow: what its wheels exist for."""
+    """A release of a framework: what its wheels exist for."""
 
     python: Annotated[tuple[Python, ...], Field(min_length=1)] = Field(description="Python versions with wheels")
     wheels: dict[Name, Names] = Field(description="stack -> architectures with wheels for that stack's accelerator")
@@ -229,17 +249,6 @@ class Release(Facts):
         return tuple(dict.fromkeys([*self.wheels.get(stack, ()), *self.elsewhere.get(stack, ())]))
 
 
-class Releases(Facts):
-    """Releases by version."""
-
-    torch: dict[Version, Release] = Field(default={}, description="PyTorch")
-    tensorflow: dict[Version, Release] = Field(default={}, description="TensorFlow")
-
-    def of(self, family: Family) -> dict[str, Release]:
-        """The releases of a family by version."""
-        return self.torch if family == "torch" else self.tensorflow
-
-
 class Stack(Facts):
     """Versions that were resolved together: one CUDA and one numpy for all of them."""
 
@@ -247,9 +256,8 @@ class Stack(Facts):
     cuda: Version | None = Field(default=None, description="version of the CUDA runtime")
     cudnn: Version | None = Field(default=None, description="version of cuDNN")
     nccl: Version | None = Field(default=None, description="version of NCCL")
-    torch: Version | None = Field(default=None, description="release of PyTorch")
-    tensorflow: Version | None = Field(default=None, description="release of TensorFlow")
-    packages: dict[Family, Requirements] = Field(
+    releases: dict[Name, Version] = Field(default={}, description="a name from releases -> its version")
+    packages: dict[Name, Requirements] = Field(
         default={}, description="what to ask the index for: a name, or one per architecture"
     )
     constraints: tuple[Requirement, ...] = Field(default=(), description="further requirements on dependencies")
@@ -258,13 +266,9 @@ class Stack(Facts):
         description="why its releases contradict each other: each is resolved by itself, and no image carries both",
     )
 
-    def release(self, family: Family) -> str | None:
-        """The stack's version of a family; None where it has none."""
-        return self.torch if family == "torch" else self.tensorflow
-
-    def requirement(self, family: Family, architecture: str) -> str | None:
+    def requirement(self, family: str, architecture: str) -> str | None:
         """What to ask the index for, e.g. `tensorflow[and-cuda]==2.20.0`; None where the stack has none."""
-        version = self.release(family)
+        version = self.releases.get(family)
         package = self.packages.get(family, family)
         name = package.get(architecture) if isinstance(package, dict) else package
         return f"{name}=={version}" if version and name else None
@@ -358,7 +362,7 @@ class Disk(Facts):
 
     os: Size = Field(description="operating system with the essentials")
     components: dict[Name, Size] = Field(description="component -> size")
-    parts: dict[Name, dict[Part, Size]] = Field(description="stack -> payload part -> size")
+    parts: dict[Name, dict[Name, Size]] = Field(description="stack -> part -> size")
     budgets: dict[Name, dict[Name, Megabytes]] = Field(
         default={},
         description="stack -> framework -> MB that its payloads may have together in the registry; more fails the tests",
@@ -393,9 +397,22 @@ class Matrix(Facts):
     )
     ros_archive: RosArchive | None = Field(default=None, description="needed by distributions with 'apt'")
     components: dict[Name, Component] = Field(min_length=1)
+    parts: tuple[Part, ...] = Field(default=(), description="in the order in which they are joined")
     frameworks: dict[Name, Framework] = Field(min_length=1)
-    releases: Releases
+    releases: dict[Name, dict[Version, Release]] = Field(
+        default={}, description="what has wheels of its own -> version -> release"
+    )
     stacks: dict[Name, Stack] = Field(min_length=1)
     distributions: dict[Name, Distribution] = Field(min_length=1)
     disk: Disk
     rates: Rates | None = Field(default=None, description="how fast images are built; a build plan needs it")
+
+    @cached_property
+    def part(self) -> dict[str, Part]:
+        """Parts by name."""
+        return {part.name: part for part in self.parts}
+
+    @cached_property
+    def families(self) -> tuple[str, ...]:
+        """What parts are releases of, in the order in which they are joined."""
+        return tuple(dict.fromkeys(part.release for part in self.parts if part.release))

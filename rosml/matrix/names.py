@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rosml.matrix.model import ANY_PYTHON, FAMILIES
+from rosml.matrix.model import ANY_PYTHON
 
 DATED = re.compile(r"-(\d{8})(?:\.\d+)?$")
 """The end of a tag that never moves."""
@@ -17,9 +17,6 @@ no name with."""
 
 RESERVED_GROUPS = ("all", "default", "latest", "payloads", "tests")
 """Groups and tags that do not come from an axis of the matrix."""
-
-SHORT = {"torch": "torch", "tensorflow": "tf", "cuda": "cuda"}
-"""How tags that spell versions out call what they count, as users know it from the predecessor."""
 
 
 def image_target(distribution: str, component: str, framework: str = "none", stack: str | None = None) -> str:
@@ -33,10 +30,12 @@ def main_tag(distribution: str, component: str, stack: str | None = None) -> str
 
 
 def spelled_tag(main: str, versions: Mapping[str, str]) -> str:
-    """A main tag with the versions of what the image is for: `jazzy-base-cu128-torch2.10.0`; the same without any."""
-    counted: list[str] = [family for family in FAMILIES if family in versions]
-    counted = counted or [name for name in ("cuda",) if name in versions]
-    return "-".join([main, *(f"{SHORT[name]}{versions[name]}" for name in counted)])
+    """A main tag with the versions of what the image is for: `jazzy-base-cu128-torch2.10.0`; the same without any.
+
+    Args:
+        versions: by what tags call it: `{"torch": "2.10.0", "tf": "2.20.0"}`.
+    """
+    return "-".join([main, *(f"{name}{version}" for name, version in versions.items())])
 
 
 def test_target(image: str) -> str:

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 
 from rosml.base.problems import Path, listed, near, unknown
 from rosml.matrix import names
-from rosml.matrix.model import FAMILIES, FAMILY_OF, PARTS, Distribution, Matrix, OperatingSystem, Release
+from rosml.matrix.model import Distribution, Matrix, OperatingSystem, Release
+from rosml.matrix.rules import NVIDIA
 
 Finding = tuple[Path, str]
 """A problem's path and its text."""
@@ -36,6 +37,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         _archives,
         _same_python,
         _components,
+        _parts,
         _frameworks,
         _releases,
         _stacks,
@@ -66,10 +68,10 @@ def _duplicates(matrix: Matrix) -> Iterator[Finding]:
     for name, os in matrix.operating_systems.items():
         lists.append((("operating_systems", name, "architectures"), os.architectures))
     for name, framework in matrix.frameworks.items():
-        for key in ("parts", "releases", "accelerators"):
+        for key in ("parts", "accelerators", "tests"):
             lists.append((("frameworks", name, key), getattr(framework, key)))
-    for family in ("torch", "tensorflow"):
-        for version, release in getattr(matrix.releases, family).items():
+    for family, releases in matrix.releases.items():
+        for version, release in releases.items():
             here: Path = ("releases", family, version)
             lists.append(((*here, "python"), release.python))
             lists += [((*here, "wheels", stack), wheels) for stack, wheels in release.wheels.items()]
@@ -192,28 +194,52 @@ def _frameworks(matrix: Matrix) -> Iterator[Finding]:
             other = repositories[framework.repository]
             yield (*path, "repository"), f"repository {framework.repository!r} belongs to {other}; tags would collide"
         repositories.setdefault(framework.repository, f"framework {name}")
-        for family in framework.releases:
-            if family not in framework.parts:
-                yield (*path, "releases"), f"{family} is not among the parts; add it to 'parts'"
-        for part in FAMILIES:
-            if part in framework.parts and part not in framework.releases:
-                yield (*path, "parts"), f"{part} is not among the releases; add it to 'releases'"
-        if ("tensorflow" in framework.parts) != ("tensorflow-cc" in framework.parts):
-            yield (*path, "parts"), "tensorflow and tensorflow-cc need each other; name both"
-        if framework.parts and "cuda" not in framework.parts and "cuda" in framework.accelerators:
-            text = "on stacks with CUDA it needs the part cuda; add it to 'parts', or say 'accelerators: [cpu]'"
-            yield (*path, "parts"), text
-        if framework.releases and "common" not in framework.parts:
-            yield (*path, "parts"), "frameworks with releases need the part common; add it to 'parts'"
+        yield from _each((*path, "parts"), "part", framework.parts, matrix.part)
+        for part in (matrix.part[part] for part in framework.parts if part in matrix.part):
+            for need in part.needs:
+                if need not in matrix.part:
+                    continue
+                kind = matrix.part[need].accelerator
+                if need not in framework.parts and (kind is None or kind in framework.accelerators):
+                    others = [name for name in framework.accelerators if name != kind] if kind else []
+                    instead = f", or say 'accelerators: [{', '.join(others)}]'" if others else ""
+                    yield (*path, "parts"), f"{part.name} needs the part {need}; add it to 'parts'{instead}"
         plain += not framework.parts
     if plain != 1:
         found = f"{plain} have" if plain else "none has"
         yield ("frameworks",), f"exactly one framework has no parts: the ROS images that all others stand on; {found}"
 
 
+def _parts(matrix: Matrix) -> Iterator[Finding]:
+    """Parts have names of their own, and those that are releases of something have one of its name among them."""
+    seen: set[str] = set()
+    shared = [part.name for part in matrix.parts if part.shared]
+    for index, part in enumerate(matrix.parts):
+        path: Path = ("parts", index)
+        if part.name in seen:
+            yield (*path, "name"), f"{part.name!r} is there twice; keep one"
+        seen.add(part.name)
+        yield from _each((*path, "needs"), "part", part.needs, matrix.part)
+        if part.release and part.release not in matrix.releases:
+            yield (*path, "release"), unknown("release", part.release, matrix.releases)
+        elif part.release and part.release not in matrix.part:
+            yield (*path, "release"), f"a part of the name {part.release} holds what only it needs; add one to 'parts'"
+        if part.repeats and part.release in (None, part.name):
+            yield (*path, "repeats"), "it belongs to a part beside the one of its release's name; remove it"
+        if part.shared and part.name != shared[0]:
+            yield (*path, "shared"), f"{shared[0]} holds what several releases need; remove it"
+    if matrix.families and not shared:
+        yield ("parts",), "no part holds what several releases need; say 'shared: true' of one"
+
+
 def _releases(matrix: Matrix) -> Iterator[Finding]:
-    for family in ("torch", "tensorflow"):
-        for version, release in getattr(matrix.releases, family).items():
+    for family, releases in matrix.releases.items():
+        if family not in matrix.families:
+            yield (
+                ("releases", family),
+                f"no part is a release of it; add one to 'parts': {{name: {family}, release: {family}}}",
+            )
+        for version, release in releases.items():
             for stack, architectures in release.wheels.items():
                 path: Path = ("releases", family, version, "wheels", stack)
                 if stack not in matrix.stacks:
@@ -245,33 +271,43 @@ def _elsewhere(matrix: Matrix, path: Path, release: Release) -> Iterator[Finding
 def _stacks(matrix: Matrix) -> Iterator[Finding]:
     for name, stack in matrix.stacks.items():
         path: Path = ("stacks", name)
-        for family in ("torch", "tensorflow"):
-            version, releases = stack.release(family), matrix.releases.of(family)
-            if version and version not in releases:
-                yield (*path, family), unknown(f"release of {family}", version, releases)
-            package = stack.packages.get(family)
-            if package and not version:
-                yield (*path, "packages", family), f"stack {name} has no release of {family}; add '{family}: …' to it"
-            for architecture in package if isinstance(package, dict) else ():
-                if architecture not in matrix.architectures:
-                    problem = unknown("architecture", architecture, matrix.architectures)
-                    yield (*path, "packages", family, architecture), problem
-            wheels = releases[version].architectures(name) if version in releases else ()
-            named = package if isinstance(package, dict) else dict.fromkeys(wheels)
-            for architecture in wheels:
-                if architecture not in named and architecture in matrix.architectures:
-                    yield (
-                        (*path, "packages", family),
-                        f"{family} {version} has a wheel for {architecture}; name its package",
-                    )
-        if stack.apart and not (stack.torch and stack.tensorflow):
+        for family in stack.releases:
+            yield from _released(matrix, name, family)
+        for family in stack.packages:
+            if family not in stack.releases:
+                text = f"stack {name} has no release of {family}; add '{family}: …' to its releases"
+                yield (*path, "packages", family), text
+        if stack.apart and len(stack.releases) < 2:
             yield (*path, "apart"), f"stack {name} has one release, which nothing contradicts; remove it"
         for key in ("cuda", "cudnn"):
             if stack.accelerator == "cuda" and getattr(stack, key) is None:
                 yield path, f"a stack with accelerator cuda needs '{key}'; add its version"
-        for key in ("cuda", "cudnn", "nccl"):
+        for key in NVIDIA:
             if stack.accelerator != "cuda" and getattr(stack, key) is not None:
                 yield (*path, key), f"a stack with accelerator {stack.accelerator} has no {key}; remove it"
+
+
+def _released(matrix: Matrix, name: str, family: str) -> Iterator[Finding]:
+    """A stack's release exists, and has a package for each architecture with wheels."""
+    path: Path = ("stacks", name)
+    stack, releases = matrix.stacks[name], matrix.releases.get(family)
+    version = stack.releases[family]
+    if releases is None:
+        yield (*path, "releases", family), unknown("release", family, matrix.releases)
+        return
+    if version not in releases:
+        yield (*path, "releases", family), unknown(f"release of {family}", version, releases)
+    package = stack.packages.get(family)
+    for architecture in package if isinstance(package, dict) else ():
+        if architecture not in matrix.architectures:
+            problem = unknown("architecture", architecture, matrix.architectures)
+            yield (*path, "packages", family, architecture), problem
+    wheels = releases[version].architectures(name) if version in releases else ()
+    named = package if isinstance(package, dict) else dict.fromkeys(wheels)
+    for architecture in wheels:
+        if architecture not in named and architecture in matrix.architectures:
+            text = f"{family} {version} has a wheel for {architecture}; name its package"
+            yield (*path, "packages", family), text
 
 
 def _distributions(matrix: Matrix) -> Iterator[Finding]:
@@ -388,10 +424,18 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
         for framework in budgets:
             if framework not in carrying:
                 yield ("disk", "budgets", name, framework), unknown("framework with parts", framework, carrying)
-    for name in matrix.stacks:
-        for part in _forecast_parts(matrix, name):
-            if name in matrix.disk.parts and part not in matrix.disk.parts[name]:
+    yield from _disk_parts(matrix)
+
+
+def _disk_parts(matrix: Matrix) -> Iterator[Finding]:
+    """Each part of each stack has a forecast, and nothing else has."""
+    for name, forecasts in matrix.disk.parts.items():
+        for part in _forecast_parts(matrix, name) if name in matrix.stacks else ():
+            if part not in forecasts:
                 yield ("disk", "parts", name), f"no forecast for part {part}; add '{part}: {FORECAST}', a guess will do"
+        for part in forecasts:
+            if part not in matrix.part:
+                yield ("disk", "parts", name, part), unknown("part", part, matrix.part)
 
 
 FORECAST = "{unpacked: 900, compressed: 250}"
@@ -410,11 +454,11 @@ def _forecast_parts(matrix: Matrix, name: str) -> list[str]:
     stack = matrix.stacks[name]
     used = {part for framework in matrix.frameworks.values() for part in framework.parts}
     return [
-        part
-        for part in PARTS
-        if part in used
-        and (part != "cuda" or stack.accelerator == "cuda")
-        and (part not in FAMILY_OF or stack.release(FAMILY_OF[part]))
+        part.name
+        for part in matrix.parts
+        if part.name in used
+        and part.accelerator in (None, stack.accelerator)
+        and (part.release is None or part.release in stack.releases)
     ]
 
 

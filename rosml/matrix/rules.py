@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
 from rosml.base.problems import listed
-from rosml.matrix.model import FAMILIES, PARTS, Family, Framework, Matrix, Part, RosArchive, Stack
+from rosml.matrix.model import Framework, Matrix, Part, RosArchive, Stack
 
 NVIDIA = ("cuda", "cudnn", "nccl")
-"""Whose versions the part cuda has."""
+"""A stack's facts of CUDA."""
 
-COUNTED = (*FAMILIES, *NVIDIA)
-"""All that an image may carry whose versions count."""
+
+@dataclass(frozen=True)
+class Brought:
+    """What a part brings whose version counts.
+
+    Attributes:
+        name: `tensorflow`. version: `2.20.0`. title: `TensorFlow`. short: what tags call it: `tf`; both may be empty.
+        released: whether it is a release of its own, and no fact of the stack.
+    """
+
+    name: str
+    version: str
+    title: str = ""
+    short: str = ""
+    released: bool = False
 
 
 def component_reason(matrix: Matrix, distribution: str, component: str) -> str | None:
@@ -29,9 +43,9 @@ def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str |
         return _pairing(framework, facts, stack)
     return (
         _accelerator(framework, facts, stack, matrix.stacks[stack])
-        or _parts(framework, facts, stack, matrix.stacks[stack])
-        or _releases(framework, facts, stack, matrix.stacks[stack])
-        or _apart(framework, facts, stack, matrix.stacks[stack])
+        or _parts(matrix, framework, facts, stack)
+        or _releases(matrix, framework, facts, stack)
+        or _apart(matrix, framework, facts, stack)
         or _python(matrix, os, facts, matrix.stacks[stack])
         or _architectures(matrix, distribution, facts, stack)
     )
@@ -111,36 +125,64 @@ def plain(matrix: Matrix) -> str:
     return next(name for name, framework in matrix.frameworks.items() if not framework.parts)
 
 
-def parts(framework: Framework, stack: Stack) -> tuple[Part, ...]:
+def parts(matrix: Matrix, framework: Framework, stack: Stack) -> tuple[str, ...]:
     """The parts that a framework takes of a stack, in the order in which they are joined."""
-    return tuple(part for part in PARTS if part in framework.parts and (part != "cuda" or stack.accelerator == "cuda"))
+    return tuple(
+        part.name
+        for part in matrix.parts
+        if part.name in framework.parts and part.accelerator in (None, stack.accelerator)
+    )
 
 
-def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[Part, ...]]:
+def versions(matrix: Matrix, stack: Stack) -> dict[str, str]:
+    """Every version of a stack that counts, by name: of releases, in the order of parts, then of CUDA."""
+    released = {family: stack.releases[family] for family in matrix.families if family in stack.releases}
+    return released | {name: version for name in NVIDIA if (version := getattr(stack, name))}
+
+
+def brought(matrix: Matrix, parts: Iterable[str], stack: Stack) -> tuple[Brought, ...]:
+    """What parts of a stack bring, each once: releases first, then facts of the stack."""
+    known, found = versions(matrix, stack), dict[str, Brought]()
+    for item in (item for name in parts for item in brought_by(matrix.part[name])):
+        if item.name in known and (item.title or item.name not in found):
+            found[item.name] = replace(item, version=known[item.name])
+    return tuple(sorted(found.values(), key=lambda item: not item.released))
+
+
+def brought_by(part: Part) -> Iterator[Brought]:
+    """What a part brings, whatever its version; the first of it has the part's title."""
+    for index, name in enumerate(part.brings):
+        title = (part.title or "") if index == 0 else ""
+        yield Brought(name, "", title, (part.short or part.name) if title else "", bool(part.release))
+
+
+def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
     """The parts of every framework that a stack can carry, on some operating system and architecture."""
     facts = matrix.stacks[stack]
     return {
-        name: parts(framework, facts)
+        name: parts(matrix, framework, facts)
         for name, framework in matrix.frameworks.items()
         if (
             _pairing(name, framework, stack)
             or _accelerator(name, framework, stack, facts)
-            or _parts(name, framework, stack, facts)
-            or _releases(name, framework, stack, facts)
-            or _apart(name, framework, stack, facts)
+            or _parts(matrix, name, framework, stack)
+            or _releases(matrix, name, framework, stack)
+            or _apart(matrix, name, framework, stack)
         )
         is None
     }
 
 
-def families(framework: Framework) -> tuple[Family, ...]:
-    """The families that a framework has releases of, in a fixed order."""
-    return tuple(family for family in FAMILIES if family in framework.releases)
+def families(matrix: Matrix, framework: Framework) -> tuple[str, ...]:
+    """What a framework's parts are releases of, in the order in which they are joined."""
+    released = {matrix.part[part].release for part in framework.parts}
+    return tuple(family for family in matrix.families if family in released)
 
 
-def counted(framework: Framework) -> tuple[str, ...]:
+def counted(matrix: Matrix, framework: Framework) -> tuple[str, ...]:
     """What an image of a framework carries whose versions count, in a fixed order."""
-    return (*families(framework), *(NVIDIA if "cuda" in framework.parts else ()))
+    cuda = any(matrix.part[part].versions for part in framework.parts)
+    return (*families(matrix, framework), *(NVIDIA if cuda else ()))
 
 
 def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
@@ -167,25 +209,30 @@ def _accelerator(name: str, framework: Framework, stack: str, facts: Stack) -> s
     return f"framework {name} needs accelerator {listed(framework.accelerators)}, and stack {stack} has {facts.accelerator}"
 
 
-def _parts(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
-    return None if parts(framework, facts) else f"stack {stack} has nothing that framework {name} takes"
+def _parts(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
+    return (
+        None
+        if parts(matrix, framework, matrix.stacks[stack])
+        else f"stack {stack} has nothing that framework {name} takes"
+    )
 
 
-def _releases(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
-    lacking = [family for family in families(framework) if facts.release(family) is None]
+def _releases(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
+    lacking = [family for family in families(matrix, framework) if family not in matrix.stacks[stack].releases]
     return f"stack {stack} has no release of {listed(lacking)}" if lacking else None
 
 
-def _apart(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
-    if facts.apart is None or len(framework.releases) < 2:
+def _apart(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
+    reason = matrix.stacks[stack].apart
+    if reason is None or len(families(matrix, framework)) < 2:
         return None
-    return f"what framework {name} needs of stack {stack} does not go together ({facts.apart})"
+    return f"what framework {name} needs of stack {stack} does not go together ({reason})"
 
 
 def _python(matrix: Matrix, os: str, framework: Framework, stack: Stack) -> str | None:
     python = matrix.operating_systems[os].python
-    for family in families(framework):
-        releases, version = matrix.releases.of(family), stack.release(family) or ""
+    for family in families(matrix, framework):
+        releases, version = matrix.releases[family], stack.releases[family]
         if python in releases[version].python:
             continue
         others = [name for name, release in releases.items() if python in release.python]
@@ -213,12 +260,11 @@ def _available(matrix: Matrix, framework: Framework, stack: str) -> Iterator[tup
     """What a framework takes of a stack, and the architectures that it has wheels for."""
     facts = matrix.stacks[stack]
     wheels = {
-        family: matrix.releases.of(family)[version].architectures(stack)
-        for family in FAMILIES
-        if (version := facts.release(family))
+        family: matrix.releases[family][version].architectures(stack) for family, version in facts.releases.items()
     }
-    for family in families(framework):
-        yield f"{family} {facts.release(family)}", wheels.get(family, ())
-    if not framework.releases:  # CUDA's libraries come with the releases: they are where any of those is
+    carried = families(matrix, framework)
+    for family in carried:
+        yield f"{family} {facts.releases[family]}", wheels.get(family, ())
+    if not carried:  # CUDA's libraries come with the releases: they are where any of those is
         anywhere = [architecture for found in wheels.values() for architecture in found]
         yield f"CUDA {facts.cuda}", tuple(name for name in matrix.architectures if name in anywhere)

@@ -538,7 +538,9 @@ class Pipeline:
         configs = {entry.architecture: self._config(repository, entry.digest) for entry in entries}
         for entry in entries:
             _require_own(thing, entry, configs[entry.architecture])
-        same_content.require(thing.target, configs, {entry.architecture: entry.versions for entry in entries})
+        versions = {entry.architecture: entry.versions for entry in entries}
+        released = [item.name for item in thing.brought if item.released] if isinstance(thing, Image) else []
+        same_content.require(thing.target, configs, versions, released)
         labels = (configs[entries[0].architecture].get("config") or {}).get("Labels") or {}
         annotations = self._checkout | {name: text for name, text in labels.items() if name.startswith(OCI)}
         annotations |= {INPUTS: inputs, DATE: self.plan.date}

@@ -7,16 +7,28 @@ import io
 import json
 import tarfile
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from rosml.images import labels
 from rosml.join import file_lists
-from rosml.matrix.model import ANY_PYTHON, FOR_ANY_PYTHON, PARTS, Part
+from rosml.matrix import rules
+from rosml.matrix.model import ANY_PYTHON, Part
 from rosml.registry import oci
 from rosml.registry.oci import Registry
 
 CREATED = "2026-01-01T00:00:00Z"
 PLATFORMS = ("linux/amd64",)
+ENTRIES = {
+    part.name: part
+    for part in (
+        Part(name="cuda", title="CUDA", versions=("cuda", "cudnn"), accelerator="cuda", any_python=True),
+        Part(name="common", needs=("cuda",), shared=True),
+        Part(name="torch", title="PyTorch", release="torch", needs=("common",)),
+        Part(name="tensorflow-cc", release="tensorflow", any_python=True, needs=("tensorflow",)),
+        Part(name="tensorflow", title="TensorFlow", short="tf", release="tensorflow", needs=("common",)),
+    )
+}
+PARTS = tuple(ENTRIES)
 FRAMEWORKS = {
     "cuda": ("cuda",),
     "torch": ("cuda", "common", "torch"),
@@ -110,7 +122,7 @@ def archive(files: Sequence[str], content: str) -> bytes:
 def ros(distribution: str = "bookworm", component: str = "core", python: str = "3.11", **more: object) -> Tiny:
     """A ROS image. `more`: what else `Tiny` has."""
     said = {
-        **labels.named(distribution, component, "1", "none", None, {}),
+        **labels.named(distribution, component, "1", "none", None, []),
         "org.opencontainers.image.licenses": "Apache-2.0",
         "io.rosml.distribution": distribution,
         "io.rosml.framework": "none",
@@ -123,7 +135,7 @@ def ros(distribution: str = "bookworm", component: str = "core", python: str = "
 
 
 def payload(
-    part: Part,
+    part: str,
     stack: str = "cu128",
     python: str = "3.11",
     versions: Mapping[str, str] = VERSIONS,
@@ -133,12 +145,18 @@ def payload(
     """A payload of a stack with CUDA, or of one whose name begins with `cpu`. `more`: what else `Tiny` has."""
     own = {name: tuple(p for p in parts if p != "cuda" or not stack.startswith("cpu")) for name, parts in
            (frameworks or FRAMEWORKS).items()}  # fmt: skip
-    taking = {name: parts for name, parts in own.items() if part in parts}
-    python = ANY_PYTHON if part in FOR_ANY_PYTHON else python
-    said = labels.of_payload(part, stack, python, versions, taking)
+    taking = {
+        name: [ENTRIES.get(other) or Part(name=other) for other in parts]
+        for name, parts in own.items()
+        if part in parts
+    }
+    entry = ENTRIES[part]
+    python = ANY_PYTHON if entry.any_python else python
+    brought = [replace(item, version=versions[item.name]) for item in rules.brought_by(entry) if item.name in versions]
+    said = labels.of_payload(entry, stack, python, brought, taking)
     return Tiny(said, **{"files": (f"usr/local/share/{part}",), **more})  # type: ignore[arg-type]
 
 
-def stack(registry: Registry, repository: str, parts: Sequence[Part], name: str = "cu128", **more: object) -> list[str]:
+def stack(registry: Registry, repository: str, parts: Sequence[str], name: str = "cu128", **more: object) -> list[str]:
     """Puts payloads of a stack into a repository; gives their references. `more`: what else `payload` has."""
     return [payload(part, name, **more).put(registry, repository, f"{part}-{name}") for part in parts]  # type: ignore[arg-type]

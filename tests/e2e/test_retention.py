@@ -62,7 +62,7 @@ def night(mini: Mini, date: str) -> None:
     for item in plan.items:
         image = item.thing
         assert isinstance(image, Image)
-        said = labels.named(image.distribution, image.component, "1", "none", None, {})
+        said = labels.named(image.distribution, image.component, "1", "none", None, [])
         said |= {f"org.opencontainers.image.{name}": text for name, text in FACTS.items()}
         digest, size = Tiny(said, salt=date).put_manifest(client, book.path(item.repository), f"linux/{HERE}")
         facts = {"inputs": plan.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}

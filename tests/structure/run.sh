@@ -12,6 +12,7 @@ mkdir -p "$report"
 
 for pair in ${EXPECT:-}; do
   name=${pair%%=*}
+  name=${name//-/_}
   export "EXPECT_${name^^}=${pair#*=}"
 done
 # What the builder passes to build steps is not the image's: tests must not see it.

@@ -58,19 +58,19 @@ components:
 frameworks:
   none: {{repository: ros}}
   cuda: {{repository: ros-cuda, parts: [cuda], accelerators: [cuda]}}
-  torch: {{repository: ros-torch, parts: [cuda, common, torch], releases: [torch]}}
-  ml: {{repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow], releases: [torch, tensorflow]}}
+  torch: {{repository: ros-torch, parts: [cuda, common, torch]}}
+  ml: {{repository: ros-ml, parts: [cuda, common, torch, tensorflow-cc, tensorflow], tests: [ml]}}
 releases:
   torch:
     2.10.0: {{python: ["3.12", "3.14"], wheels: {{cu1: [amd64], cpu: [arm64]}}}}
   tensorflow:
     2.20.0: {{python: ["3.12"], wheels: {{cu1: [amd64], cpu: [amd64, arm64]}}}}
 stacks:
-  cu1: {{accelerator: cuda, cuda: 12.8.90, cudnn: 9.10.2.21, torch: 2.10.0, tensorflow: 2.20.0}}
+  cu1: {{accelerator: cuda, cuda: 12.8.90, cudnn: 9.10.2.21, releases: {{torch: 2.10.0, tensorflow: 2.20.0}}}}
   cpu:
     accelerator: cpu
-    torch: 2.10.0
-    tensorflow: 2.20.0
+    releases:
+      {{torch: 2.10.0, tensorflow: 2.20.0}}
     packages: {{tensorflow: {{amd64: tensorflow-cpu, arm64: tensorflow}}}}
 distributions:
   alpha:
@@ -116,6 +116,12 @@ ros_archive:
   live: http://ros.test/{{generation}}/ubuntu
   snapshot: http://snapshots.ros.test/{{ros_distro}}/{{day}}/ubuntu
   apt_source: https://git.test/{{version}}/{{generation}}.{{codename}}.deb
+parts:
+  - {{name: cuda, title: CUDA, accelerator: cuda, any_python: true, versions: [cuda, cudnn], takes: [nvidia-*]}}
+  - {{name: common, needs: [cuda], shared: true, tested: false}}
+  - {{name: torch, title: PyTorch, release: torch, needs: [common]}}
+  - {{name: tensorflow-cc, release: tensorflow, any_python: true, needs: [tensorflow], repeats: [tensorflow, tensorflow-cpu, tensorflow-cpu-aws], tested: false}}
+  - {{name: tensorflow, title: TensorFlow, short: tf, release: tensorflow, needs: [common, tensorflow-cc]}}
 """
 
 SMALLER = SMALL.replace("components: [core, base, desktop]", "components: [core, base]")

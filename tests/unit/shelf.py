@@ -113,7 +113,7 @@ class Shelf:
     def _manifest(self, thing: Thing, architecture: str) -> str:
         repository = f"{PREFIX}/{repository_of(thing)}"
         if isinstance(thing, Payload):
-            labels = of_payload(thing.part, thing.stack, thing.python, {}, {})
+            labels = of_payload(self.catalogue.matrix.part[thing.part], thing.stack, thing.python, (), {})
         else:
             labels = {f"io.rosml.{name}": version for name, version in thing.versions.items()}
             labels |= {"io.rosml.distribution": thing.distribution, "io.rosml.python": thing.python}

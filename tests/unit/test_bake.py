@@ -104,16 +104,18 @@ def dockerfile() -> str:
 
 
 def test_every_argument_is_declared(real: Catalogue) -> None:
-    declared = {name.split("=")[0] for line in re.findall(r"^ARG (.+)$", dockerfile(), re.M) for name in line.split()}
+    texts = [dockerfile(), *{target.join.dockerfile() for target in targets.of(real).values() if target.join}]
+    lines = [line for text in texts for line in re.findall(r"^ARG (.+)$", text, re.M)]
+    declared = {name.split("=")[0] for line in lines for name in line.split()}
     passed = {name for target in targets.of(real).values() for name in target.arguments}
     assert passed - declared - BUILTIN == set()
 
 
 def test_every_stage_and_context_is_there(real: Catalogue) -> None:
     stages = set(re.findall(r"^FROM .* AS ([a-z-]+)$", dockerfile(), re.M))
-    used = {target.stage for target in targets.of(real).values()}
+    used = {target.stage for target in targets.of(real).values() if not target.join}
     assert used - stages == set()
-    assert {"base", "ros", "payload-files", "payload", "torch", "tensorflow", "ml", "test"} <= used
+    assert {"base", "ros", "payload-files", "payload", "test"} <= used
 
 
 # ---- The command -----------------------------------------------------------------------------------------------------
@@ -292,8 +294,7 @@ def test_a_payload_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
     """Who has the registry alone can put it together with others."""
     names = ("payload-cuda-cu1", "payload-common-cpu-py312", "payload-torch-cu1-py312", "payload-tensorflow-cc-cu1")
     found = {name: target["labels"] for name, target in printed(*names, file=small_bake).items()}
-    parts = "cuda,common,torch,tensorflow-cc,tensorflow"
-    both = f"torch=cuda,common,torch ml={parts}"
+    both = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
     assert found["payload-torch-cu1-py312"] == {
         "org.opencontainers.image.title": "torch-cu1-py312",
         "org.opencontainers.image.description": "part torch of stack cu1, for Python 3.12",
@@ -301,25 +302,29 @@ def test_a_payload_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
         "io.rosml.stack": "cu1",
         "io.rosml.python": "3.12",
         "io.rosml.torch": "2.10.0",
-        "io.rosml.parts": parts,
+        "io.rosml.brings": "torch:torch:PyTorch",
+        "io.rosml.release": "torch",
         "io.rosml.frameworks": both,
     }
     cuda = found["payload-cuda-cu1"]
     assert (cuda["io.rosml.python"], cuda["io.rosml.cuda"], cuda["io.rosml.frameworks"]) == (
         "any",
         "12.8.90",
-        f"cuda=cuda {both}",
+        f"cuda=cuda* {both}",
     )
     assert found["payload-common-cpu-py312"].keys().isdisjoint({"io.rosml.torch", "io.rosml.tensorflow"})
     assert found["payload-tensorflow-cc-cu1"]["io.rosml.tensorflow"] == "2.20.0"
-    assert labels.frameworks(both) == {"torch": ("cuda", "common", "torch"), "ml": tuple(parts.split(","))}
+    assert cuda["io.rosml.brings"] == "cuda:cuda:CUDA cudnn::" and "io.rosml.release" not in cuda
+    parts = ("cuda", "common", "torch", "tensorflow-cc", "tensorflow")
+    assert labels.frameworks(both) == {"torch": ("cuda", "common", "torch"), "ml": parts}
+    assert [part for part in parts if labels.any_python(both, part)] == ["cuda", "tensorflow-cc"]
 
 
 def test_frameworks_that_do_not_go_together_are_not_named(real: Catalogue) -> None:
     found = targets.of(real)
     assert "ml=" in str(found["payload-common-cpu-py311"].labels["io.rosml.frameworks"])
     apart = found["payload-common-cpu38-py38"].labels["io.rosml.frameworks"]
-    assert apart == "torch=common,torch tensorflow=common,tensorflow-cc,tensorflow"
+    assert apart == "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow"
 
 
 def test_default_group(small_bake: Path) -> None:
@@ -442,7 +447,7 @@ def test_a_matrix_with_every_axis_prints(small: Catalogue, small_bake: Path) -> 
     found = printed("all", "payloads", "tests", file=small_bake)
     assert {image.target for image in small.images} <= found.keys()
     assert found["omega-core"]["args"]["ROS_SNAPSHOT"] == "2026-11-01"
-    assert found["alpha-core-cuda-cu1"]["target"] == "cuda"
+    assert "--from=part-cuda" in found["alpha-core-cuda-cu1"]["dockerfile-inline"]
 
 
 def test_where_packages_come_from(real: Catalogue) -> None:

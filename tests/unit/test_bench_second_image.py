@@ -149,7 +149,9 @@ def test_seconds(stage: Stage) -> None:
 
 
 def test_assembling_payloads_is_told_apart(stage: Stage) -> None:
-    run = "[_files-torch x 2/2] RUN --mount=type=bind,source=components/torch,target=/run/components/part x"
+    run = (
+        "[_files-torch payload-files 2/2] RUN --mount=type=bind,source=x,target=/y /run/components/payload/assemble.sh"
+    )
     stage.write("progress", step(run))
     found = stage.compare()
     assert found.assembling_seconds == pytest.approx(3.0)

@@ -22,15 +22,14 @@ from rosml.cli import join as script
 from rosml.join import file_lists
 from rosml.join.composer import Composed, Composer
 from rosml.join.file_lists import Files
-from rosml.matrix.model import PARTS, Part
 from rosml.registry import oci
 from rosml.registry.oci import Reference, Registry
 from tests.e2e import parts
-from tests.e2e.parts import Tiny, payload, ros
+from tests.e2e.parts import PARTS, Tiny, payload, ros
 
 BOTH = ("linux/amd64", "linux/arm64")
-TORCH: tuple[Part, ...] = ("cuda", "common", "torch")
-TENSORFLOW: tuple[Part, ...] = ("common", "tensorflow-cc", "tensorflow")
+TORCH: tuple[str, ...] = ("cuda", "common", "torch")
+TENSORFLOW: tuple[str, ...] = ("common", "tensorflow-cc", "tensorflow")
 
 
 class Place:
@@ -44,7 +43,7 @@ class Place:
     def ros(self, tag: str = "bookworm-core", platforms: Sequence[str] = BOTH[:1], **facts: Any) -> str:
         return ros(**facts).put(self.registry, "me/ros", tag, platforms)
 
-    def stack(self, wanted: Sequence[Part] = TORCH, name: str = "cu128", **facts: Any) -> list[str]:
+    def stack(self, wanted: Sequence[str] = TORCH, name: str = "cu128", **facts: Any) -> list[str]:
         return parts.stack(self.registry, "me/payload", wanted, name, **facts)
 
     def put(self, image: Tiny, tag: str, platforms: Sequence[str] = BOTH[:1]) -> str:
@@ -118,9 +117,9 @@ def test_an_image(place: Place) -> None:
     }
     assert config["config"]["Env"] == [
         "PATH=/usr/bin:/bin",
+        "TORCH_VERSION=2.10.0",
         "CUDA_VERSION=12.8.90",
         "CUDNN_VERSION=9.10.2.21",
-        "TORCH_VERSION=2.10.0",
     ]
     assert config["config"]["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
     assert config["config"]["Labels"] == {
@@ -154,7 +153,7 @@ def test_an_image(place: Place) -> None:
     [(("cuda",), "cu128", "cuda"), (TORCH, "cu128", "torch"), (TORCH[1:], "cpu", "torch"),
      (TENSORFLOW, "cpu", "tensorflow"), (PARTS, "cu128", "ml"), (PARTS[1:], "cpu", "ml")],
 )  # fmt: skip
-def test_frameworks(place: Place, wanted: tuple[Part, ...], stack: str, framework: str) -> None:
+def test_frameworks(place: Place, wanted: tuple[str, ...], stack: str, framework: str) -> None:
     """Layers in the order of the Dockerfile, whatever the order of the arguments."""
     base, payloads = place.ros(), place.stack(wanted, stack)
     found = place.compose(base, *reversed(payloads))
@@ -389,7 +388,7 @@ def test_an_image_that_has_it_already(place: Place) -> None:
         (("common",), "cpu", "torch-cpu-py311"),
     ],
 )
-def test_a_part_that_is_missing(place: Place, given: tuple[Part, ...], stack: str, lacking: str) -> None:
+def test_a_part_that_is_missing(place: Place, given: tuple[str, ...], stack: str, lacking: str) -> None:
     error = place.refused(place.ros(), *place.stack(given, stack))
     assert error.remedy.startswith(f"add {lacking}: framework ")
     assert "cannot do without" in error.message

@@ -191,10 +191,10 @@ def test_labels_are_told_where_nothing_else_changed() -> None:
     """They name each image's versions in words of its own, and would put each image on a row of its own."""
     version = since(changed("cudnn: 9.10.2.21", "cudnn: 9.10.2.22"))
     assert {item.input for why in version.changed.values() for item in why} == {
-        "argument CUDNN_VERSION",
+        "environment CUDNN_VERSION",
         "label io.rosml.cudnn",
     }
-    assert [why for _, why, _ in differences.rows(version)] == ["argument CUDNN_VERSION: 9.10.2.21 → 9.10.2.22"]
+    assert [why for _, why, _ in differences.rows(version)] == ["environment CUDNN_VERSION: 9.10.2.21 → 9.10.2.22"]
     address = since(changed("source: https://example.org/images\n", ""))
     ((_, why, _),) = differences.rows(address)
     assert why == "label org.opencontainers.image.source: https://example.org/images → nothing"

@@ -11,6 +11,7 @@ import pytest
 from conftest import ROOT
 from projects import copy_for_generator
 
+from rosml.bake import targets
 from rosml.images import load
 from rosml.images.image_set import Catalogue
 from tests import fork, walk
@@ -90,3 +91,38 @@ def test_what_a_fork_skips_is_there() -> None:
         file, _, function = name.partition("::")
         assert (ROOT / "tests" / file).exists(), name
         assert not function or f"\ndef {function}(" in (ROOT / "tests" / file).read_text(), name
+
+
+def test_a_part(project: Path, real: Catalogue) -> None:
+    """A part is data: its entries, a folder, a file of tests. No code is touched."""
+    for block in section("A part, a framework"):
+        if block.title.startswith("matrix.yaml"):
+            insert(project, block)
+    matrix = project / "matrix.yaml"
+    text = matrix.read_text()
+    text = text.replace(
+        "releases: {torch: 2.10.0, tensorflow: 2.20.0}",
+        "releases: {torch: 2.10.0, tensorflow: 2.20.0, einops: 0.8.1}",
+        1,
+    )
+    text = text.replace(
+        "    cu128:\n      cuda: {", "    cu128:\n      einops: {unpacked: 1, compressed: 1}\n      cuda: {", 1
+    )
+    matrix.write_text(text)
+    for file, content in {
+        "components/einops/prune.txt": "# Nothing.\n",
+        "tests/structure/einops.yaml": "schemaVersion: 2.0.0\n",
+    }.items():
+        (project / file).parent.mkdir(exist_ok=True, parents=True)
+        (project / file).write_text(content)
+    made = load.load(matrix, project)
+    new = [image for image in made.images if image.target not in real.by_target]
+    assert new and {image.framework for image in new} == {"einops"} and {image.stack for image in new} == {"cu128"}
+    jazzy = made.image("jazzy-base-einops-cu128")
+    assert jazzy.parts == ("cuda-cu128", "common-cu128-py312", "torch-cu128-py312", "einops-cu128-py312")
+    assert jazzy.tests[-5:-3] == ("torch", "einops") and jazzy.versions["einops"] == "0.8.1"
+    assert "ros-einops:jazzy-base-cu128-torch2.10.0-einops0.8.1" in jazzy.tags
+    argv = [sys.executable, "scripts/generate_bake.py"]
+    subprocess.run(argv, cwd=project, check=True)
+    inline = targets.of(made)["jazzy-base-einops-cu128"].join
+    assert inline and inline.dockerfile().count("COPY --link") == 4

@@ -26,6 +26,7 @@ from rosml.images.image_set import Catalogue
 from rosml.locks import resolve
 from rosml.locks.resolve import Elsewhere, Pin, Request
 
+PARTS = parse(SMALL).matrix.parts
 ROOTS = {"torch": "torch==2.10.0", "tensorflow": "tensorflow[and-cuda]==2.20.0"}
 
 
@@ -40,13 +41,14 @@ def request(**changes: object) -> Request:
         "python": "3.12",
         "wheels": "x86_64-manylinux_2_28",
         "roots": ROOTS,
+        "parts": PARTS,
         "numpy": "<2",
     }
     return Request(**{**facts, **changes})  # type: ignore[arg-type]
 
 
 def parts(pins: list[Pin], roots: Mapping[str, str] = ROOTS) -> dict[str, list[str]]:
-    return {part: [pin.name for pin in content] for part, content in resolve.split(pins, roots).items()}
+    return {part: [pin.name for pin in content] for part, content in resolve.split(pins, roots, PARTS).items()}
 
 
 # ---- Reading ---------------------------------------------------------------------------------------------------------
@@ -435,7 +437,7 @@ APART = changed(
 
 
 def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path) -> None:
-    tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], releases: [tensorflow], accelerators: [cpu]}\n"
+    tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], accelerators: [cpu]}\n"
     catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
     asked = [list(item.roots) for item in resolve.requests(catalogue) if (item.stack, item.python) == ("cpu", "3.12")]
     assert asked == [["tensorflow"], ["torch"], ["tensorflow"]]  # amd64 has no wheel of torch
@@ -447,7 +449,7 @@ def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path
 
 
 def test_what_they_share_must_agree(tmp_path: Path) -> None:
-    tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], releases: [tensorflow], accelerators: [cpu]}\n"
+    tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], accelerators: [cpu]}\n"
     catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
     uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; " + PINNED.format("numpy==1.2$n")
     with pytest.raises(RosmlError, match=r"common\.txt: numpy would be 1\.2. and 1\.2., depending on who asks"):

@@ -461,7 +461,9 @@ def test_requirement(small: image_set.Catalogue) -> None:
 
 
 def test_a_stack_without_a_release_asks_for_nothing() -> None:
-    stacks = parse(changed("torch: 2.10.0, tensorflow: 2.20.0}", "torch: 2.10.0}")).matrix.stacks
+    stacks = parse(
+        changed("21, releases: {torch: 2.10.0, tensorflow: 2.20.0}", "21, releases: {torch: 2.10.0}")
+    ).matrix.stacks
     assert stacks["cu1"].requirement("tensorflow", "amd64") is None
 
 
@@ -487,4 +489,4 @@ def test_a_new_distribution_fits_in_ten_lines() -> None:
 def test_a_new_release_is_one_line() -> None:
     line = '    2.11.0: {python: ["3.12"], wheels: {cu1: [amd64]}}\n'
     catalogue = parse(changed("  torch:\n    2.10.0", f"  torch:\n{line}    2.10.0"))
-    assert "2.11.0" in catalogue.matrix.releases.torch
+    assert "2.11.0" in catalogue.matrix.releases["torch"]

@@ -36,17 +36,19 @@ def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(re
     for image in real.images:
         if image.parts and image.locked and set(image.platforms) == set(platforms.values()):
             versions = {architecture: inside(real, image, platform) for architecture, platform in platforms.items()}
-            same_content.require(image.target, CONFIGS, versions)
-            compared |= {(image.framework, image.stack, name) for name in same_content.content(versions["amd64"])}
-    assert ("tensorflow", "cpu", "TensorFlow") in compared and ("ml", "cpu", "PyTorch") in compared
-    assert {("torch", "cu130", name) for name in ("CUDA", "cuDNN", "NCCL", "PyTorch", "numpy")} <= compared
+            released = [item.name for item in image.brought if item.released]
+            same_content.require(image.target, CONFIGS, versions, released)
+            found = same_content.content(versions["amd64"], released)
+            compared |= {(image.framework, image.stack, name) for name in found}
+    assert ("tensorflow", "cpu", "tensorflow") in compared and ("ml", "cpu", "torch") in compared
+    assert {("torch", "cu130", name) for name in ("CUDA", "cuDNN", "NCCL", "torch", "numpy")} <= compared
 
 
 @pytest.mark.parametrize(
     ("amd64", "arm64", "what"),
     [
-        ({"torch": "2.10.0+cpu"}, {"torch": "2.10.1"}, "PyTorch inside is 2.10.0 on amd64, 2.10.1 on arm64"),
-        ({"tensorflow-cpu": "2.20.0"}, {}, "TensorFlow inside is 2.20.0 on amd64, nothing on arm64"),
+        ({"torch": "2.10.0+cpu"}, {"torch": "2.10.1"}, "torch inside is 2.10.0 on amd64, 2.10.1 on arm64"),
+        ({"tensorflow-cpu": "2.20.0"}, {}, "tensorflow inside is 2.20.0 on amd64, nothing on arm64"),
         ({"nvidia-cudnn-cu13": "9.20"}, {"nvidia-cudnn-cu13": "9.21"}, "cuDNN inside is 9.20 on amd64, 9.21 on arm64"),
         ({"nvidia-cuda-runtime": "13.0.96"}, {"nvidia-cuda-runtime": "13.0.97"}, "CUDA inside is 13.0.96 on amd64"),
         ({"ros-distro": "jazzy"}, {"ros-distro": "kilted"}, "ROS's distribution inside is jazzy on amd64"),
@@ -54,7 +56,7 @@ def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(re
 )
 def test_another_content_is_refused(amd64: dict[str, str], arm64: dict[str, str], what: str) -> None:
     with pytest.raises(RosmlError) as error:
-        same_content.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64})
+        same_content.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64}, ["torch", "tensorflow"])
     assert what in error.value.message
 
 
@@ -62,7 +64,7 @@ def test_what_an_architecture_may_have_to_itself() -> None:
     """A revision of Debian's, and one wheel's name and place in the place of another."""
     amd64 = {"python3-numpy": "1.24.2-1+b1", "tensorflow-cpu": "2.20.0", "torch": "2.10.0+cpu", "nvidia-cufile": "1"}
     arm64 = {"python3-numpy": "1.24.2-1", "tensorflow": "2.20.0", "torch": "2.10.0"}
-    same_content.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64})
+    same_content.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64}, ["torch", "tensorflow"])
 
 
 def test_what_an_image_promises_is_compared() -> None:

@@ -79,9 +79,9 @@ WRONG = {
         "60:5: distributions.omega.ros: expected a whole number, found the number 2.0",
     ),
     "version of one number": (
-        "torch: 2.10.0, tensorflow",
-        "torch: v2, tensorflow",
-        "42:61: stacks.cu1.torch: expected a version, such as 2.10.0, found 'v2'",
+        "9.10.2.21, releases: {torch: 2.10.0",
+        "9.10.2.21, releases: {torch: v2",
+        "42:72: stacks.cu1.releases.torch: expected a version, such as 2.10.0, found 'v2'",
     ),
     "key twice": (
         "eol: 2029-05-31",
@@ -172,9 +172,9 @@ WRONG = {
         "found 'sha256:11'",
     ),
     "unknown release": (
-        "    torch: 2.10.0\n",
-        "    torch: 2.10.1\n",
-        "45:5: stacks.cpu.torch: no release of torch named '2.10.1'; did you mean '2.10.0'?",
+        "      {torch: 2.10.0",
+        "      {torch: 2.10.1",
+        "46:8: stacks.cpu.releases.torch: no release of torch named '2.10.1'; did you mean '2.10.0'?",
     ),
     "stack without CUDA": (
         "cuda: 12.8.90, ",
@@ -187,14 +187,14 @@ WRONG = {
         "45:5: stacks.cpu.nccl: a stack with accelerator cpu has no nccl; remove it",
     ),
     "unknown accelerator": (
-        "accelerator: cuda",
-        "accelerator: gpu",
+        "accelerator: cuda, cuda",
+        "accelerator: gpu, cuda",
         "42:9: stacks.cu1.accelerator: expected cpu or cuda, found 'gpu'; did you mean cpu?",
     ),
     "package of nothing": (
-        "    torch: 2.10.0\n    tensorflow: 2.20.0\n",
-        "    torch: 2.10.0\n",
-        "46:16: stacks.cpu.packages.tensorflow: stack cpu has no release of tensorflow; add 'tensorflow: …' to it",
+        "      {torch: 2.10.0, tensorflow: 2.20.0}\n",
+        "      {torch: 2.10.0}\n",
+        "47:16: stacks.cpu.packages.tensorflow: stack cpu has no release of tensorflow; add 'tensorflow: …' to its releases",
     ),
     "package of one architecture": (
         "{amd64: tensorflow-cpu, arm64: tensorflow}",
@@ -216,21 +216,65 @@ WRONG = {
         "wheels: {rocm: [amd64], cpu: [arm64]}",
         "38:49: releases.torch.2.10.0.wheels.rocm: no stack named 'rocm'; known: cu1, cpu",
     ),
-    "framework without its release": (
-        "parts: [cuda, common, torch], releases: [torch]",
-        "parts: [cuda, common, torch]",
-        "34:34: frameworks.torch.parts: torch is not among the releases; add it to 'releases'",
+    "framework with an unknown part": (
+        "parts: [cuda, common, torch]}",
+        "parts: [cuda, common, torsh]}",
+        "34:56: frameworks.torch.parts[2]: no part named 'torsh'; did you mean 'torch'?",
     ),
     "framework without CUDA on stacks that have it": (
-        "parts: [cuda, common, torch], releases: [torch]}",
-        "parts: [common, torch], releases: [torch]}",
-        "34:34: frameworks.torch.parts: on stacks with CUDA it needs the part cuda; add it to 'parts', "
-        "or say 'accelerators: [cpu]'",
+        "parts: [cuda, common, torch]}",
+        "parts: [common, torch]}",
+        "34:34: frameworks.torch.parts: common needs the part cuda; add it to 'parts', or say 'accelerators: [cpu]'",
     ),
     "framework without common": (
-        "parts: [cuda, common, torch], releases",
-        "parts: [cuda, torch], releases",
-        "34:34: frameworks.torch.parts: frameworks with releases need the part common; add it to 'parts'",
+        "parts: [cuda, common, torch]}",
+        "parts: [cuda, torch]}",
+        "34:34: frameworks.torch.parts: torch needs the part common; add it to 'parts'",
+    ),
+    "part twice": (
+        "shared: true, tested: false}\n",
+        "shared: true, tested: false}\n  - {name: common}\n",
+        "95:6: parts[2].name: 'common' is there twice; keep one",
+    ),
+    "part that needs an unknown one": (
+        "needs: [cuda]",
+        "needs: [coda]",
+        "94:28: parts[1].needs[0]: no part named 'coda'; did you mean 'cuda'?",
+    ),
+    "part of an unknown release": (
+        "short: tf, release: tensorflow",
+        "short: tf, release: tensorflo",
+        "97:54: parts[4].release: no release named 'tensorflo'; did you mean 'tensorflow'?",
+    ),
+    "part that repeats itself": (
+        "needs: [common]}",
+        "needs: [common], repeats: [torch]}",
+        "95:68: parts[2].repeats: it belongs to a part beside the one of its release's name; remove it",
+    ),
+    "two shared parts": (
+        "release: torch,",
+        "release: torch, shared: true,",
+        "95:51: parts[2].shared: common holds what several releases need; remove it",
+    ),
+    "no shared part": (
+        "shared: true",
+        "shared: false",
+        "92:1: parts: no part holds what several releases need; say 'shared: true' of one",
+    ),
+    "release of no part": (
+        "  torch:\n    2.10.0",
+        "  jax: {}\n  torch:\n    2.10.0",
+        "37:3: releases.jax: no part is a release of it; add one to 'parts': {name: jax, release: jax}",
+    ),
+    "stack with an unknown release": (
+        "9.10.2.21, releases: {torch:",
+        "9.10.2.21, releases: {torsh:",
+        "42:72: stacks.cu1.releases.torsh: no release named 'torsh'; did you mean 'torch'?",
+    ),
+    "forecast of an unknown part": (
+        "      cuda: {unpacked",
+        "      coda: {unpacked",
+        "73:5: disk.parts.cu1: no forecast for part cuda; add 'cuda: {unpacked: 900, compressed: 250}', a guess will do\n74:7: disk.parts.cu1.coda: no part named 'coda'; did you mean 'cuda'?",
     ),
     "one repository for two": (
         "repository: ros-ml",

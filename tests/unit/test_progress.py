@@ -22,7 +22,7 @@ ROS = (
 )
 ESSENTIALS = "[_os-bookworm base 1/4] RUN --mount=type=bind,source=components/base,target=/x /x/install.sh"
 TORCH = (
-    "[_files-torch payload-files 2/2] RUN --mount=type=bind,source=components/torch,target=/run/components/part "
+    "[_files-torch payload-files 2/2] RUN --mount=type=bind,source=components/torch,target=/run/components/torch "
     "/run/components/payload/assemble.sh"
 )
 JOIN = "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /"
@@ -82,8 +82,8 @@ def build() -> Build:
             "install ROS packages",
         ),
         (ESSENTIALS, "[_os-bookworm base 1/4] /x/install.sh", "install essentials"),
-        (TORCH, "assemble payload part 'torch' from its lock", "assemble payloads"),
-        (JOIN, "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /", "join payloads"),
+        (TORCH, "build part torch from its lock", "build parts"),
+        (JOIN, "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /", "join parts"),
         (
             TEST,
             "[bookworm-core-torch-cu128-test test-run 1/2] /run/tests/run.sh /structure-report",
@@ -175,7 +175,7 @@ def test_phases_are_sums_longest_first(build: Build) -> None:
     build.vertex(JOIN, started=f"{DAY}10Z", completed=f"{DAY}10.01Z")
     build.vertex("[x internal] load build context", started=f"{DAY}10Z", completed=f"{DAY}30Z")
     build.vertex(ROS, started=f"{DAY}10Z")
-    assert list(build.progress.phases().items()) == [("assemble payloads", 7.0), ("install essentials", 1.0)]
+    assert list(build.progress.phases().items()) == [("build parts", 7.0), ("install essentials", 1.0)]
 
 
 def test_long_lines_are_cut(build: Build) -> None:
@@ -199,7 +199,7 @@ def test_heartbeat_names_what_runs_longest(build: Build) -> None:
     assert build.shown == ""
     build.clock.now += 1
     build.prints(TORCH, b"  Unpacking torch  \n")
-    assert build.shown == "    0:20     …      assemble payload part 'torch' from its lock: Unpacking torch\n"
+    assert build.shown == "    0:20     …      build part torch from its lock: Unpacking torch\n"
     build.clock.now += progress.HEARTBEAT_SECONDS - 1
     build.vertex(TORCH, started=f"{DAY}05Z")
     assert build.shown.count("\n") == 1, "it waits as long for the next one"

@@ -21,7 +21,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, SMALL, parse
 
 from rosml.base.errors import RosmlError
 from rosml.locks import resolve
@@ -146,6 +146,7 @@ REQUEST = Request(
     roots={"torch": "torch==2.10.0"},
     numpy="<2",
     elsewhere={"torch": Elsewhere("torch==2.10.0+cpu", "", ("jinja2",))},
+    parts=parse(SMALL).matrix.parts,
 )
 
 
@@ -161,7 +162,7 @@ def test_a_lock_of_a_wheel_that_is_there_alone_can_be_made_and_installed(
     ]
     assert len(index.asked) == 1, "one index, known to uv"
 
-    text = resolve.render(REQUEST, "torch", resolve.split(pins, REQUEST.roots)["torch"])
+    text = resolve.render(REQUEST, "torch", resolve.split(pins, REQUEST.roots, REQUEST.parts)["torch"])
     (tmp_path / "torch.txt").write_text(text)
     assert not any(host in text for host in index.asked)
     # The line of the assembly that decides where wheels come from, and the call that follows it.

@@ -95,6 +95,7 @@ def test_orders_of_imports(frameworks: list[str]) -> None:
 # ---- The banner, and what was recorded -------------------------------------------------------------------------------
 
 PROMISED = {
+    "releases": "torch,tensorflow",
     "os": "ubuntu-24.04",
     "python": "3.12",
     "ros": "2",

@@ -78,6 +78,7 @@ class Caller:
             "context": ".",
             "dockerfile": "Dockerfile",
             "target": target.stage,
+            "dockerfile-inline": target.join.dockerfile() if target.join else "",
             "description": target.description,
             "contexts": {name: self.text(value) for name, value in target.contexts.items()},
             "args": {name: text for name, value in target.arguments.items() if (text := self.text(value)) is not None},

@@ -16,10 +16,8 @@ RECORDED = {
     "cuda": r"nvidia-cuda-runtime(-cu\d+)?",
     "cudnn": r"nvidia-cudnn-cu\d+",
     "nccl": r"nvidia-nccl-cu\d+",
-    "torch": "torch",
-    "tensorflow": "tensorflow(-cpu)?",
 }
-"""By what names a part records a version that is promised."""
+"""By what names a part records a version of the stack. A release has its own name, or that of its wheel for the CPU."""
 
 TITLES = {"cuda": "CUDA", "cudnn": "cuDNN", "torch": "PyTorch", "tensorflow": "TensorFlow"}
 """What the banner calls them. NCCL is not in it."""
@@ -52,9 +50,10 @@ def wrong(
         if not well:
             found.append(f"{what}: {is_}, expected {wanted}")
 
-    for name, pattern in RECORDED.items():
+    released = {name: f"{name}(-cpu)?" for name in promised.get("releases", "").split(",") if name}
+    for name, pattern in {**RECORDED, **released}.items():
         versions = {package: version for package, version in recorded.items() if re.fullmatch(pattern, package)}
-        wanted = promised.get(name)
+        wanted = promised.get(name.replace("-", "_"))
         well = all(same(version, wanted) for version in versions.values()) and bool(versions) == bool(wanted)
         check(f"recorded of {name}", well, versions or "nothing", wanted)
         if name in TITLES:
