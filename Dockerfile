@@ -6,7 +6,7 @@
 #   os ─► base ─► ros (core) ─► ros (base) ─► …            each `ros` is FROM the component below it: context `parent`
 #            └──► ros-wheels                               ROS 2 from Python wheels, in the place of Debian packages
 #
-#   os ─► assembler ─► part-assembler ─► payload-files ─► payload   one per part, stack, Python and architecture
+#   os ─► assembler ─► part-assembler ─► part-files ─► part   one per part, stack, Python and architecture
 #
 #   ros + part-cuda + part-common + …                      joined with COPY --link: nothing runs after the join
 #    └──► image ─► test                                    structure tests on top of the finished image
@@ -62,15 +62,15 @@ ENV ROS_DISTRO=${ROS_DISTRO} \
     ROS_VERSION=${ROS_VERSION} \
     ROS_SYNC_DATE=${ROS_SYNC_DATE}
 
-# ---- ML payloads ----------------------------------------------------------------------------------------------------
+# ---- ML parts ----------------------------------------------------------------------------------------------------
 # Runs on the builder's own architecture and assembles for any: no emulation.
 FROM --platform=${BUILDPLATFORM} os AS assembler
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
-    --mount=type=bind,source=components/payload/install-assembler.sh,target=/run/components/payload/install-assembler.sh \
+    --mount=type=bind,source=components/part/install-assembler.sh,target=/run/components/part/install-assembler.sh \
     --mount=type=bind,source=tools/requirements.txt,target=/run/requirements.txt \
     --mount=type=secret,id=ca-bundle \
     --mount=type=secret,id=os-apt-mirror \
-    /run/components/payload/install-assembler.sh
+    /run/components/part/install-assembler.sh
 ENV PATH=/opt/uv/bin:${PATH}
 
 # ROS 2 from wheels, of a row without Debian packages. It takes uv from the assembler, so it comes after it.
@@ -80,7 +80,7 @@ ARG BYTECODE=checked-hash
 RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/ros,target=/run/components/ros \
-    --mount=type=bind,source=components/payload/bytecode.sh,target=/run/components/payload/bytecode.sh \
+    --mount=type=bind,source=components/part/bytecode.sh,target=/run/components/part/bytecode.sh \
     --mount=type=bind,source=locks/${ROS_ROW}/${TARGETARCH}/${PYTHON}/ros.txt,target=/run/lock.txt \
     --mount=type=bind,from=assembler,source=/opt/uv,target=/run/uv \
     --mount=type=bind,from=upstream,target=/run/upstream \
@@ -100,28 +100,28 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
     --mount=type=secret,id=os-apt-mirror \
     if [ -e /run/part/install-assembler.sh ]; then /run/part/install-assembler.sh; fi
 
-FROM part-assembler AS payload-files
+FROM part-assembler AS part-files
 ARG PART STACK PYTHON WHEEL_PYTHON ACCELERATOR TARGETARCH
 ARG BYTECODE=checked-hash
 COPY locks/${STACK}/${TARGETARCH}/${PYTHON}/${PART}.txt /lock.txt
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
-    --mount=type=bind,source=components/payload,target=/run/components/payload \
+    --mount=type=bind,source=components/part,target=/run/components/part \
     --mount=type=bind,source=components/${PART},target=/run/components/${PART} \
     --mount=type=secret,id=ca-bundle \
-    LOCK=/lock.txt /run/components/payload/assemble.sh
+    LOCK=/lock.txt /run/components/part/assemble.sh
 
-# A payload as an image of its own: add it to any image of the same Python with
-# `COPY --link --from=<registry>/payload:torch-cu128-py311 / /`.
-FROM scratch AS payload
-COPY --link --from=payload-files /out/ /
+# A part as an image of its own: add it to any image of the same Python with
+# `COPY --link --from=<registry>/part:torch-cu128-py311 / /`.
+FROM scratch AS part
+COPY --link --from=part-files /out/ /
 
-# ---- Lists of files: what an image or payload carries, for whoever joins it to others in a registry -----------------
+# ---- Lists of files: what an image or part carries, for whoever joins it to others in a registry -----------------
 # What is listed: a published image, which the caller names.
 FROM scratch AS listed
 
 FROM assembler AS list-files
 RUN --mount=type=bind,from=listed,target=/listed \
-    --mount=type=bind,source=components/payload/list-files.sh,target=/run/list-files.sh \
+    --mount=type=bind,source=components/part/list-files.sh,target=/run/list-files.sh \
     /run/list-files.sh
 
 FROM scratch AS file-list

@@ -96,7 +96,7 @@ def measure_images(here: Here, target: str, data: dict[str, Any], quiet: bool) -
     if not quiet:
         click.echo()
         second_image.print_table(found)
-    grown = many_tags.measure(here, here.catalogue.image(target).target, found)
+    grown = many_tags.measure(here, here.image_set.image(target).target, found)
     data["growth_of_tags"] = grown.to_json()
     if not quiet:
         click.echo()
@@ -120,6 +120,6 @@ def bench_here(target: str) -> Here:
     def say(line: str) -> None:
         click.echo(click.style(f"==> {line}", bold=True), err=True)
 
-    catalogue = load.load(ROOT / "matrix.yaml", ROOT)
-    second_image.require_comparable(catalogue.image(target), catalogue, ROOT)
-    return Here(Services.load(ROOT), catalogue, say, second_image.NAMESPACE)
+    image_set = load.load(ROOT / "matrix.yaml", ROOT)
+    second_image.require_comparable(image_set.image(target), image_set, ROOT)
+    return Here(Services.load(ROOT), image_set, say, second_image.NAMESPACE)

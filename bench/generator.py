@@ -78,11 +78,11 @@ def measured(images: int) -> Measured:
     text = synthetic.matrix(images).encode()
 
     def work() -> None:
-        catalogue = load.catalogue(source.parse(text))
-        bake_file.render(catalogue)
-        readme.tables(catalogue)
+        image_set = load.image_set(source.parse(text))
+        bake_file.render(image_set)
+        readme.tables(image_set)
 
-    return Measured(len(load.catalogue(source.parse(text)).images), median(work))
+    return Measured(len(load.image_set(source.parse(text)).images), median(work))
 
 
 def median(work: Callable[[], object]) -> float:
@@ -97,7 +97,7 @@ def median(work: Callable[[], object]) -> float:
 
 def held() -> list[Held]:
     """What is measured beside the generator's own output."""
-    largest = load.catalogue(source.parse(synthetic.matrix(SIZES[-1]).encode()))
+    largest = load.image_set(source.parse(synthetic.matrix(SIZES[-1]).encode()))
     real = load.load(ROOT / "matrix.yaml", ROOT)
 
     def digests() -> None:
@@ -107,7 +107,7 @@ def held() -> list[Held]:
 
     def refuse() -> None:
         with contextlib.suppress(RosmlError):
-            load.catalogue(source.parse(WORST_FILE.encode()))
+            load.image_set(source.parse(WORST_FILE.encode()))
 
     return [
         Held("dealing the largest matrix out to 20 machines", median(lambda: shards.deal(largest, 20)), PLAN_SECONDS),

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from rosml.build.variables import variables
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 from rosml.machine import base_images
 from rosml.machine.services import Services
 
@@ -16,7 +16,7 @@ class Here:
     """This checkout's services, all that the matrix describes, who is told what is going on, and the namespace."""
 
     services: Services
-    catalogue: Catalogue
+    image_set: ImageSet
     say: Callable[[str], None]
     namespace: str
     architecture: str = field(default_factory=base_images.native_architecture)
@@ -28,4 +28,4 @@ class Here:
 
     def variables(self, image: Image) -> dict[str, str]:
         """Variables of the bake file for an image."""
-        return variables(self.services, self.catalogue, image, self.architecture, self.prefix, self.say)
+        return variables(self.services, self.image_set, image, self.architecture, self.prefix, self.say)

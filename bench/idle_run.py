@@ -1,6 +1,6 @@
 """A second run over the whole matrix, measured on a registry: nothing changed, so nothing is to be done.
 
-The images that a first run would have made stand there as manifests of some bytes, with their entries in the ledger and
+The images that a first run would have made stand there as manifests of some bytes, with their entries in the records and
 their tags: what a run asks the registry for is the same, whatever an image weighs.
 """
 
@@ -18,7 +18,7 @@ from rosml.bake.inputs import Inputs
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.base.units import duration, size
-from rosml.images.image_set import Catalogue, Image, Payload, repository_of, tags_of
+from rosml.images.image_set import Image, ImageSet, Part, repository_of, tags_of
 from rosml.images.labels import TITLE, title
 from rosml.machine.services import Services
 from rosml.matrix.names import dated
@@ -26,7 +26,7 @@ from rosml.publish import plan as planning
 from rosml.publish.pipeline import Pipeline
 from rosml.publish.plan import Item, Plan
 from rosml.publish.promote import Promotion
-from rosml.records.ledger import DATE, INDEX, READERS, Entry, Ledger
+from rosml.records.store import DATE, INDEX, READERS, Entry, Records
 from rosml.registry import oci
 
 LAYER = b"a layer"
@@ -39,7 +39,7 @@ class IdleRun:
     """What a run came to that found everything as it should be.
 
     Attributes:
-        items: images and payloads, on their architectures. tags: of all of them.
+        items: images and parts, on their architectures. tags: of all of them.
         seconds: wall time, from the first look at the registry to the end.
         uploaded: bytes that were sent. steps: how many were done, or failed.
     """
@@ -58,13 +58,13 @@ class IdleRun:
 def text(found: IdleRun) -> str:
     """What was measured, in a sentence's end."""
     return (
-        f"{found.items} images and payloads on their architectures, {found.tags} tags, {duration(found.seconds)},"
+        f"{found.items} images and parts on their architectures, {found.tags} tags, {duration(found.seconds)},"
         f" {size(found.uploaded)} uploaded, {counted(found.steps, 'step')} done"
         " (each image a manifest of some bytes, put there as a first run would have left it)"
     )
 
 
-def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, say: Callable[[str], None]) -> IdleRun:
+def measure(services: Services, image_set: ImageSet, prefix: str, date: str, say: Callable[[str], None]) -> IdleRun:
     """Fills a place with the whole matrix, runs all steps once more, and removes everything again.
 
     Args:
@@ -76,12 +76,12 @@ def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, sa
             repositories do not answer. Nothing is built then.
     """
     with Temporary(services.registry, ca_bundle=services.ca_bundle) as client:
-        first = _survey(services, catalogue, client, prefix, date)
+        first = _survey(services, image_set, client, prefix, date)
         say(f"{len(first.items)} manifests of some bytes, with their entries, in the place of a first run")
         tags = Place(first, client, prefix).fill()
-        say(f"a run over {len(first.items)} images and payloads on their architectures, nothing changed")
+        say(f"a run over {len(first.items)} images and parts on their architectures, nothing changed")
         before, started = client.uploaded, time.monotonic()
-        run = Pipeline(_survey(services, catalogue, client, prefix, date), client, services.registry, prefix, say)
+        run = Pipeline(_survey(services, image_set, client, prefix, date), client, services.registry, prefix, say)
         _require_idle(run.plan)
         for step in (run.build, run.compose, run.test, run.index, Promotion(run).run):
             step()
@@ -90,11 +90,11 @@ def measure(services: Services, catalogue: Catalogue, prefix: str, date: str, sa
     return IdleRun(len(run.plan.items), tags, seconds, uploaded, done)
 
 
-def _survey(services: Services, catalogue: Catalogue, client: oci.Registry, prefix: str, date: str) -> Plan:
+def _survey(services: Services, image_set: ImageSet, client: oci.Registry, prefix: str, date: str) -> Plan:
     """For all architectures: nothing is left to another machine."""
-    architectures = tuple(catalogue.matrix.architectures)
-    inputs = Inputs(services.root, catalogue)
-    return planning.survey(services, catalogue, client, prefix, (), architectures, date=date, inputs=inputs)
+    architectures = tuple(image_set.matrix.architectures)
+    inputs = Inputs(services.root, image_set)
+    return planning.survey(services, image_set, client, prefix, (), architectures, date=date, inputs=inputs)
 
 
 def _require_idle(plan: Plan) -> None:
@@ -123,8 +123,8 @@ class Place:
     prefix: str
 
     @cached_property
-    def _book(self) -> Ledger:
-        return Ledger(self.client, self.prefix)
+    def _book(self) -> Records:
+        return Records(self.client, self.prefix)
 
     def fill(self) -> int:
         """Puts all of it, as a run that passed everything would have left it. Gives the number of images' tags."""
@@ -145,9 +145,9 @@ class Place:
         return oci.encoded({"schemaVersion": 2, "mediaType": oci.IMAGE, "config": config, "layers": [layer]})
 
     def _entry(self, item: Item) -> Entry:
-        """What the ledger says of it after a run in which it passed its tests."""
+        """What the records say of it after a run in which it passed its tests."""
         needs = {target: self.plan.by_key[target, item.architecture] for target in item.needs}
-        tested = "" if item.kind == "payload" else self.plan.tests(item)
+        tested = "" if item.kind == "part" else self.plan.tests(item)
         upstream = self.plan.upstream.get(item.thing.distribution, "") if isinstance(item.thing, Image) else ""
         return Entry(
             *item.key,
@@ -169,7 +169,7 @@ class Place:
         self.client.put_manifest(repository, "", self._manifest(item), oci.IMAGE)
         self._write(self._entry(item))
 
-    def _put_index(self, thing: Image | Payload) -> int:
+    def _put_index(self, thing: Image | Part) -> int:
         """The index of its architectures, and its tags, of which it gives the number."""
         items = [self.plan.by_key[key] for key in self.plan.members(thing)]
         members = []

@@ -78,20 +78,20 @@ def measure(
     Raises:
         RosmlError: a build failed, or the registry does not answer.
     """
-    services, catalogue = here.services, here.catalogue
+    services, image_set = here.services, here.image_set
     client = oci.Registry(services.registry, ca_bundle=services.ca_bundle)
     date = now()
     place = f"{NAMESPACE}/night-{secrets.token_hex(4)}"
-    again = idle_run.measure(services, catalogue, place, date, here.say)
+    again = idle_run.measure(services, image_set, place, date, here.say)
 
-    found = plan.survey(services, catalogue, client, NAMESPACE, [target], date=date)
+    found = plan.survey(services, image_set, client, NAMESPACE, [target], date=date)
     run = Pipeline(found, client, services.registry, NAMESPACE, here.say, maker=maker)
     here.say(f"the parts of {target}, by digest")
     run.build()
     if run.failed:
         raise RosmlError(f"a part of {target} cannot be built", "see the log that the message above names")
-    image, architecture = catalogue.image(target), here.architecture
-    ros, *payloads = (
+    image, architecture = image_set.image(target), here.architecture
+    ros, *parts = (
         oci.Reference(services.registry, run.repository(item.repository), found.known[item.key].digest)
         for item in (found.by_key[need, architecture] for need in found.by_key[image.target, architecture].needs)
     )
@@ -104,7 +104,7 @@ def measure(
             with Composer(lambda _: temporary, services.state / "cache" / "files") as composer:
                 start = time.monotonic()
                 results = [
-                    composer.compose(str(variant), [str(item) for item in payloads], made.target(ros.host, index))
+                    composer.compose(str(variant), [str(item) for item in parts], made.target(ros.host, index))
                     for index, variant in enumerate(variants)
                 ]
                 seconds = time.monotonic() - start

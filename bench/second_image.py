@@ -29,7 +29,7 @@ from rosml.base.units import duration, size
 from rosml.build.maker import require_buildable
 from rosml.build.push import COMPRESSION, push_by_digest
 from rosml.images import lock_file
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 from rosml.machine import base_images, buildx, disk, regctl
 from rosml.machine.progress import BuildProgress
 
@@ -151,7 +151,7 @@ class Comparison:
         ours, usual: what each came to.
         versions: what was imported, the same in both.
         packages: how many packages the locks pin.
-        assembling_seconds: the builder's work of assembling payloads, once for all images of a stack; 0 if they were
+        assembling_seconds: the builder's work of assembling parts, once for all images of a stack; 0 if they were
             there already.
         compression: how layers were compressed and pushed, on both sides.
         left: manifests that could not be removed from the registry.
@@ -177,25 +177,25 @@ class Comparison:
         return {**asdict(self), "left": list(self.left), "ratios": self.ratios}
 
 
-def require_comparable(image: Image, catalogue: Catalogue, root: Path) -> None:
+def require_comparable(image: Image, image_set: ImageSet, root: Path) -> None:
     """Checks, before anything is set up, that an image can be built in both ways.
 
     Args:
         image: what is to be compared.
-        catalogue: all that the matrix describes.
+        image_set: all that the matrix describes.
         root: the checkout with the locks.
 
     Raises:
         RosmlError: there is no framework to compare, a lock is missing, or pip would need another index (exit code 2).
     """
     require_buildable(image, base_images.native_architecture())
-    if not frameworks(image, catalogue):
+    if not frameworks(image, image_set):
         raise RosmlError(
             f"{image.target} has no framework: there is nothing to compare",
             "take an image with PyTorch or TensorFlow: make list GROUP=torch",
             exit_code=2,
         )
-    for name, version in pins(image, catalogue, root).items():
+    for name, version in pins(image, image_set, root).items():
         if "+" in version:
             raise RosmlError(
                 f"{name} {version} is on PyTorch's own index alone, where pip does not look by itself",
@@ -204,33 +204,33 @@ def require_comparable(image: Image, catalogue: Catalogue, root: Path) -> None:
             )
 
 
-def frameworks(image: Image, catalogue: Catalogue) -> tuple[str, ...]:
+def frameworks(image: Image, image_set: ImageSet) -> tuple[str, ...]:
     """What is imported: the modules of an image's frameworks."""
     return tuple(item.name for item in image.brought if item.released)
 
 
-def locks(image: Image, catalogue: Catalogue) -> tuple[str, ...]:
-    """The locks of an image's payloads for this machine's architecture, relative to the checkout."""
-    payloads = [catalogue.payload_by_name[name] for name in image.parts]
+def locks(image: Image, image_set: ImageSet) -> tuple[str, ...]:
+    """The locks of an image's parts for this machine's architecture, relative to the checkout."""
+    parts = [image_set.part_by_name[name] for name in image.parts]
     architecture = base_images.native_architecture()
-    return tuple(payload.locks[payload.architectures.index(architecture)] for payload in payloads)
+    return tuple(part.locks[part.architectures.index(architecture)] for part in parts)
 
 
-def pins(image: Image, catalogue: Catalogue, root: Path) -> dict[str, str]:
+def pins(image: Image, image_set: ImageSet, root: Path) -> dict[str, str]:
     """What is installed in both ways: packages and their versions."""
     found: dict[str, str] = {}
-    for path in locks(image, catalogue):
+    for path in locks(image, image_set):
         found.update(lock_file.versions((root / path).read_text()))
     return found
 
 
-def needed_mb(catalogue: Catalogue, image: Image, built: set[str]) -> int:
+def needed_mb(image_set: ImageSet, image: Image, built: set[str]) -> int:
     """Megabytes that a comparison takes: ours as `make image` does, and the usual image twice, each unpacked in the
     builder and compressed in builder and registry; pip keeps all wheels of one beside it until it is done."""
-    sizes = [catalogue.payload_by_name[name].disk for name in image.parts]
+    sizes = [image_set.part_by_name[name].disk for name in image.parts]
     unpacked, compressed = sum(size.unpacked for size in sizes), sum(size.compressed for size in sizes)
     usual = len(DAYS) * (unpacked + 2 * compressed) + compressed
-    return disk.needed_mb(catalogue, image, built) + usual
+    return disk.needed_mb(image_set, image, built) + usual
 
 
 def compare(here: Here, target: str) -> Comparison:
@@ -243,12 +243,12 @@ def compare(here: Here, target: str) -> Comparison:
     Raises:
         RosmlError: unknown target, nothing to compare, no room, a service is down, a build failed.
     """
-    image = here.catalogue.image(target)
+    image = here.image_set.image(target)
     services = here.services
-    require_comparable(image, here.catalogue, services.root)
+    require_comparable(image, here.image_set, services.root)
     services.require_registry()
     services.require_builder()
-    needed = needed_mb(here.catalogue, image, set())
+    needed = needed_mb(here.image_set, image, set())
     disk.require(services.state, needed, f"{image.target} in both ways")
     bench = _Bench(here, image, secrets.token_hex(6))
     try:
@@ -285,25 +285,25 @@ class _Bench:
 
     def measure(self) -> Comparison:
         """All builds and imports, one after the other."""
-        catalogue, image, say = self.here.catalogue, self.image, self.here.say
+        image_set, image, say = self.here.image_set, self.image, self.here.say
         say("base image")
         self.variables = self.here.variables(image)
         self._write()
 
         say(f"{image.parent}, yesterday's and today's")
-        parent = catalogue.by_target[image.parent].repository
+        parent = image_set.by_target[image.parent].repository
         ros = {day: self._push(self._name("ros", day), parent, "").reference for day in DAYS}
 
         ours, usual = {}, {}
         for day in DAYS:
-            say(f"{day}'s image, ours: joined with payloads")
+            say(f"{day}'s image, ours: joined with parts")
             ours[day] = self._push(image.target, image.repository, ros[day])
             say(f"{day}'s image, the usual way: pip install")
             usual[day] = self._push(self._name("usual", day), image.repository, ros[day])
-            if day == "yesterday":  # gigabytes that would push the payloads out of the builder's cache
+            if day == "yesterday":  # gigabytes that would push the parts out of the builder's cache
                 self._prune(self._name("usual", day))
 
-        say(f"import {', '.join(frameworks(image, catalogue))} in fresh containers")
+        say(f"import {', '.join(frameworks(image, image_set))} in fresh containers")
         both = {"ours": ours["today"].reference, "usual": usual["today"].reference}
         imports = [{way: self._import(way, number, both[way]) for way in both} for number in range(ROUNDS)]
         versions = [imported[way]["versions"] for imported in imports for way in both]
@@ -316,7 +316,7 @@ class _Bench:
             ours=replace(self._side(ours, ros), **best["ours"]),
             usual=replace(self._side(usual, ros), **best["usual"]),
             versions=versions[0],
-            packages=len(pins(image, catalogue, self.here.services.root)),
+            packages=len(pins(image, image_set, self.here.services.root)),
             assembling_seconds=ours["yesterday"].progress.phases().get("build parts", 0.0),
         )
 
@@ -344,8 +344,8 @@ class _Bench:
 
     def _write(self) -> None:
         """The bake file: ours as it always is, the usual one, and what both need."""
-        catalogue, image = self.here.catalogue, self.image
-        requirements = " ".join(f"--requirement /{path}" for path in locks(image, catalogue))
+        image_set, image = self.here.image_set, self.image
+        requirements = " ".join(f"--requirement /{path}" for path in locks(image, image_set))
         dockerfiles = {
             **{self._name("ros", day): CHANGE for day in DAYS},
             **{self._name("usual", day): USUAL for day in DAYS},
@@ -360,7 +360,7 @@ class _Bench:
                     "dockerfile-inline": text.format(
                         marker=name,
                         requirements=requirements,
-                        modules=" ".join(frameworks(image, catalogue)),
+                        modules=" ".join(frameworks(image, image_set)),
                         way="usual" if "usual" in name else "ours",
                     ),
                     "platforms": [self.variables["PLATFORM"]],
@@ -370,7 +370,7 @@ class _Bench:
             for name, text in dockerfiles.items()
         ]
         self._file.parent.mkdir(parents=True, exist_ok=True)
-        files.write(self._file, "\n".join([bake_file.excerpt(catalogue, (image.target,)), *blocks]))
+        files.write(self._file, "\n".join([bake_file.excerpt(image_set, (image.target,)), *blocks]))
 
     def _push(self, target: str, repository: str, ros: str) -> _Pushed:
         """Builds a target on a ROS image, or on the bake file's own, and pushes it by digest."""
@@ -481,7 +481,7 @@ def notes(found: Comparison) -> list[str]:
     return [
         f"{versions}: the same {found.packages} pinned packages both ways, {found.compression.split(',oci')[0]}",
         f"pip's download and installation took {duration(found.usual.install_seconds)} of the usual second image",
-        f"the payloads of ours were assembled once, {assembled}",
+        f"the parts of ours were assembled once, {assembled}",
         "the usual banner imports each framework to ask for its version",
         f"our entrypoint takes {found.ours.start_seconds * 1000:.0f} ms beyond sourcing ROS",
         "ROS's change is a file of some bytes; a real one adds its own size to the pull both ways",

@@ -89,5 +89,5 @@ def _head() -> str:
     lines += ["disk:", f"  os: {forecast}", "  components:", *(f"    {name}: {forecast}" for name in _COMPONENTS)]
     parts = ", ".join(f"{part}: {forecast}" for part in _PARTS)
     lines += ["  parts:", *(f"    {stack}: {{{parts}}}" for stack in _STACKS)]
-    lines.append("rates: {packages: 25, payloads: 60, test: 15}")
+    lines.append("rates: {packages: 25, parts: 60, test: 15}")
     return "\n".join(lines)

@@ -29,7 +29,7 @@ for file in /etc/bash.bashrc /root/.bashrc; do
   printf '\n# %s\n%s\n' 'ROS, the workspaces, and the banner (ROSML_BANNER=off: none)' "source $share/shell.bash" >>$file
 done
 
-# What the banner says; a payload adds its own versions.
+# What the banner says; a part adds its own versions.
 mkdir -p "$share/versions.d"
 {
   sed -n 's/^PRETTY_NAME="\(.*\)"/image-os \1/p' /etc/os-release

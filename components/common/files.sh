@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Python's way to the CUDA payload, which stands apart because it is the same for every Python version.
+# Python's way to the CUDA part, which stands apart because it is the same for every Python version.
 set -euo pipefail
 [[ ${ACCELERATOR:?} == cuda ]] || exit 0
 

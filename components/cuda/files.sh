@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # NVIDIA's libraries, in a place that no Python version owns, linked into a default library path: the loader and the
-# linker find them without ldconfig, so nothing has to run after the payload is joined to an image.
+# linker find them without ldconfig, so nothing has to run after the part is joined to an image.
 set -euo pipefail
 
 libraries=${OUT:?}/usr/lib/${TRIPLET:?}

@@ -6,7 +6,7 @@
 #   LOCK         the wheels with their hashes
 #   UV           the program that installs them
 #   PYTHON       version of the system's Python, such as 3.11
-#   BYTECODE     as in components/payload/bytecode.sh
+#   BYTECODE     as in components/part/bytecode.sh
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
@@ -19,7 +19,7 @@ site=$prefix/lib/python${PYTHON:?}/site-packages
 "${UV:?}" pip install --no-deps --require-hashes --only-binary :all: --link-mode copy --cache-dir /tmp/uv \
   --python "/usr/bin/python$PYTHON" --prefix "$prefix" --requirement "${LOCK:?}"
 rm -f "$prefix/.lock"
-OUT=/ SITE=$site PYTHON=$PYTHON "$here/../payload/bytecode.sh"
+OUT=/ SITE=$site PYTHON=$PYTHON "$here/../part/bytecode.sh"
 printf 'ros-source %s\n' 'Python wheels' >>/usr/local/share/rosml/versions.d/ros
 
 folders=("$prefix/lib" "$site"/ros_*.libs)

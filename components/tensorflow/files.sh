@@ -74,5 +74,5 @@ fill cmake/TensorFlowConfigVersion.cmake "$OUT/usr/local/lib/cmake/TensorFlow"
 fill pkgconfig/tensorflow_cc.pc "$OUT/usr/local/lib/pkgconfig"
 
 # The library and its headers are the same for all Pythons: a part of their own has them.
-"$here/../payload/records.py" link /usr/local/lib/rosml/tensorflow-cc \
+"$here/../part/records.py" link /usr/local/lib/rosml/tensorflow-cc \
   "tensorflow/libtensorflow_cc.so.$soversion" tensorflow/include

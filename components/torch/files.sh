@@ -5,12 +5,12 @@ here=$(dirname "${BASH_SOURCE[0]}")
 
 libraries=${OUT:?}/usr/lib/${TRIPLET:?}
 for library in "$OUT${SITE:?}"/torch/lib/*.so*; do
-  # OpenMP's runtime is the distribution's there: a payload replaces nothing. PyTorch in Python takes its own.
+  # OpenMP's runtime is the distribution's there: a part replaces nothing. PyTorch in Python takes its own.
   case ${library##*/} in libgomp.so*) continue ;; esac
   ln -s "${library#"$OUT"}" "$libraries/$(basename "$library")"
 done
 
-# Triton brings a second copy of CUPTI and its companions: the CUDA payload's serve it as well.
+# Triton brings a second copy of CUPTI and its companions: the CUDA part's serve it as well.
 bundled=$OUT$SITE/triton/backends/nvidia/lib/cupti
 if [[ ${ACCELERATOR:?} == cuda && -d $bundled ]]; then
   for library in "$bundled"/*.so*; do

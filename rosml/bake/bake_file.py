@@ -1,6 +1,6 @@
-"""A catalogue -> the text of docker-bake.hcl: tables with the facts, and `graph.hcl`, which says what follows from them.
+"""An image set -> the text of docker-bake.hcl: tables with the facts, and `graph.hcl`, which says what follows from them.
 
-The graph is written by hand, the same for every catalogue. `targets` says what follows in Python.
+The graph is written by hand, the same for every image set. `targets` says what follows in Python.
 """
 
 from __future__ import annotations
@@ -14,40 +14,40 @@ from rosml.bake import targets
 from rosml.bake.hcl import Code, aligned, block, key, literal, pairs, text
 from rosml.images import labels
 from rosml.images.expand import FLOATING, long_tests
-from rosml.images.image_set import Catalogue, Image, Payload
+from rosml.images.image_set import Image, ImageSet, Part
 from rosml.matrix import names, rules
-from rosml.matrix.model import Matrix, Part
+from rosml.matrix.model import Matrix, PartEntry
 
 GRAPH = Path(__file__).with_name("graph.hcl")
 """What is made of the tables."""
 
 
-def render(catalogue: Catalogue) -> str:
-    """The bake file. Depends on nothing but the catalogue."""
-    return "\n".join([*_tables(catalogue), _groups(catalogue), _graph()])
+def render(image_set: ImageSet) -> str:
+    """The bake file. Depends on nothing but the image set."""
+    return "\n".join([*_tables(image_set), _groups(image_set), _graph()])
 
 
-def excerpt(catalogue: Catalogue, roots: Iterable[str]) -> str:
+def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
     """The bake file with some targets and what they stand on, and no more than others of the same rows.
 
     buildx evaluates a whole file, which takes seconds for some hundred images.
 
     Args:
-        roots: targets of images, of their tests, of payloads; others are in every bake file.
+        roots: targets of images, of their tests, of parts; others are in every bake file.
     """
     images: set[str] = set()
-    payloads: set[str] = set()
+    parts: set[str] = set()
     for root in roots:
-        image = catalogue.by_target.get(root) or catalogue.by_target.get(root.removesuffix(names.test_target("")))
+        image = image_set.by_target.get(root) or image_set.by_target.get(root.removesuffix(names.test_target("")))
         while image:
             images.add(image.target)
-            payloads.update(image.parts)
-            image = catalogue.by_target.get(image.parent)
-        payloads.add(root.removeprefix(names.payload_target("")))
+            parts.update(image.parts)
+            image = image_set.by_target.get(image.parent)
+        parts.add(root.removeprefix(names.part_target("")))
     some = replace(
-        catalogue,
-        images=tuple(image for image in catalogue.images if image.target in images),
-        payloads=tuple(payload for payload in catalogue.payloads if payload.name in payloads),
+        image_set,
+        images=tuple(image for image in image_set.images if image.target in images),
+        parts=tuple(part for part in image_set.parts if part.name in parts),
     )
     return "\n".join([*_tables(some), _graph()])
 
@@ -73,8 +73,8 @@ _HEADER = """\
 """
 
 
-def _tables(catalogue: Catalogue) -> Iterator[str]:
-    matrix = catalogue.matrix
+def _tables(image_set: ImageSet) -> Iterator[str]:
+    matrix = image_set.matrix
     yield _HEADER.format(target=matrix.default.group[0])
     for variable, default, description in _variables(matrix):
         yield block("variable", variable, {"description": description, "default": default})
@@ -97,9 +97,9 @@ def _tables(catalogue: Catalogue) -> Iterator[str]:
         + "\n"
     )
     about = "covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why."
-    yield _table("distributions", about, _tall(_distributions(catalogue)))
+    yield _table("distributions", about, _tall(_distributions(image_set)))
     about = "What is assembled once, on a system, and joined to many images."
-    yield _table("payloads", about, (f"{literal(_payload(payload))}," for payload in catalogue.payloads), "[]")
+    yield _table("parts", about, (f"{literal(_part(part))}," for part in image_set.parts), "[]")
 
 
 Lines = Sequence[Mapping[str, object]]
@@ -180,21 +180,21 @@ def _words(matrix: Matrix) -> dict[str, object]:
     }
 
 
-def _entry(part: Part) -> Lines:
-    brings = [{"name": item.name, "short": item.short, "title": item.title} for item in rules.brought_by(part)]
+def _entry(entry: PartEntry) -> Lines:
+    brings = [{"name": item.name, "short": item.short, "title": item.title} for item in rules.brought_by(entry)]
     return [
-        {"accelerator": part.accelerator or "", "any_python": part.any_python, "tested": part.tested},
-        {"release": part.release or "", "brings": brings},
+        {"accelerator": entry.accelerator or "", "any_python": entry.any_python, "tested": entry.tested},
+        {"release": entry.release or "", "brings": brings},
     ]
 
 
-def _distributions(catalogue: Catalogue) -> dict[str, Lines]:
+def _distributions(image_set: ImageSet) -> dict[str, Lines]:
     """A row for each distribution that has images."""
     images: dict[str, list[Image]] = {}
-    for image in catalogue.images:
+    for image in image_set.images:
         images.setdefault(image.distribution, []).append(image)
-    rows = catalogue.matrix.distributions
-    return {name: _distribution(catalogue.matrix, name, images[name]) for name in rows if name in images}
+    rows = image_set.matrix.distributions
+    return {name: _distribution(image_set.matrix, name, images[name]) for name in rows if name in images}
 
 
 def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
@@ -229,23 +229,23 @@ def _key(image: Image) -> str:
     return f"{image.framework}-{image.stack}" if image.stack else image.framework
 
 
-def _payload(payload: Payload) -> dict[str, object]:
+def _part(part: Part) -> dict[str, object]:
     return {
-        "part": payload.part,
-        "stack": payload.stack,
-        "python": payload.python,
-        "os": payload.os,
-        "platforms": payload.platforms,
+        "kind": part.kind,
+        "stack": part.stack,
+        "python": part.python,
+        "os": part.os,
+        "platforms": part.platforms,
     }
 
 
-def _groups(catalogue: Catalogue) -> str:
+def _groups(image_set: ImageSet) -> str:
     """The groups of the axes, as far as they have a target: what those have in common, so that a new row adds a line."""
-    present, found = catalogue.groups, {}
+    present, found = image_set.groups, {}
     if "default" in present:
         found["default"] = literal(present["default"])
     for axis in ("distributions", "components", "frameworks", "stacks"):
-        for name in getattr(catalogue.matrix, axis):
+        for name in getattr(image_set.matrix, axis):
             if name in present:
                 found[name] = f"having({text(axis.removesuffix('s'))}, {text(name)})"
     return "".join(f"group {text(name)} {{ targets = {members} }}\n" for name, members in found.items())

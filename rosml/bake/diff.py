@@ -11,7 +11,7 @@ from functools import cache
 from rosml.bake.inputs import TARGET, Inputs
 from rosml.base import ci
 from rosml.base.problems import SOME, counted, some
-from rosml.images import image_set
+from rosml.images import image_set as sets
 from rosml.matrix import names
 
 PARENT = "parent"
@@ -67,10 +67,10 @@ def between(old: Inputs, new: Inputs) -> Difference:
                     found |= changes(name.removeprefix(TARGET), architecture)
                 else:
                     found.add(Change(name, before.get(name), after.get(name)))
-        return frozenset(_parents(old.catalogue.by_target.get(target), new.catalogue.by_target.get(target), found))
+        return frozenset(_parents(old.image_set.by_target.get(target), new.image_set.by_target.get(target), found))
 
     def reasons(target: str) -> Iterator[Change]:
-        before, after = (side.digests(side.catalogue.by_target[target]) for side in (old, new))
+        before, after = (side.digests(side.image_set.by_target[target]) for side in (old, new))
         for architecture in before.keys() | after.keys():
             if architecture in before and architecture in after:
                 yield from changes(target, architecture)
@@ -78,17 +78,17 @@ def between(old: Inputs, new: Inputs) -> Difference:
                 sides = ["built" if architecture in side else None for side in (before, after)]
                 yield Change(f"architecture {architecture}", *sides)
 
-    was, now = old.catalogue.by_target, new.catalogue.by_target
+    was, now = old.image_set.by_target, new.image_set.by_target
     found = {target: _ordered(reasons(target)) for target in now if target in was}
     changed = {target: why for target, why in found.items() if why}
     added, removed = tuple(name for name in now if name not in was), tuple(name for name in was if name not in now)
-    registries = old.catalogue.matrix.registry, new.catalogue.matrix.registry
+    registries = old.image_set.matrix.registry, new.image_set.matrix.registry
     return Difference(
         added,
         removed,
         changed,
         same=len(found) - len(changed),
-        tags=_tags(old.catalogue, new.catalogue),
+        tags=_tags(old.image_set, new.image_set),
         unbuildable=tuple(
             name for name, image in now.items() if not image.locked and (name in added or name in changed)
         ),
@@ -96,7 +96,7 @@ def between(old: Inputs, new: Inputs) -> Difference:
     )
 
 
-def _parents(old: image_set.Image | None, new: image_set.Image | None, found: set[Change]) -> set[Change]:
+def _parents(old: sets.Image | None, new: sets.Image | None, found: set[Change]) -> set[Change]:
     """Changes with one for another parent, instead of one for each of the two, with the digests of an architecture."""
     if old is None or new is None or old.parent == new.parent:
         return found
@@ -106,13 +106,13 @@ def _parents(old: image_set.Image | None, new: image_set.Image | None, found: se
     }
 
 
-def _tags(old: image_set.Catalogue, new: image_set.Catalogue) -> dict[str, tuple[str | None, str | None]]:
+def _tags(old: sets.ImageSet, new: sets.ImageSet) -> dict[str, tuple[str | None, str | None]]:
     before, after = ({tag: image.target for image in side.images for tag in image.tags} for side in (old, new))
     ways = {tag: (before.get(tag), after.get(tag)) for tag in before | after}
     return {tag: way for tag, way in ways.items() if way[0] != way[1] and _stays(way, old, new)}
 
 
-def _stays(way: tuple[str | None, str | None], old: image_set.Catalogue, new: image_set.Catalogue) -> bool:
+def _stays(way: tuple[str | None, str | None], old: sets.ImageSet, new: sets.ImageSet) -> bool:
     """Whether a tag's way is worth telling: tags come and go with their images."""
     return None not in way or any(target in old.by_target and target in new.by_target for target in way)
 

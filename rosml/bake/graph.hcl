@@ -42,23 +42,24 @@ function "os_target" {
   result = "_os-${replace(os, ".", "-")}"
 }
 
-# A payload's name: torch-cu128-py312, or cuda-cu128 where it is the same for every Python.
-function "payload_name" {
-  params = [part, stack, python]
-  result = entries[part].any_python ? "${part}-${stack}" : "${part}-${stack}-py${replace(python, ".", "")}"
+# A part's name: torch-cu128-py312, or cuda-cu128 where it is the same for every Python.
+function "part_name" {
+  params = [kind, stack, python]
+  result = entries[kind].any_python ? "${kind}-${stack}" : "${kind}-${stack}-py${replace(python, ".", "")}"
 }
 
 # The parts that a framework takes of a stack, in the order in which they are joined.
 function "parts_of" {
   params = [framework, stack]
   result = [
-    for part in frameworks[framework].parts : part if contains(["", try(stacks[stack].accelerator, "")], entries[part].accelerator)
+    for kind in frameworks[framework].parts : kind
+    if contains(["", try(stacks[stack].accelerator, "")], entries[kind].accelerator)
   ]
 }
 
 # Whose versions labels and the environment name; of what has a title, how descriptions and tags call it.
-counted = flatten([for part in entries : [for item in part.brings : item.name]])
-called  = { for item in flatten([for part in entries : part.brings]) : item.name => item if item.title != "" }
+counted = flatten([for entry in entries : [for item in entry.brings : item.name]])
+called  = { for item in flatten([for entry in entries : entry.brings]) : item.name => item if item.title != "" }
 
 # What a distribution is joined with: nothing, or a framework on a stack.
 choices = { for name, row in distributions : name => concat(
@@ -78,8 +79,8 @@ kinds = flatten([for name, row in distributions : [for choice in choices[name] :
   unlocked     = try(row.unlocked[choice.key], "")
   platforms = [for platform in row.platforms : platform
   if choice.stack == "" ? true : contains(frameworks[choice.framework].stacks[choice.stack], platform)]
-  payloads = [for part in parts_of(choice.framework, choice.stack) : {
-    part = part, name = payload_name(part, choice.stack, systems[row.os].python)
+  parts = [for kind in parts_of(choice.framework, choice.stack) : {
+    kind = kind, name = part_name(kind, choice.stack, systems[row.os].python)
   }]
   versions = [for name in frameworks[choice.framework].versions : {
     name = name, version = stacks[choice.stack].versions[name]
@@ -149,7 +150,7 @@ function "tests" {
   result = concat(
     ["contract"],
     image.row.wheels == "" ? concat([ros], [for component in image.chain : "${ros}-${component}"]) : ["${ros}-wheels"],
-    [for payload in image.payloads : payload.part if entries[payload.part].tested],
+    [for part in image.parts : part.kind if entries[part.kind].tested],
     frameworks[image.framework].tests,
     image.covered || image.row.wheels != "" ? [] : ["${ros}-workspace", "${ros}-components"],
     image.covered ? [] : ["pip"]
@@ -246,56 +247,56 @@ target "_ros" {
   )
 }
 
-# Payloads: the files of a part below /out, assembled once and joined to many images.
+# Parts: the files of a part below /out, assembled once and joined to many images.
 target "_files" {
-  matrix    = { payload = payloads }
-  name      = "_files-${payload_name(payload.part, payload.stack, payload.python)}"
+  matrix    = { part = parts }
+  name      = "_files-${part_name(part.kind, part.stack, part.python)}"
   inherits  = ["_common"]
-  target    = "payload-files"
-  platforms = platforms(payload.platforms)
-  contexts  = { os = systems[payload.os].image }
+  target    = "part-files"
+  platforms = platforms(part.platforms)
+  contexts  = { os = systems[part.os].image }
   args = {
-    PART         = payload.part
-    STACK        = payload.stack
-    PYTHON       = payload.python
-    WHEEL_PYTHON = systems[payload.os].python
-    ACCELERATOR  = stacks[payload.stack].accelerator
+    PART         = part.kind
+    STACK        = part.stack
+    PYTHON       = part.python
+    WHEEL_PYTHON = systems[part.os].python
+    ACCELERATOR  = stacks[part.stack].accelerator
   }
 }
 
-# Payloads as images of their own, which say what they are and what takes them.
-target "_payload" {
-  matrix   = { payload = payloads }
-  name     = "payload-${payload_name(payload.part, payload.stack, payload.python)}"
-  inherits = ["_files-${payload_name(payload.part, payload.stack, payload.python)}"]
-  target   = "payload"
-  tags     = ["${REGISTRY}/payload:${payload_name(payload.part, payload.stack, payload.python)}"]
+# Parts as images of their own, which say what they are and what takes them.
+target "_part" {
+  matrix   = { part = parts }
+  name     = "part-${part_name(part.kind, part.stack, part.python)}"
+  inherits = ["_files-${part_name(part.kind, part.stack, part.python)}"]
+  target   = "part"
+  tags     = ["${REGISTRY}/part:${part_name(part.kind, part.stack, part.python)}"]
   labels = merge({
-    "org.opencontainers.image.title" = payload_name(payload.part, payload.stack, payload.python)
+    "org.opencontainers.image.title" = part_name(part.kind, part.stack, part.python)
     "org.opencontainers.image.description" = join(" ", [
-      "part ${payload.part} of stack ${payload.stack}, for",
-      payload.python == "any" ? "any Python" : "Python ${payload.python}"
+      "part ${part.kind} of stack ${part.stack}, for",
+      part.python == "any" ? "any Python" : "Python ${part.python}"
     ])
-    "io.rosml.part"   = payload.part
-    "io.rosml.stack"  = payload.stack
-    "io.rosml.python" = payload.python
+    "io.rosml.part"   = part.kind
+    "io.rosml.stack"  = part.stack
+    "io.rosml.python" = part.python
     "io.rosml.frameworks" = join(" ", [
-      for framework in stacks[payload.stack].frameworks : join("=", [framework, join(",", [
-        for part in parts_of(framework, payload.stack) : entries[part].any_python ? "${part}*" : part
+      for framework in stacks[part.stack].frameworks : join("=", [framework, join(",", [
+        for kind in parts_of(framework, part.stack) : entries[kind].any_python ? "${kind}*" : kind
       ])])
-      if contains(frameworks[framework].parts, payload.part)
+      if contains(frameworks[framework].parts, part.kind)
     ])
     }, {
-    for item in entries[payload.part].brings : "io.rosml.${item.name}" => stacks[payload.stack].versions[item.name]
-    }, length(entries[payload.part].brings) == 0 ? {} : {
-    "io.rosml.brings" = join(" ", [for item in entries[payload.part].brings : "${item.name}:${item.short}:${item.title}"])
-    }, entries[payload.part].release == "" ? {} : {
-    "io.rosml.release" = entries[payload.part].release
+    for item in entries[part.kind].brings : "io.rosml.${item.name}" => stacks[part.stack].versions[item.name]
+    }, length(entries[part.kind].brings) == 0 ? {} : {
+    "io.rosml.brings" = join(" ", [for item in entries[part.kind].brings : "${item.name}:${item.short}:${item.title}"])
+    }, entries[part.kind].release == "" ? {} : {
+    "io.rosml.release" = entries[part.kind].release
   })
 }
 
-# Images with a framework: a ROS image joined with payloads, by a Dockerfile that has a line for each. Nothing runs after
-# the join. *_ROOT: where a part's files are: /out/ where it was assembled here, / where it is a published payload.
+# Images with a framework: a ROS image joined with parts, by a Dockerfile that has a line for each. Nothing runs after
+# the join. *_ROOT: where a part's files are: /out/ where it was assembled here, / where it is a published part.
 target "_joined" {
   matrix      = { image = [for image in images : image if image.stack != ""] }
   name        = image.target
@@ -305,16 +306,16 @@ target "_joined" {
   tags        = tags(image)
   labels      = labels(image)
   contexts = merge({ ros = dependency(image.ros, frameworks[plain].repository, image.ros) }, {
-    for payload in image.payloads : "part-${payload.part}" =>
-    dependency(payload.name, "payload", "_files-${payload.name}")
+    for part in image.parts : "part-${part.kind}" =>
+    dependency(part.name, "part", "_files-${part.name}")
   })
-  args = { for payload in image.payloads : "${variable(payload.part)}_ROOT" =>
-  can(digests[payload.name]) ? "/" : "/out/" }
+  args = { for part in image.parts : "${variable(part.kind)}_ROOT" =>
+  can(digests[part.name]) ? "/" : "/out/" }
   dockerfile-inline = join("\n", concat(
     ["FROM ros"],
-    [for payload in image.payloads : format(
+    [for part in image.parts : format(
       "ARG %s_ROOT\nCOPY --link --from=part-%s $%s_ROOT /",
-      variable(payload.part), payload.part, variable(payload.part)
+      variable(part.kind), part.kind, variable(part.kind)
     )],
     [for item in image.versions : "ENV ${variable(item.name)}_VERSION=${item.version}" if contains(counted, item.name)],
     [""]
@@ -349,6 +350,6 @@ function "having" {
 
 group "all" { targets = [for image in built : image.target] }
 group "tests" { targets = [for image in built : "${image.target}-test"] }
-group "payloads" {
-  targets = distinct(flatten([for image in built : [for payload in image.payloads : "payload-${payload.name}"]]))
+group "parts" {
+  targets = distinct(flatten([for image in built : [for part in image.parts : "part-${part.name}"]]))
 }

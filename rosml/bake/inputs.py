@@ -1,4 +1,4 @@
-"""What decides the content of an image or payload, and a digest of it: the same inputs, the same digest, anywhere.
+"""What decides the content of an image or part, and a digest of it: the same inputs, the same digest, anywhere.
 
 Nothing is listed by hand. The targets and their wiring are those of the bake file (`targets`), stages and the files they
 use are those of the Dockerfile (`dockerfile`); so an input that is added there counts at once. What the caller decides
@@ -17,7 +17,7 @@ from rosml.bake import dockerfile, targets
 from rosml.bake.targets import Dependency, Join, NoInput, Overridable, Value
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.images.image_set import Catalogue, Image, Payload
+from rosml.images.image_set import Image, ImageSet, Part
 
 TARGET = "target "
 """How names of inputs begin whose value is the digest of another target: `target bookworm-core`."""
@@ -30,12 +30,12 @@ MISSING = "missing"
 
 
 class Inputs:
-    """The inputs of all targets of a catalogue. `root` is the folder of the Dockerfile; each file is read once."""
+    """The inputs of all targets of an image set. `root` is the folder of the Dockerfile; each file is read once."""
 
-    def __init__(self, root: Path, catalogue: Catalogue) -> None:
+    def __init__(self, root: Path, image_set: ImageSet) -> None:
         self.root = root
-        self.catalogue = catalogue
-        self._targets = targets.of(catalogue)
+        self.image_set = image_set
+        self._targets = targets.of(image_set)
         file = root / "Dockerfile"
         self._ignored = _rules(root / ".dockerignore")
         self._stages = dockerfile.parse(file.read_text(encoding="utf-8") if file.is_file() else "")
@@ -49,7 +49,7 @@ class Inputs:
         if key not in self._known:
             found = self._targets[target]
             arguments = _facts(found.arguments, f"{target}, argument")
-            inputs = {"platform": self.catalogue.matrix.architectures[architecture].platform}
+            inputs = {"platform": self.image_set.matrix.architectures[architecture].platform}
             contexts = self._contexts(target, architecture)
             if found.join:
                 form = Join(found.join.parts, dict.fromkeys(found.join.environment, ""))
@@ -79,13 +79,13 @@ class Inputs:
         return above | self._stage(stage, contexts, arguments, architecture)
 
     def check(self) -> None:
-        """Checks that what the catalogue describes would be tested: every file of structure tests is there.
+        """Checks that what the image set describes would be tested: every file of structure tests is there.
 
         Raises:
             RosmlError: it cannot.
         """
         folder = self.root / "tests" / "structure"
-        tests = dict.fromkeys(name for image in self.catalogue.images for name in image.tests)
+        tests = dict.fromkeys(name for image in self.image_set.images for name in image.tests)
         if untested := [
             f"{name}.yaml" for name in tests if folder.is_dir() and not (folder / f"{name}.yaml").is_file()
         ]:
@@ -98,12 +98,12 @@ class Inputs:
             self._digests[key] = _digest(self.of(target, architecture))
         return self._digests[key]
 
-    def digests(self, item: Image | Payload) -> dict[str, str]:
-        """The digests of an image or payload by architecture."""
+    def digests(self, item: Image | Part) -> dict[str, str]:
+        """The digests of an image or part by architecture."""
         return {architecture: self.digest(item.target, architecture) for architecture in item.architectures}
 
-    def together(self, item: Image | Payload) -> str:
-        """The digest of an image or payload for all of its architectures."""
+    def together(self, item: Image | Part) -> str:
+        """The digest of an image or part for all of its architectures."""
         return _digest(self.digests(item))
 
     def _contexts(self, target: str, architecture: str) -> dict[str, dict[str, str]]:
@@ -153,12 +153,12 @@ class Inputs:
 
 
 def _facts(values: Mapping[str, Value], where: str) -> dict[str, str]:
-    """What the catalogue decides of arguments or labels."""
+    """What the image set decides of arguments or labels."""
     return {name: fact for name, value in values.items() if (fact := _fact(value, f"{where} {name}"))}
 
 
 def _fact(value: Value, where: str) -> str:
-    """What the catalogue decides of a value; empty for what is no input.
+    """What the image set decides of a value; empty for what is no input.
 
     Raises:
         RosmlError: nobody says what decides it: taken for no input, it would change an image unseen.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rosml.bake.diff import Difference
 from rosml.base.problems import counted, some
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 
 
 @dataclass(frozen=True)
@@ -36,19 +36,19 @@ class Choice:
         return text
 
 
-def choose(catalogue: Catalogue, difference: Difference, architectures: Sequence[str], at_most: int) -> Choice:
+def choose(image_set: ImageSet, difference: Difference, architectures: Sequence[str], at_most: int) -> Choice:
     """Chooses images that differ from an earlier version.
 
     One after the other, that which brings most that no other one has brought: first changes, then distributions,
     components, frameworks and stacks; of those that bring the same, the smallest.
 
     Args:
-        catalogue: all that the matrix describes.
+        image_set: all that the matrix describes.
         difference: from the earlier version.
         architectures: those that can be built here.
         at_most: how many are built.
     """
-    reached = [image for image in catalogue.images if image.target in {*difference.added, *difference.changed}]
+    reached = [image for image in image_set.images if image.target in {*difference.added, *difference.changed}]
     locked = [image for image in reached if image.locked]
     left = [image for image in locked if set(architectures) & set(image.architectures)]
     unlocked, elsewhere = len(reached) - len(locked), len(locked) - len(left)

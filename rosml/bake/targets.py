@@ -1,4 +1,4 @@
-"""A catalogue -> its bake targets as plain data, for whoever asks what a target depends on.
+"""An image set -> its bake targets as plain data, for whoever asks what a target depends on.
 
 `graph.hcl` says the same to buildx; tests/unit/test_targets.py compares what buildx makes of the bake file with this, for
 every target and whatever the bake file's variables say.
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from rosml.images import labels, missing
-from rosml.images.image_set import PAYLOADS, Catalogue, Image, Payload
+from rosml.images.image_set import PARTS, Image, ImageSet, Part
 from rosml.matrix import names, rules
 from rosml.matrix.model import Apt, Matrix
 
@@ -58,9 +58,9 @@ class NoInput:
 
     Attributes:
         what: `variable`: what one says, if anything; `sync date`: when ROS's repository of a distribution was published;
-            `root`: where a payload's files are in its context; `base name`, `base digest`: of the image that a variable
+            `root`: where a part's files are in its context; `base name`, `base digest`: of the image that a variable
             names; `created`: SOURCE_DATE_EPOCH as a date.
-        of: the variable, distribution or payload.
+        of: the variable, distribution or part.
     """
 
     what: Literal["variable", "sync date", "root", "base name", "base digest", "created"]
@@ -114,27 +114,27 @@ class Target:
     join: Join | None = None
 
 
-def of(catalogue: Catalogue) -> dict[str, Target]:
+def of(image_set: ImageSet) -> dict[str, Target]:
     """Every target by its name."""
-    return dict(_targets(catalogue))
+    return dict(_targets(image_set))
 
 
-def _targets(catalogue: Catalogue) -> Iterator[tuple[str, Target]]:
-    matrix = catalogue.matrix
+def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
+    matrix = image_set.matrix
     assembler = matrix.default.assembler
     description = "the files of the image that its context `listed` is"
     yield FILE_LIST, Target(FILE_LIST, {"os": _system(matrix, assembler)}, _common(), description=description)
-    for os in dict.fromkeys(image.os for image in catalogue.images):
+    for os in dict.fromkeys(image.os for image in image_set.images):
         facts = matrix.operating_systems[os]
         platforms = tuple(matrix.architectures[name].platform for name in facts.architectures)
         arguments = {**_common(), "NUMPY": facts.numpy}
         yield names.os_target(os), Target("base", {"os": _system(matrix, os)}, arguments, platforms)
-    for payload in catalogue.payloads:
-        yield from _payload(matrix, payload)
-    for image in catalogue.images:
-        yield image.target, _joined(catalogue, image) if image.stack else _ros(catalogue, image)
+    for part in image_set.parts:
+        yield from _part(matrix, part)
+    for image in image_set.images:
+        yield image.target, _joined(image_set, image) if image.stack else _ros(image_set, image)
         contexts: dict[str, Context] = {"os": _system(matrix, assembler), "image": _dependency(image)}
-        arguments = {**_common(), "TESTS": " ".join(image.tests), "EXPECT": _expected(catalogue, image)}
+        arguments = {**_common(), "TESTS": " ".join(image.tests), "EXPECT": _expected(image_set, image)}
         yield image.test_target, Target("test", contexts, arguments, image.platforms)
 
 
@@ -158,11 +158,11 @@ def _dependency(image: Image) -> Dependency:
     return Dependency(image.target, image.target, image.repository)
 
 
-def _ros(catalogue: Catalogue, image: Image) -> Target:
+def _ros(image_set: ImageSet, image: Image) -> Target:
     """An image without a framework: a component on the one below it, the lowest on the operating system."""
-    matrix = catalogue.matrix
+    matrix = image_set.matrix
     distribution = matrix.distributions[image.distribution]
-    parent = catalogue.by_target.get(image.parent)
+    parent = image_set.by_target.get(image.parent)
     contexts: dict[str, Context] = {"parent": _dependency(parent) if parent else Dependency(image.parent)}
     arguments: dict[str, Value] = {**_common(), "ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
     if image.packages:
@@ -175,7 +175,7 @@ def _ros(catalogue: Catalogue, image: Image) -> Target:
             for name, fact in apt_arguments(matrix, image.distribution, distribution.apt).items()
         }
         arguments["ROS_SYNC_DATE"] = NoInput("sync date", image.distribution)
-    if distribution.wheels:  # the stage takes uv from what assembles payloads, which stands on the system's base image
+    if distribution.wheels:  # the stage takes uv from what assembles parts, which stands on the system's base image
         arguments |= {"ROS_ROW": image.distribution, "PYTHON": image.python}
         contexts["os"] = _system(matrix, image.os)
     stage = "ros-wheels" if distribution.wheels else "ros"
@@ -212,16 +212,14 @@ def unlocked(image: Image) -> str:
     return "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}"
 
 
-def _joined(catalogue: Catalogue, image: Image) -> Target:
-    """An image with a framework: payloads joined to a ROS image."""
-    matrix = catalogue.matrix
-    payloads = {catalogue.payload_by_name[name].part: name for name in image.parts}
-    contexts: dict[str, Context] = {"ros": _dependency(catalogue.by_target[image.parent])}
-    contexts |= {
-        f"part-{part}": Dependency(names.files_target(name), name, PAYLOADS) for part, name in payloads.items()
-    }
-    roots = {root_variable(part): NoInput("root", name) for part, name in payloads.items()}
-    join = Join(tuple(payloads), labels.environment(image.brought))
+def _joined(image_set: ImageSet, image: Image) -> Target:
+    """An image with a framework: parts joined to a ROS image."""
+    matrix = image_set.matrix
+    parts = {image_set.part_by_name[name].kind: name for name in image.parts}
+    contexts: dict[str, Context] = {"ros": _dependency(image_set.by_target[image.parent])}
+    contexts |= {f"part-{part}": Dependency(names.files_target(name), name, PARTS) for part, name in parts.items()}
+    roots = {root_variable(part): NoInput("root", name) for part, name in parts.items()}
+    join = Join(tuple(parts), labels.environment(image.brought))
     return Target(
         "",
         contexts,
@@ -264,45 +262,44 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
     return found
 
 
-def _payload(matrix: Matrix, payload: Payload) -> Iterator[tuple[str, Target]]:
-    """A payload's files below /out, and the payload as an image of its own."""
-    contexts = {"os": _system(matrix, payload.os)}
+def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
+    """A part's files below /out, and the part as an image of its own."""
+    contexts = {"os": _system(matrix, part.os)}
     arguments: dict[str, Value] = {
         **_common(),
-        "PART": payload.part,
-        "STACK": payload.stack,
-        "PYTHON": payload.python,
-        "WHEEL_PYTHON": matrix.operating_systems[payload.os].python,
-        "ACCELERATOR": matrix.stacks[payload.stack].accelerator,
+        "PART": part.kind,
+        "STACK": part.stack,
+        "PYTHON": part.python,
+        "WHEEL_PYTHON": matrix.operating_systems[part.os].python,
+        "ACCELERATOR": matrix.stacks[part.stack].accelerator,
     }
-    part, stack = matrix.part[payload.part], matrix.stacks[payload.stack]
     taking = {
-        name: [matrix.part[other] for other in parts]
-        for name, parts in rules.frameworks(matrix, payload.stack).items()
-        if part.name in parts
+        name: [matrix.part[kind] for kind in kinds]
+        for name, kinds in rules.frameworks(matrix, part.stack).items()
+        if part.kind in kinds
     }
-    brought = rules.brought(matrix, [part.name], stack)
-    found = labels.of_payload(part, payload.stack, payload.python, brought, taking)
-    yield names.files_target(payload.name), Target("payload-files", contexts, arguments, payload.platforms)
-    tags = (f"{PAYLOADS}:{payload.name}",)
-    yield payload.target, Target("payload", contexts, arguments, payload.platforms, tags, found)
+    brought = rules.brought(matrix, [part.kind], matrix.stacks[part.stack])
+    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking)
+    yield names.files_target(part.name), Target("part-files", contexts, arguments, part.platforms)
+    tags = (f"{PARTS}:{part.name}",)
+    yield part.target, Target("part", contexts, arguments, part.platforms, tags, found)
 
 
-def _expected(catalogue: Catalogue, image: Image) -> str:
+def _expected(image_set: ImageSet, image: Image) -> str:
     """What tags and labels promise, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
-    distribution = catalogue.matrix.distributions[image.distribution]
+    distribution = image_set.matrix.distributions[image.distribution]
     packages: dict[str, str] = {}
     ros: Image | None = image
     while ros:
         if ros.packages:
             packages[f"packages_{ros.component.replace('-', '_')}"] = ros.packages.replace(" ", ",")
-        ros = catalogue.by_target.get(ros.parent)
+        ros = image_set.by_target.get(ros.parent)
     facts = {"os": image.os, "python": image.python, "ros": str(image.ros), "ros_distro": image.ros_distro}
     if distribution.rmw:
         facts["rmw"] = ",".join(distribution.rmw)
     if distribution.wheels:
         facts["wheels"] = wheels(distribution.wheels)
-    if families := catalogue.matrix.families:
+    if families := image_set.matrix.families:
         facts["releases"] = ",".join(families)
     facts |= {**dict(reversed(packages.items())), **image.versions}
     return " ".join(f"{name}={fact}" for name, fact in facts.items())

@@ -9,7 +9,7 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.build.push import write_excerpt
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.join.file_lists import ARTIFACT, MEDIA_TYPE, unpacked
 from rosml.join.layers import platform
 from rosml.machine import base_images, buildx
@@ -23,7 +23,7 @@ TARGET = "file-list"
 
 def attach_files(
     services: Services,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     registry: Registry,
     repository: str,
     digest: str,
@@ -50,7 +50,7 @@ def attach_files(
         if registry.referrers(repository, manifest.digest, ARTIFACT):
             continue
         say(f"list the files of {repository}@{manifest.digest}")
-        data = _made(services, catalogue, registry, repository, manifest)
+        data = _made(services, image_set, registry, repository, manifest)
         attached.append(registry.attach(repository, manifest.descriptor, ARTIFACT, data, MEDIA_TYPE))
     return attached
 
@@ -66,12 +66,12 @@ def _manifests(registry: Registry, repository: str, digest: str) -> list[Manifes
     return [manifest for entry in entries for manifest in _manifests(registry, repository, entry["digest"])]
 
 
-def _made(services: Services, catalogue: Catalogue, registry: Registry, repository: str, manifest: Manifest) -> bytes:
+def _made(services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest) -> bytes:
 
     config: dict[str, Any] = registry.json_blob(repository, manifest.content["config"]["digest"])
-    os_name = catalogue.matrix.default.assembler
-    base = base_images.ensure(services, catalogue.matrix.operating_systems[os_name], say=lambda _: None)
-    file = write_excerpt(services, catalogue, TARGET)
+    os_name = image_set.matrix.default.assembler
+    base = base_images.ensure(services, image_set.matrix.operating_systems[os_name], say=lambda _: None)
+    file = write_excerpt(services, image_set, TARGET)
     (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
         sets = (

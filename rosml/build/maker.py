@@ -1,7 +1,7 @@
 """Who makes what a publishing run publishes: builds parts and ROS images, joins them, and tests the result.
 
 `Maker` is all that a run asks of it; what comes of it is in the registry, by digest. `BuildKitMaker` does it with the
-builder. The run itself decides what is due, writes the ledger, and moves tags.
+builder. The run itself decides what is due, writes the records, and moves tags.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from rosml.build import part as parts
 from rosml.build.push import push_by_digest, write_excerpt
 from rosml.build.variables import base, variables
 from rosml.images import missing
-from rosml.images.image_set import Catalogue, Image, Payload, repository_of
+from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.join.composer import Composer
 from rosml.machine import base_images, buildx
 from rosml.machine.services import Services
@@ -95,7 +95,7 @@ class Maker(Protocol):
     Every method raises RosmlError where it fails.
     """
 
-    def build_part(self, part: Payload, architecture: str) -> Made:
+    def build_part(self, part: Part, architecture: str) -> Made:
         """Builds a part from its lock, and pushes it."""
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], moment: str) -> Made:
@@ -134,17 +134,17 @@ class BuildKitMaker:
     """
 
     services: Services
-    catalogue: Catalogue
+    image_set: ImageSet
     registry: Any
     host: str
     prefix: str
     say: Callable[[str], None]
     force: bool = False
 
-    def build_part(self, part: Payload, architecture: str) -> Made:
+    def build_part(self, part: Part, architecture: str) -> Made:
         """Builds a part from its lock."""
         platform = self._platform(architecture)
-        start, digest = parts.push(self.services, self.catalogue, part, self.say, self._place, [platform], self.force)
+        start, digest = parts.push(self.services, self.image_set, part, self.say, self._place, [platform], self.force)
         self._list_files(part, digest)
         return Made(digest, base=start.reference)
 
@@ -160,7 +160,7 @@ class BuildKitMaker:
         elif moment:  # packages that moved are installed anew: the builder cannot know that they did
             folder = self._moment(image, moment)
             sets += [f"{target}.contexts.upstream={folder}" for target in installing]
-        bake_file = write_excerpt(self.services, self.catalogue, image.target)
+        bake_file = write_excerpt(self.services, self.image_set, image.target)
         call = buildx.Bake(image.target, f"build-{image.target}-{architecture}", bake_file, tuple(sets), given)
         _, digest = push_by_digest(self.services, call, self._reference(image.repository))
         self._list_files(image, digest)
@@ -178,7 +178,7 @@ class BuildKitMaker:
         """Tests an image in a root file system of the layers that its manifest names.
 
         A ROS image is taken by its digest. A composed one is joined in the builder from the same parts by their digests:
-        its layers are theirs, and payloads that were unpacked once need not be unpacked for each image.
+        its layers are theirs, and parts that were unpacked once need not be unpacked for each image.
         """
         self._require_builder(architecture)
         repository = self._repository(image.repository)
@@ -190,10 +190,10 @@ class BuildKitMaker:
             self._require_same_layers(image, parts, manifest.content)
         digests = self._digests(parts) if image.stack else {image.target: digest}
         given = self.variables(image, architecture) | {"DIGESTS": json.dumps(digests)}
-        file = write_excerpt(self.services, self.catalogue, image.target, image.test_target)
+        file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
         place = f"{self.host}/{repository}@{digest}"
-        payloads = sum(sizes[-len(image.parts) :]) if image.parts else 0
-        report, folder = structure_tests.run(self.services, image, architecture, place, file, given, payloads)
+        size = sum(sizes[-len(image.parts) :]) if image.parts else 0
+        report, folder = structure_tests.run(self.services, image, architecture, place, file, given, size)
         failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
         if failures:
             self.say(
@@ -204,7 +204,7 @@ class BuildKitMaker:
 
     def variables(self, image: Image, architecture: str, moment: str = "") -> dict[str, str]:
         """Variables of the bake file for an image; `build/variables.py` says which."""
-        return variables(self.services, self.catalogue, image, architecture, self._place, self.say, moment)
+        return variables(self.services, self.image_set, image, architecture, self._place, self.say, moment)
 
     @cached_property
     def _composer(self) -> Composer:
@@ -214,7 +214,7 @@ class BuildKitMaker:
     @cached_property
     def _repositories(self) -> dict[str, str]:
         """Repositories of images and parts by target, without the prefix."""
-        things: list[Image | Payload] = [*self.catalogue.images, *self.catalogue.payloads]
+        things: list[Image | Part] = [*self.image_set.images, *self.image_set.parts]
         return {thing.target: repository_of(thing) for thing in things}
 
     def _repository(self, name: str) -> str:
@@ -229,17 +229,17 @@ class BuildKitMaker:
         return f"{self.host}/{self._repository(name)}"
 
     def _platform(self, architecture: str) -> str:
-        return self.catalogue.matrix.architectures[architecture].platform
+        return self.image_set.matrix.architectures[architecture].platform
 
     def _require_builder(self, architecture: str) -> None:
         """Checks that the builder runs, and runs programs of an architecture."""
         native = architecture == base_images.native_architecture()
         self.services.require_builder("" if native else self._platform(architecture))
 
-    def _list_files(self, thing: Image | Payload, digest: str) -> None:
+    def _list_files(self, thing: Image | Part, digest: str) -> None:
         """Attaches the list of its files to what was pushed, for whoever joins it to others."""
         where = self._repository(repository_of(thing))
-        file_list.attach_files(self.services, self.catalogue, self.registry, where, digest, self.say)
+        file_list.attach_files(self.services, self.image_set, self.registry, where, digest, self.say)
 
     def _moment(self, image: Image, moment: str) -> Path:
         """A folder that says of when a distribution's packages are, for the builder's cache to know."""
@@ -250,7 +250,7 @@ class BuildKitMaker:
 
     def _digests(self, parts: Mapping[str, str]) -> dict[str, str]:
         """Digests of parts by the names that the bake file's DIGESTS has for them."""
-        known = {payload.target: payload.name for payload in self.catalogue.payloads}
+        known = {part.target: part.name for part in self.image_set.parts}
         return {known.get(target, target): digest for target, digest in parts.items()}
 
     def _require_same_layers(self, image: Image, parts: Mapping[str, str], manifest: Mapping[str, Any]) -> None:

@@ -1,8 +1,8 @@
-"""Payloads as images of their own: assembled for all of their architectures, pushed by digest, then tagged.
+"""Parts as images of their own: assembled for all of their architectures, pushed by digest, then tagged.
 
-A payload is assembled on an operating system that has its Python, which compiles the bytecode. Where that base image
+A part is assembled on an operating system that has its Python, which compiles the bytecode. Where that base image
 cannot be had, Debian's takes its place: with an interpreter of the same version that this machine happens to have, or
-without bytecode. What was done is part of the result: such a payload has other digests than the published one.
+without bytecode. What was done is part of the result: such a part has other digests than the published one.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.build.push import push_by_digest, write_excerpt
-from rosml.images.image_set import Catalogue, Payload
+from rosml.images.image_set import ImageSet, Part
 from rosml.machine import base_images, buildx, regctl
 from rosml.machine.services import NAMESPACE, Services
 from rosml.matrix import names
@@ -33,7 +33,7 @@ VERSIONS = "~/.pyenv/versions"
 
 @dataclass(frozen=True)
 class Assembled:
-    """A payload in the registry.
+    """A part in the registry.
 
     Attributes:
         name: `torch-cu128-py311`.
@@ -58,35 +58,35 @@ class Assembled:
         return asdict(self)
 
 
-def find(catalogue: Catalogue, name: str) -> Payload:
-    """The payload of a name or bake target.
+def find(image_set: ImageSet, name: str) -> Part:
+    """The part of a name or bake target.
 
     Raises:
         RosmlError: there is none (exit code 2), or a lock is missing.
     """
-    payload = catalogue.payload_by_name.get(name.removeprefix("payload-"))
-    if payload is None:
-        text = unknown("payload", name, catalogue.payload_by_name)
-        raise RosmlError(text, "see all with: uv run scripts/publish.py payload", exit_code=2)
-    return payload
+    part = image_set.part_by_name.get(name.removeprefix("part-"))
+    if part is None:
+        text = unknown("part", name, image_set.part_by_name)
+        raise RosmlError(text, "see all with: uv run scripts/publish.py part", exit_code=2)
+    return part
 
 
 def publish(
     services: Services,
-    catalogue: Catalogue,
-    payload: Payload,
+    image_set: ImageSet,
+    part: Part,
     say: Callable[[str], None],
     namespace: str = NAMESPACE,
     again: bool = False,
     platform: str = "",
 ) -> Assembled:
-    """Assembles a payload for all architectures that have its lock, of what the matrix says now, and moves its tag if these
+    """Assembles a part for all architectures that have its lock, of what the matrix says now, and moves its tag if these
     are all that it has.
 
     Args:
         services: registry and builder.
-        catalogue: all that the matrix describes.
-        payload: what to assemble.
+        image_set: all that the matrix describes.
+        part: what to assemble.
         say: told what is going on, a line at a time.
         namespace: first part of the repository's name.
         again: assemble it even if the builder has it: the same inputs give the same digests.
@@ -96,40 +96,40 @@ def publish(
         RosmlError: a lock is missing, no base image can be had, a service is down, or the build failed.
     """
     started = time.monotonic()
-    if platform and platform not in payload.platforms:
-        known = ", ".join(payload.platforms)
-        raise RosmlError(f"payload {payload.name} is for {known}", f"take one of them, not {platform}", exit_code=2)
+    if platform and platform not in part.platforms:
+        known = ", ".join(part.platforms)
+        raise RosmlError(f"part {part.name} is for {known}", f"take one of them, not {platform}", exit_code=2)
     platforms = [
         name
-        for name, lock in zip(payload.platforms, payload.locks, strict=True)
-        if platform in ("", name) and lock not in payload.unlocked
+        for name, lock in zip(part.platforms, part.locks, strict=True)
+        if platform in ("", name) and lock not in part.unlocked
     ]
     if not platforms:
-        text = f"payload {payload.name} has no lock of what matrix.yaml says now: {listed(payload.unlocked)}"
+        text = f"part {part.name} has no lock of what matrix.yaml says now: {listed(part.unlocked)}"
         raise RosmlError(text, "run 'make locks'")
     prefix = f"{services.registry}/{namespace}"
-    repository = f"{prefix}/payload"
-    base, digest = push(services, catalogue, payload, say, prefix, platforms, again)
+    repository = f"{prefix}/part"
+    base, digest = push(services, image_set, part, say, prefix, platforms, again)
     layers = dict(_layers(services, f"{repository}@{digest}", platforms))
     reference = f"{repository}@{digest}"
-    if len(platforms) == len(payload.platforms):  # a tag is for all platforms
+    if len(platforms) == len(part.platforms):  # a tag is for all platforms
         with oci.Registry(services.registry, ca_bundle=services.ca_bundle) as client:
-            client.tag(f"{namespace}/payload", digest, payload.name)
-        reference = f"{repository}:{payload.name}@{digest}"
-    python = base.python if payload.python != ANY_PYTHON else ""
-    return Assembled(payload.name, reference, digest, layers, base.said, python, time.monotonic() - started)
+            client.tag(f"{namespace}/part", digest, part.name)
+        reference = f"{repository}:{part.name}@{digest}"
+    python = base.python if part.python != ANY_PYTHON else ""
+    return Assembled(part.name, reference, digest, layers, base.said, python, time.monotonic() - started)
 
 
 def push(
     services: Services,
-    catalogue: Catalogue,
-    payload: Payload,
+    image_set: ImageSet,
+    part: Part,
     say: Callable[[str], None],
     prefix: str,
     platforms: list[str],
     again: bool = False,
 ) -> tuple[Base, str]:
-    """Assembles a payload for some platforms and pushes it by digest into the repository `payload` below a prefix.
+    """Assembles a part for some platforms and pushes it by digest into the repository `part` below a prefix.
 
     Returns:
         What it was assembled on, and the digest: of an index, or for one platform of its manifest.
@@ -137,20 +137,20 @@ def push(
     Raises:
         RosmlError: no base image can be had, or the build failed.
     """
-    base = _base(services, catalogue, payload, say)
-    file = write_excerpt(services, catalogue, payload.target)
+    base = _base(services, image_set, part, say)
+    file = write_excerpt(services, image_set, part.target)
     sets = [
-        f"{payload.target}.tags=",
-        f"{payload.target}.platform={','.join(platforms)}",
+        f"{part.target}.tags=",
+        f"{part.target}.platform={','.join(platforms)}",
     ]
-    if not base.python and payload.python != ANY_PYTHON:
-        sets.append(f"{payload.target}.args.BYTECODE=none")
+    if not base.python and part.python != ANY_PYTHON:
+        sets.append(f"{part.target}.args.BYTECODE=none")
     if again:
-        sets.append(f"{payload.target}.no-cache=true")
-    variables = {"REGISTRY": prefix, names.os_variable(payload.os): f"docker-image://{base.reference}"}
-    say(f"payload {payload.name} for {', '.join(platforms)}, assembled on {base.said}")
-    call = buildx.Bake(payload.target, payload.target, file, tuple(sets), variables)
-    _, digest = push_by_digest(services, call, f"{prefix}/payload")
+        sets.append(f"{part.target}.no-cache=true")
+    variables = {"REGISTRY": prefix, names.os_variable(part.os): f"docker-image://{base.reference}"}
+    say(f"part {part.name} for {', '.join(platforms)}, assembled on {base.said}")
+    call = buildx.Bake(part.target, part.target, file, tuple(sets), variables)
+    _, digest = push_by_digest(services, call, f"{prefix}/part")
     return base, digest
 
 
@@ -158,7 +158,7 @@ def _layers(services: Services, reference: str, platforms: list[str]) -> Iterato
     """The layer of each platform.
 
     Raises:
-        RosmlError: the registry's answer is not that of payloads.
+        RosmlError: the registry's answer is not that of parts.
     """
     repository = reference.partition("@")[0]
     try:
@@ -176,37 +176,37 @@ def _layers(services: Services, reference: str, platforms: list[str]) -> Iterato
             (layer,) = manifest["layers"]
             yield platform, (layer["digest"], layer["size"])
     except (KeyError, TypeError, ValueError):
-        raise RosmlError(f"{reference} is not a payload with one layer for each platform", "run it again") from None
+        raise RosmlError(f"{reference} is not a part with one layer for each platform", "run it again") from None
 
 
 @dataclass(frozen=True)
 class Base:
-    """What a payload is assembled on: a reference, the Python that compiles bytecode, and both in words."""
+    """What a part is assembled on: a reference, the Python that compiles bytecode, and both in words."""
 
     reference: str
     python: str
     said: str
 
 
-def _base(services: Services, catalogue: Catalogue, payload: Payload, say: Callable[[str], None]) -> Base:
-    systems = catalogue.matrix.operating_systems
-    system = systems[payload.os]
+def _base(services: Services, image_set: ImageSet, part: Part, say: Callable[[str], None]) -> Base:
+    systems = image_set.matrix.operating_systems
+    system = systems[part.os]
     if not services.mirror or base_images.debian_suite(system.image):
         reference = base_images.ensure(services, system, say=say)
         return Base(reference, system.python, reference)
-    choice = [systems[catalogue.matrix.default.assembler], *(systems[name] for name in sorted(systems))]
+    choice = [systems[image_set.matrix.default.assembler], *(systems[name] for name in sorted(systems))]
     debian = next((item for item in choice if base_images.debian_suite(item.image)), None)
     if debian is None:
         raise RosmlError(f"{system.image} is on Docker Hub, which does not answer", "use a machine that reaches it")
     reference = base_images.ensure(services, debian, say=say)
-    if payload.python == ANY_PYTHON:
+    if part.python == ANY_PYTHON:
         return Base(reference, "", f"{debian.image} instead of {system.image}")
-    version, home = _interpreter(payload.python)
+    version, home = _interpreter(part.python)
     if home is None:
         return Base(
-            reference, "", f"{debian.image} instead of {system.image}, without bytecode: no Python {payload.python}"
+            reference, "", f"{debian.image} instead of {system.image}, without bytecode: no Python {part.python}"
         )
-    stand_in = _with_python(services, reference, payload.python, home)
+    stand_in = _with_python(services, reference, part.python, home)
     return Base(stand_in, version, f"{debian.image} with Python {version} instead of {system.image}")
 
 
@@ -250,8 +250,8 @@ def _with_python(services: Services, reference: str, python: str, home: Path) ->
 
 
 def markdown(found: Iterable[Assembled]) -> str:
-    """A table of payloads with their digests, for docs/digests.md."""
-    lines = ["| payload | platform | layer | MB | bytecode |", "| --- | --- | --- | ---: | --- |"]
+    """A table of parts with their digests, for docs/digests.md."""
+    lines = ["| part | platform | layer | MB | bytecode |", "| --- | --- | --- | ---: | --- |"]
     for item in found:
         for platform, (digest, size) in item.layers.items():
             bytecode = item.bytecode or ("none" if "-py" in item.name else "no Python in it")

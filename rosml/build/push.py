@@ -8,22 +8,22 @@ from pathlib import Path
 from rosml.bake import bake_file
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.machine import buildx
 from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
 
 COMPRESSION = "compression=zstd,compression-level=7,oci-mediatypes=true"
-"""Level 7 makes payloads a seventh smaller than level 3 in several times the time: they are compressed once, and pulled
+"""Level 7 makes parts a seventh smaller than level 3 in several times the time: they are compressed once, and pulled
 by everybody."""
 
 
-def write_excerpt(services: Services, catalogue: Catalogue, target: str, *others: str) -> Path:
+def write_excerpt(services: Services, image_set: ImageSet, target: str, *others: str) -> Path:
     """Writes the part of the bake file that targets need, under the first one's name."""
     folder = services.state / "bake"
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / f"{target}.hcl"
-    files.write(file, bake_file.excerpt(catalogue, (target, *others)))
+    files.write(file, bake_file.excerpt(image_set, (target, *others)))
     return file
 
 

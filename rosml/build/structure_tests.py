@@ -35,11 +35,11 @@ def within_budget(budget: int, found: int) -> Outcome:
     """The test of a tag's size budget.
 
     Args:
-        budget: MB (10^6 bytes) that the payloads of the tag may have in the registry.
+        budget: MB (10^6 bytes) that the parts of the tag may have in the registry.
         found: bytes that they have.
     """
     detail = f"{found / 1e6:.0f} MB; matrix.yaml: disk.budgets allows {budget} MB"
-    return Outcome("size", "the payloads keep within the tag's budget", found <= budget * 1_000_000, 0.0, detail)
+    return Outcome("size", "the parts keep within the tag's budget", found <= budget * 1_000_000, 0.0, detail)
 
 
 @dataclass(frozen=True)
@@ -151,7 +151,7 @@ def run(
     reference: str,
     bake_file: Path,
     variables: Mapping[str, str],
-    payloads: int = 0,
+    parts: int = 0,
 ) -> tuple[Report, Path]:
     """Runs the structure tests of an image.
 
@@ -159,7 +159,7 @@ def run(
         services: the builder. image, architecture: what is tested.
         reference: of its manifest, whose config they are told.
         bake_file, variables: what the builder is told of it.
-        payloads: bytes of its payloads in the registry, for its budget.
+        parts: bytes of its parts in the registry, for its budget.
 
     Returns:
         The report, and the folder with the reports of each file.
@@ -187,7 +187,7 @@ def run(
     buildx.run(services, buildx.Bake(name, f"test-{image.target}-{architecture}", bake_file, sets, dict(variables)))
     report = read_report(reports, (*image.tests, "metadata"))
     if image.budget is not None:
-        report = report.with_outcome(within_budget(image.budget, payloads))
+        report = report.with_outcome(within_budget(image.budget, parts))
     if report.failed:
         attempts.write_text(str(int(attempt) + 1))
     return report, reports

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from rosml.base.errors import RosmlError
 from rosml.build import sync
 from rosml.images import apt_source
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 from rosml.machine import base_images
 from rosml.machine.services import Services
 from rosml.matrix import names
@@ -16,7 +16,7 @@ from rosml.matrix import names
 
 def variables(
     services: Services,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     image: Image,
     architecture: str,
     prefix: str,
@@ -27,7 +27,7 @@ def variables(
 
     Args:
         services: this machine's.
-        catalogue: all that the matrix describes.
+        image_set: all that the matrix describes.
         image, architecture: what is built, and for what.
         prefix: of references: the registry and the path before the names of repositories.
         say: told what is going on, a line at a time.
@@ -37,14 +37,14 @@ def variables(
     Raises:
         RosmlError: no base image can be had; there is no such channel of the apt repository (exit code 2).
     """
-    systems = catalogue.matrix.operating_systems
-    wanted = {image.os, catalogue.matrix.default.assembler}
-    wanted |= {catalogue.payload_by_name[name].os for name in image.parts}
-    found = {"REGISTRY": prefix, "PLATFORM": catalogue.matrix.architectures[architecture].platform}
+    systems = image_set.matrix.operating_systems
+    wanted = {image.os, image_set.matrix.default.assembler}
+    wanted |= {image_set.part_by_name[name].os for name in image.parts}
+    found = {"REGISTRY": prefix, "PLATFORM": image_set.matrix.architectures[architecture].platform}
     for name in sorted(wanted):
         reference = base_images.ensure(services, systems[name], architecture, say)
         found[names.os_variable(name)] = f"docker-image://{reference}"
-    return found | _sync_date(services, catalogue, image, say, moment)
+    return found | _sync_date(services, image_set, image, say, moment)
 
 
 def base(image: Image, variables: dict[str, str]) -> str:
@@ -53,10 +53,10 @@ def base(image: Image, variables: dict[str, str]) -> str:
 
 
 def _sync_date(
-    services: Services, catalogue: Catalogue, image: Image, say: Callable[[str], None], moment: str
+    services: Services, image_set: ImageSet, image: Image, say: Callable[[str], None], moment: str
 ) -> dict[str, str]:
     """The variable that says of when ROS's apt repository is: a new state of it is installed anew."""
-    source = apt_source.source(catalogue.matrix, image.distribution)
+    source = apt_source.source(image_set.matrix, image.distribution)
     if source is None:
         return {}
     if not moment:

@@ -49,7 +49,7 @@ class Layer(Fact):
 
     digest: Digest
     compressed: Bytes = Field(description="bytes in the registry")
-    part: str = Field(description="the ROS image or payload that brought it; empty where nobody knows")
+    part: str = Field(description="the ROS image or part that brought it; empty where nobody knows")
 
 
 class Size(Fact):
@@ -77,7 +77,7 @@ class Scan(Fact):
 
 
 class Platform(Fact):
-    """An image, or payload, for one platform."""
+    """An image, or part, for one platform."""
 
     platform: str = Field(description="such as linux/amd64")
     digest: Digest = Field(description="of the image manifest")
@@ -86,7 +86,7 @@ class Platform(Fact):
         description="of when ROS's packages are: the repository's date, or a digest of the system's lists; else empty"
     )
     size: Size
-    parts: dict[str, Size] = Field(description="what it is the sum of: ROS images by target, payloads by name")
+    parts: dict[str, Size] = Field(description="what it is the sum of: ROS images by target, parts by name")
     layers: tuple[Count, ...] = Field(description="its layers, lowest first: positions in the catalogue's `layers`")
     versions: dict[str, str] = Field(description="what was found inside; what the labels say where nobody looked")
     found_inside: bool = Field(description="whether the versions were found inside, by the tests")
@@ -122,7 +122,7 @@ class Move(Fact):
 
 
 class Tagged(Fact):
-    """What images and payloads have in common."""
+    """What images and parts have in common."""
 
     repository: str = Field(description="without the registry")
     tags: tuple[Tag, ...] = Field(description="the main one first; none where nothing is published")
@@ -146,7 +146,7 @@ class Image(Tagged):
     reason: str = Field(description="why it is not published; empty where it is")
 
 
-class Payload(Tagged):
+class Part(Tagged):
     """A part of a stack, which can be added to any image with the same Python."""
 
     name: str
@@ -174,7 +174,7 @@ class Published(Fact):
     distributions: dict[str, Distribution]
     words: dict[Status, str] = Field(description="what people call each status")
     images: tuple[Image, ...]
-    payloads: tuple[Payload, ...]
+    parts: tuple[Part, ...]
     layers: tuple[Layer, ...]
     sharing: Sharing
 

@@ -1,4 +1,4 @@
-"""Reads what is published: the matrix says what to look for, the registry what is there, the ledger what is known of it.
+"""Reads what is published: the matrix says what to look for, the registry what is there, the records what is known of it.
 
 Nothing is pulled but manifests and configs, each once. What cannot be read is left out and told: one damaged image does
 not keep people from finding the others.
@@ -23,7 +23,7 @@ from rosml.catalogue.model import (
     Image,
     Layer,
     Move,
-    Payload,
+    Part,
     Platform,
     Published,
     Scan,
@@ -33,13 +33,13 @@ from rosml.catalogue.model import (
     Tests,
     status,
 )
-from rosml.images import image_set
+from rosml.images import image_set as sets
 from rosml.images.image_set import repository_of, tags_of
 from rosml.images.labels import PREFIX
 from rosml.images.selection import select
 from rosml.matrix.names import DATED
 from rosml.records import tag_moves
-from rosml.records.ledger import INDEX, READERS, Entry, Ledger, date_of
+from rosml.records.store import INDEX, READERS, Entry, Records, date_of
 from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
 
@@ -48,14 +48,14 @@ HISTORY = 10
 
 _SYNC = f"{PREFIX}ros.sync"
 
-Thing = image_set.Image | image_set.Payload
+Thing = sets.Image | sets.Part
 Key = TypeVar("Key")
 Value = TypeVar("Value")
 
 
 @dataclass(frozen=True)
 class _Member:
-    """An image manifest, its platform and labels, and what the ledger says of it: now, or when an index was made of it."""
+    """An image manifest, its platform and labels, and what the records say of it: now, or when an index was made of it."""
 
     digest: str
     platform: str
@@ -79,7 +79,7 @@ class _Index:
 
 @dataclass
 class _Found:
-    """What the registry has of an image or payload: where its tags are, and everything that they point or pointed at."""
+    """What the registry has of an image or part: where its tags are, and everything that they point or pointed at."""
 
     tags: dict[str, str] = field(default_factory=dict)
     moves: list[Move] = field(default_factory=list)
@@ -91,13 +91,13 @@ class Gatherer:
     """Reads a registry.
 
     Attributes:
-        catalogue: what the matrix describes. registry: where images are.
+        image_set: what the matrix describes. registry: where images are.
         place: the registry with the path of its repositories, as people write it. prefix: that path.
         history: how many builds to describe of an image that no tag points at any more.
         remarks: what was left out, and why.
     """
 
-    catalogue: image_set.Catalogue
+    image_set: sets.ImageSet
     registry: Client
     place: str
     prefix: str
@@ -106,7 +106,7 @@ class Gatherer:
     _current: dict[str, Entry] = field(default_factory=dict)
 
     def gather(self, created: str, only: Sequence[str] = ()) -> Published:
-        """All that is published of the images that are asked for, their ROS images, and payloads.
+        """All that is published of the images that are asked for, their ROS images, and parts.
 
         Args:
             created: the time to write down. only: patterns of targets, or groups; all if empty.
@@ -114,46 +114,46 @@ class Gatherer:
         Raises:
             RosmlError: the registry does not answer, or there is no such image.
         """
-        images = self._with_parents(select(self.catalogue, only))
+        images = self._with_parents(select(self.image_set, only))
         wanted = {name for image in images for name in image.parts}
-        payloads = tuple(payload for payload in self.catalogue.payloads if payload.name in wanted)
-        things: list[Thing] = [*images, *payloads]
+        parts = tuple(part for part in self.image_set.parts if part.name in wanted)
+        things: list[Thing] = [*images, *parts]
         keys = [(thing.target, name) for thing in things for name in (*thing.architectures, INDEX)]
-        known = Ledger(self.registry, self.prefix).read_all(keys)
+        known = Records(self.registry, self.prefix).read_all(keys)
         self._current = {entry.digest: entry for key, entry in known.items() if key[1] != INDEX and entry.digest}
         found = self._find(things, known)
-        table = _Table(self.catalogue, {thing.target: found[thing.target].indexes for thing in things})
+        table = _Table(self.image_set, {thing.target: found[thing.target].indexes for thing in things})
         described = tuple(self._image(image, found[image.target], table) for image in images)
-        asked = {image.target for image in select(self.catalogue, only)}
+        asked = {image.target for image in select(self.image_set, only)}
         return Published(
             format=FORMAT,
             created=created,
             registry=self.place,
-            source=self.catalogue.matrix.source,
+            source=self.image_set.matrix.source,
             distributions={name: self._distribution(name) for name in dict.fromkeys(i.distribution for i in images)},
             words=WORDS,
             images=tuple(image for image in described if image.target in asked),
-            payloads=tuple(self._payload(payload, found[payload.target], table) for payload in payloads),
+            parts=tuple(self._part(part, found[part.target], table) for part in parts),
             layers=tuple(table.layers),
             sharing=_sharing([image for image in described if image.target in asked], table.layers),
         )
 
-    def _with_parents(self, images: Iterable[image_set.Image]) -> tuple[image_set.Image, ...]:
+    def _with_parents(self, images: Iterable[sets.Image]) -> tuple[sets.Image, ...]:
         """Images and the ROS images below them, which say whose layers are whose; in the matrix's order."""
         names: set[str] = set()
         for image in images:
-            link: image_set.Image | None = image
+            link: sets.Image | None = image
             while link and link.target not in names:
                 names.add(link.target)
-                link = self.catalogue.by_target.get(link.parent)
-        return tuple(image for image in self.catalogue.images if image.target in names)
+                link = self.image_set.by_target.get(link.parent)
+        return tuple(image for image in self.image_set.images if image.target in names)
 
     def _distribution(self, name: str) -> Distribution:
-        facts = self.catalogue.matrix.distributions[name]
+        facts = self.image_set.matrix.distributions[name]
         return Distribution(
             ros=facts.ros,
             os=facts.os,
-            python=self.catalogue.matrix.operating_systems[facts.os].python,
+            python=self.image_set.matrix.operating_systems[facts.os].python,
             eol=str(facts.eol) if facts.eol else None,
             lts=facts.lts,
             experimental=facts.experimental,
@@ -199,7 +199,7 @@ class Gatherer:
 
     def _moves(self) -> dict[tuple[str, str], list[Move]]:
         """How tags moved, by repository and tag, newest first: as records of runs tell."""
-        book = Ledger(self.registry, self.prefix)
+        book = Records(self.registry, self.prefix)
         found: dict[tuple[str, str], list[Move]] = {}
         names = sorted((n for n in self.registry.tags(book.repository) if n.startswith(tag_moves.UNDO)), reverse=True)
         for name, moves in _each(names, lambda name: self._record(book, name), "records").items():
@@ -209,7 +209,7 @@ class Gatherer:
                     found.setdefault((move.repository, move.tag), []).append(Move(run=run, old=move.old, new=move.new))
         return found
 
-    def _record(self, book: Ledger, name: str) -> list[tag_moves.Move]:
+    def _record(self, book: Records, name: str) -> list[tag_moves.Move]:
         try:
             return tag_moves.read_moves(book, name)
         except RosmlError as error:
@@ -253,13 +253,13 @@ class Gatherer:
         return _Member(digest, where, layers, labels, current or self._attached(path, digest))
 
     def _attached(self, path: str, digest: str) -> Entry | None:
-        """What is attached to an image: of one that the ledger has forgotten, or that `make image` published."""
-        found = Ledger(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
+        """What is attached to an image: of one that the records have forgotten, or that `make image` published."""
+        found = Records(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
         return found[0] if found else None
 
     # ---- What it means -----------------------------------------------------------------------------------------------
 
-    def _image(self, image: image_set.Image, found: _Found, table: _Table) -> Image:
+    def _image(self, image: sets.Image, found: _Found, table: _Table) -> Image:
         main = found.tags.get(tags_of(image)[0], "")
         state, reason = status(image, main in {index.digest for index in found.indexes})
         if main and state != "built":
@@ -277,14 +277,14 @@ class Gatherer:
             reason=reason,
         )
 
-    def _payload(self, payload: image_set.Payload, found: _Found, table: _Table) -> Payload:
-        return Payload(
-            **self._tagged(payload, found, table),
-            name=payload.name,
-            part=payload.part,
-            stack=payload.stack,
-            python=payload.python,
-            platforms=payload.platforms,
+    def _part(self, part: sets.Part, found: _Found, table: _Table) -> Part:
+        return Part(
+            **self._tagged(part, found, table),
+            name=part.name,
+            part=part.kind,
+            stack=part.stack,
+            python=part.python,
+            platforms=part.platforms,
         )
 
     def _tagged(self, thing: Thing, found: _Found, table: _Table) -> dict[str, Any]:
@@ -317,23 +317,23 @@ class _Table:
 
     def __init__(
         self,
-        catalogue: image_set.Catalogue,
+        image_set: sets.ImageSet,
         indexes: Mapping[str, Sequence[_Index]],
     ) -> None:
         self.layers: list[Layer] = []
         self._position: dict[str, int] = {}
-        self._counted = ["python", *dict.fromkeys(name for part in catalogue.matrix.parts for name in part.brings)]
-        # Payloads first; then ROS images from the lowest up, so that a layer belongs to the lowest that has it.
+        self._counted = ["python", *dict.fromkeys(name for part in image_set.matrix.parts for name in part.brings)]
+        # Parts first; then ROS images from the lowest up, so that a layer belongs to the lowest that has it.
         whole: list[Thing] = [
-            *catalogue.payloads,
-            *sorted((i for i in catalogue.images if not i.stack), key=_height(catalogue)),
+            *image_set.parts,
+            *sorted((i for i in image_set.images if not i.stack), key=_height(image_set)),
         ]
         for thing in whole:
-            name = thing.name if isinstance(thing, image_set.Payload) else thing.target
+            name = thing.name if isinstance(thing, sets.Part) else thing.target
             for index in indexes.get(thing.target, ()):
                 for member in index.members:
                     self._add(member.layers, name)
-        self._unpacked = dict(self._measure(catalogue, indexes))
+        self._unpacked = dict(self._measure(image_set, indexes))
 
     def _add(self, layers: Iterable[tuple[str, int]], part: str) -> None:
         for digest, size in layers:
@@ -342,15 +342,15 @@ class _Table:
                 self.layers.append(Layer(digest=digest, compressed=size, part=part))
 
     def _measure(
-        self, catalogue: image_set.Catalogue, indexes: Mapping[str, Sequence[_Index]]
+        self, image_set: sets.ImageSet, indexes: Mapping[str, Sequence[_Index]]
     ) -> Iterator[tuple[tuple[int, ...], int]]:
         """Unpacked sizes of parts by their layers: what an image has more than all its other parts together.
 
-        Only what was measured is told: a ROS image less the one below it, and a payload that is alone beside known ones.
+        Only what was measured is told: a ROS image less the one below it, and a part that is alone beside known ones.
         """
         sizes: dict[tuple[int, ...], int] = {}
         totals = []
-        for image in catalogue.images:
+        for image in image_set.images:
             for member in indexes[image.target][0].members if indexes.get(image.target) else ():
                 self._add(member.layers, "")
                 if member.entry and member.entry.unpacked:
@@ -376,13 +376,13 @@ class _Table:
 
     def platform(self, thing: Thing, member: _Member) -> Platform:
         """The facts of an image for one platform."""
-        self._add(member.layers, thing.name if isinstance(thing, image_set.Payload) else "")
+        self._add(member.layers, thing.name if isinstance(thing, sets.Part) else "")
         entry = member.entry
         versions = dict(entry.versions) if entry else {}
         promised = {name: member.labels[PREFIX + name] for name in self._counted if PREFIX + name in member.labels}
         positions = tuple(self._position[digest] for digest, _ in member.layers)
         total = sum(size for _, size in member.layers)
-        tested = isinstance(thing, image_set.Image) and entry and (entry.passed or entry.failures)
+        tested = isinstance(thing, sets.Image) and entry and (entry.passed or entry.failures)
         return Platform(
             platform=member.platform,
             digest=member.digest,
@@ -435,18 +435,18 @@ def _sharing(images: Iterable[Image], layers: Sequence[Layer]) -> Sharing:
     )
 
 
-def _parts(catalogue: image_set.Catalogue, image: image_set.Image) -> list[str]:
-    """Whose layers an image has: ROS images from the lowest up, then payloads."""
+def _parts(image_set: sets.ImageSet, image: sets.Image) -> list[str]:
+    """Whose layers an image has: ROS images from the lowest up, then parts."""
     chain: list[str] = []
-    link = catalogue.by_target.get(image.parent) if image.stack else image
+    link = image_set.by_target.get(image.parent) if image.stack else image
     while link:
         chain.append(link.target)
-        link = catalogue.by_target.get(link.parent)
+        link = image_set.by_target.get(link.parent)
     return [*reversed(chain), *image.parts]
 
 
-def _height(catalogue: image_set.Catalogue) -> Callable[[image_set.Image], int]:
-    return lambda image: len(_parts(catalogue, image))
+def _height(image_set: sets.ImageSet) -> Callable[[sets.Image], int]:
+    return lambda image: len(_parts(image_set, image))
 
 
 def _by_base(tags: Iterable[str]) -> dict[str, list[str]]:

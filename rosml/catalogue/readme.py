@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images import missing
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 from rosml.matrix import rules
 
 BEGIN = "<!-- images: written by scripts/generate_bake.py -->"
 END = "<!-- /images -->"
 
 
-def render(readme: str, catalogue: Catalogue) -> str:
+def render(readme: str, image_set: ImageSet) -> str:
     """The README with the tables of this catalogue.
 
     Raises:
@@ -26,23 +26,23 @@ def render(readme: str, catalogue: Catalogue) -> str:
         raise RosmlError(
             f"README.md: the markers {BEGIN} and {END} are missing", "put them back where the table belongs"
         )
-    return f"{head}{BEGIN}\n{tables(catalogue)}{END}{tail}"
+    return f"{head}{BEGIN}\n{tables(image_set)}{END}{tail}"
 
 
-def tables(catalogue: Catalogue) -> str:
+def tables(image_set: ImageSet) -> str:
     """Images without a lock; distributions with their components; then what images carry, and on which distributions."""
     head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
-    lines = [*_unlocked(catalogue), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
-    lines += [*_distributions(catalogue)]
+    lines = [*_unlocked(image_set), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
+    lines += [*_distributions(image_set)]
     head = ["image", "content", "distributions", "platforms"]
-    lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(catalogue)]
+    lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(image_set)]
     return "\n".join(lines) + "\n"
 
 
-def _unlocked(catalogue: Catalogue) -> Iterator[str]:
+def _unlocked(image_set: ImageSet) -> Iterator[str]:
     """Which images cannot be built from the locks that are there, and what makes those; nothing where all can be."""
     rows: dict[str, dict[str, None]] = {}
-    lacking = [image for image in catalogue.images if not image.locked]
+    lacking = [image for image in image_set.images if not image.locked]
     for image in lacking:
         rows.setdefault(f"{image.repository}:<d>-<c>-{image.stack}", {})[image.distribution] = None
     if lacking:
@@ -54,8 +54,8 @@ def _unlocked(catalogue: Catalogue) -> Iterator[str]:
         yield ""
 
 
-def _distributions(catalogue: Catalogue) -> Iterator[str]:
-    matrix = catalogue.matrix
+def _distributions(image_set: ImageSet) -> Iterator[str]:
+    matrix = image_set.matrix
     for name, distribution in matrix.distributions.items():
         python = matrix.operating_systems[distribution.os].python
         eol = f"{distribution.eol}{' (LTS)' if distribution.lts else ''}" if distribution.eol else "rolling"
@@ -64,20 +64,20 @@ def _distributions(catalogue: Catalogue) -> Iterator[str]:
         notes = [*(["experimental"] if distribution.experimental else []), *([f"{only} only"] if only else [])]
         note = f" ({', '.join(notes)})" if notes else ""
         facts = [f"`{name}`{note}", str(distribution.ros), f"{distribution.os}, {python}", components, eol]
-        number = sum(image.distribution == name for image in catalogue.images)
+        number = sum(image.distribution == name for image in image_set.images)
         yield f"| {' | '.join([*facts, str(number)])} |"
 
 
-def _contents(catalogue: Catalogue) -> Iterator[str]:
+def _contents(image_set: ImageSet) -> Iterator[str]:
     rows: dict[tuple[str, str | None], list[Image]] = {}
-    for image in catalogue.images:
+    for image in image_set.images:
         rows.setdefault((image.framework, image.stack), []).append(image)
     for images in rows.values():
         first = images[0]
         tag = "-".join(filter(None, ["<distribution>-<component>", first.stack]))
         locked = dict.fromkeys(image.distribution for image in images if image.locked)
         others = dict.fromkeys(image.distribution for image in images if not image.locked)
-        where = ", ".join(locked) if len(locked) < len(catalogue.matrix.distributions) else "all"
+        where = ", ".join(locked) if len(locked) < len(image_set.matrix.distributions) else "all"
         if others:
             where = (
                 f"{where}; without a lock yet: {', '.join(others)}"
@@ -85,20 +85,20 @@ def _contents(catalogue: Catalogue) -> Iterator[str]:
                 else f"without a lock yet: {', '.join(others)}"
             )
         platforms = ", ".join(dict.fromkeys(platform for image in images for platform in image.platforms))
-        facts = [f"`{first.repository}:{tag}`", _content(catalogue, first), where, platforms]
+        facts = [f"`{first.repository}:{tag}`", _content(image_set, first), where, platforms]
         yield f"| {' | '.join(facts)} |"
 
 
-def _content(catalogue: Catalogue, image: Image) -> str:
+def _content(image_set: ImageSet, image: Image) -> str:
     versions = listed([f"{name} {version}" for name, version in image.versions.items() if name != "nccl"])
     titles = [item.title for item in image.brought if item.title]
     released = [item.title for item in image.brought if item.title and item.released]
-    return ", ".join(["ROS", *(released or titles)]) + _abi(catalogue, image) + (f": {versions}" if versions else "")
+    return ", ".join(["ROS", *(released or titles)]) + _abi(image_set, image) + (f": {versions}" if versions else "")
 
 
-def _abi(catalogue: Catalogue, image: Image) -> str:
+def _abi(image_set: ImageSet, image: Image) -> str:
     """Says which images' C++ libraries cannot be linked together with ROS's."""
-    matrix = catalogue.matrix
+    matrix = image_set.matrix
     for family in rules.families(matrix, matrix.frameworks[image.framework]):
         if not matrix.releases[family][image.versions[family]].cxx11_abi:
             return " (old C++ ABI on amd64: not in one program with ROS's libraries)"

@@ -32,7 +32,7 @@ from rosml.cli import options
 def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, history: int, as_json: bool) -> None:
     """Writes the catalogue into a folder that any static host can serve, or that is opened as it is.
 
-    Reads manifests, configs and the ledger; pulls no layer, builds nothing, and needs no right to write.
+    Reads manifests, configs and the records; pulls no layer, builds nothing, and needs no right to write.
 
     \b
     Examples:
@@ -48,10 +48,10 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
 
     if not output.name:
         raise click.UsageError("--output names no folder")
-    catalogue = load.load(matrix, ROOT)
+    image_set = load.load(matrix, ROOT)
     place, prefix = options.place_of(registry, ROOT)
     with place as client:
-        gatherer = Gatherer(catalogue, client, f"{place.host}/{prefix}", prefix, history)
+        gatherer = Gatherer(image_set, client, f"{place.host}/{prefix}", prefix, history)
         found = gatherer.gather(now(), only)
     for remark in gatherer.remarks:
         click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {remark}", err=True)

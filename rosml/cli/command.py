@@ -98,7 +98,7 @@ _WORDS = (
     (r"\bmake list GROUP=", "rosml list "),
     (r"\bmake (up|client|down|clean|status)\b", lambda found: "rosml setup" + f" {found[1]}" * (found[1] != "up")),
     (r"\bmake (list|locks|generate|plan)\b", r"rosml \1"),
-    (r"\buv run scripts/publish\.py payload\b", "rosml part"),
+    (r"\buv run scripts/publish\.py part\b", "rosml part"),
 )
 """What `make` calls something, and `rosml` calls it."""
 

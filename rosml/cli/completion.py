@@ -32,7 +32,7 @@ class Name(click.ParamType[str]):
             return []
         names = {
             "targets": list(images.by_target),
-            "parts": list(images.payload_by_name),
+            "parts": list(images.part_by_name),
             "groups": selection.groups_of(images),
         }
         return [CompletionItem(name) for name in names[self.kind] if name.startswith(incomplete)]

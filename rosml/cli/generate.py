@@ -27,7 +27,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command, options
 
 if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
-    from rosml.images.image_set import Catalogue
+    from rosml.images.image_set import ImageSet
 
 COMMAND = "make generate"
 
@@ -77,56 +77,56 @@ def main(
         raise click.UsageError(f"--output {output} would overwrite the matrix; name another file")
     from rosml.images import load
 
-    catalogue = load.load(matrix, ROOT)
+    image_set = load.load(matrix, ROOT)
     if list_:
-        list_images(catalogue, groups, as_json)
+        list_images(image_set, groups, as_json)
     elif diff is not None:
-        compare(catalogue, diff, as_json)
+        compare(image_set, diff, as_json)
     elif explain is not None:
-        say_why(catalogue, explain, as_json)
+        say_why(image_set, explain, as_json)
     elif shards is not None:
-        deal_out(catalogue, shards, as_json, output)
+        deal_out(image_set, shards, as_json, output)
     else:
         from rosml.images import missing
 
-        wanted, lost = generated(catalogue, output), missing.lost(catalogue)
+        wanted, lost = generated(image_set, output), missing.lost(image_set)
         if check:
             verify(wanted, lost)
             return
         write(wanted, lost)
 
 
-def list_images(catalogue: Catalogue, groups: tuple[str, ...], as_json: bool) -> None:
+def list_images(image_set: ImageSet, groups: tuple[str, ...], as_json: bool) -> None:
     """Prints the images that are in all of some groups; all images where none is named."""
     from rosml.bake import inputs
     from rosml.cli import tables
     from rosml.images import selection
 
-    images = selection.members(catalogue, groups)
+    images = selection.members(image_set, groups)
     if not images:
-        click.echo(command.in_words(selection.none_in(catalogue, groups)), err=True)
+        click.echo(command.in_words(selection.none_in(image_set, groups)), err=True)
     if as_json:
-        click.echo(tables.images_as_json(inputs.Inputs(ROOT, catalogue), images), nl=False)
+        click.echo(tables.images_as_json(inputs.Inputs(ROOT, image_set), images), nl=False)
     elif images:
         tables.print_images(images)
 
 
-def say_why(catalogue: Catalogue, name: str, as_json: bool) -> None:
+def say_why(image_set: ImageSet, name: str, as_json: bool) -> None:
     """Prints why an image exists, or why it does not."""
     from rosml.images.explain import explained
 
-    found = explained(catalogue, name)
+    found = explained(image_set, name)
     click.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else command.in_words(found.text))
 
 
-def compare(catalogue: Catalogue, other: str, as_json: bool) -> None:
+def compare(image_set: ImageSet, other: str, as_json: bool) -> None:
     """Prints which images differ from another version: a git revision, or another matrix file."""
     from rosml.bake import diff, inputs
     from rosml.base import ci
     from rosml.cli import tables
     from rosml.machine import revision
 
-    found = revision.since(other, inputs.Inputs(ROOT, catalogue))
+    found = revision.since(other, inputs.Inputs(ROOT, image_set))
     ci.summary(diff.markdown(found))
     if as_json:
         click.echo(diff.as_json(found), nl=False)
@@ -134,36 +134,36 @@ def compare(catalogue: Catalogue, other: str, as_json: bool) -> None:
         tables.print_difference(found)
 
 
-def deal_out(catalogue: Catalogue, shards: int, as_json: bool, output: Path | None) -> None:
+def deal_out(image_set: ImageSet, shards: int, as_json: bool, output: Path | None) -> None:
     """Prints which of some machines builds what, or writes it into a file."""
     from rosml.cli import tables
     from rosml.publish import shards as dealing
 
-    planned = dealing.deal(catalogue, shards, include=lambda image: image.locked)
+    planned = dealing.deal(image_set, shards, include=lambda image: image.locked)
     if output:
         write({output: dealing.as_json(planned)})
     elif as_json:
         click.echo(dealing.as_json(planned), nl=False)
     else:
-        tables.print_shards(planned, left_out=sum(not image.locked for image in catalogue.images))
+        tables.print_shards(planned, left_out=sum(not image.locked for image in image_set.images))
 
 
-def generated(catalogue: Catalogue, output: Path | None) -> dict[Path, str]:
+def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     """Every generated file with its content; nothing but the bake file where that is to be written elsewhere."""
     from rosml.bake import bake_file, inputs
 
-    inputs.Inputs(ROOT, catalogue).check()
+    inputs.Inputs(ROOT, image_set).check()
     if output:
-        return {output: bake_file.render(catalogue)}
+        return {output: bake_file.render(image_set)}
     from rosml.catalogue import readme
     from rosml.catalogue.model import Published
     from rosml.matrix import schema
 
     return {
-        ROOT / "docker-bake.hcl": bake_file.render(catalogue),
+        ROOT / "docker-bake.hcl": bake_file.render(image_set),
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "rosml/catalogue/model.py", read=True),
-        ROOT / "README.md": readme.render((ROOT / "README.md").read_text(encoding="utf-8"), catalogue),
+        ROOT / "README.md": readme.render((ROOT / "README.md").read_text(encoding="utf-8"), image_set),
     }
 
 

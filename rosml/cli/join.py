@@ -1,4 +1,4 @@
-"""Puts an image together in a registry, from a ROS image and payloads: no Docker, no builder, no layer is pulled."""
+"""Puts an image together in a registry, from a ROS image and parts: no Docker, no builder, no layer is pulled."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ KEPT = "interrupted: no tag was moved; what was pushed is found again by the nex
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("ros_image")
-@click.argument("payloads", nargs=-1, required=True, metavar="PAYLOAD...")
+@click.argument("parts", nargs=-1, required=True, metavar="PART...")
 @click.option("--tag", required=True, metavar="REFERENCE", help="the image to make: registry, repository and tag")
 @click.option(
     "--platform", "platforms", multiple=True, metavar="PLATFORM", help="only for it, such as linux/arm64; repeatable"
@@ -24,9 +24,9 @@ KEPT = "interrupted: no tag was moved; what was pushed is found again by the nex
 @click.option("--allow-unlisted", is_flag=True, help="go on where an image has no list of its files to be compared")
 @options.JSON
 def main(
-    ros_image: str, payloads: tuple[str, ...], tag: str, platforms: tuple[str, ...], allow_unlisted: bool, as_json: bool
+    ros_image: str, parts: tuple[str, ...], tag: str, platforms: tuple[str, ...], allow_unlisted: bool, as_json: bool
 ) -> None:
-    """Composes ROS_IMAGE and PAYLOADs, and moves a tag to the result.
+    """Composes ROS_IMAGE and PARTs, and moves a tag to the result.
 
     All are complete references, in any registry. Layers are mounted where they are in the tag's registry, and copied where
     they are not. For every platform that all of them have. Credentials are those of 'docker login'.
@@ -34,7 +34,7 @@ def main(
     \b
     Example:
       rosml join ghcr.io/me/rosml/ros:bookworm-core \\
-        ghcr.io/me/rosml/payload:{common-cpu-py311,tensorflow-cc-cpu,tensorflow-cpu-py311} --tag ghcr.io/me/mine:latest
+        ghcr.io/me/rosml/part:{common-cpu-py311,tensorflow-cc-cpu,tensorflow-cpu-py311} --tag ghcr.io/me/mine:latest
     """
     from rosml.base.units import duration, size
     from rosml.join.composer import Composer
@@ -47,7 +47,7 @@ def main(
         oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
         Composer(clients, STATE / "cache/files", allow_unlisted=allow_unlisted, say=say) as composer,
     ):
-        found = composer.compose(ros_image, payloads, tag, platforms)
+        found = composer.compose(ros_image, parts, tag, platforms)
     if as_json:
         click.echo(json.dumps(found.to_json(), indent=2))
         return

@@ -61,7 +61,7 @@ def main(
     from rosml.locks.resolve import lock, moves
     from rosml.matrix import source
 
-    catalogue = load.catalogue(source.read(matrix))
+    image_set = load.image_set(source.read(matrix))
     if bases and (upgrade or stacks):
         raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
     pinned = base_images(matrix, check, as_json) if bases or (upgrade and not stacks) else None
@@ -69,9 +69,9 @@ def main(
         tell_bases(pinned, check, report, as_json)
         return
     for name in stacks:
-        if name not in (known := [*catalogue.matrix.stacks, *(item.distribution for item in catalogue.wheels)]):
+        if name not in (known := [*image_set.matrix.stacks, *(item.distribution for item in image_set.wheels)]):
             raise RosmlError(unknown("stack", name, known), exit_code=2)
-    locks = lock(catalogue, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
+    locks = lock(image_set, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
     there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
@@ -152,14 +152,14 @@ def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
 
     document = source.read(matrix)
     with oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
-        found = base_digests.look(load.catalogue(document).matrix, registries)
+        found = base_digests.look(load.image_set(document).matrix, registries)
     if found.moved and not check:
         files.write(matrix, base_digests.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))
     for system, image, old, new in base_digests.rows(found.moved):
         click.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}", err=as_json)
     for line in base_digests.reasons(found.left_out):
         click.echo(line, err=True)
-    total = len(load.catalogue(document).matrix.operating_systems)
+    total = len(load.image_set(document).matrix.operating_systems)
     click.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
     return found
 

@@ -131,7 +131,7 @@ def _in_checkout(callback: Callable[Given, Result]) -> Callable[Given, Result]:
     return called
 
 
-TOP = {"image": "image", "payload": "part", "plan": "plan", "status": "status"}
+TOP = {"image": "image", "part": "part", "plan": "plan", "status": "status"}
 """Commands of a publishing run that are words of their own, and the words."""
 
 for name, step in publish.cli.commands.items():

@@ -19,7 +19,7 @@ from rosml.cli import completion, options
 from rosml.cli.options import Function, place_of
 
 if TYPE_CHECKING:
-    from rosml.images.image_set import Catalogue
+    from rosml.images.image_set import ImageSet
     from rosml.machine.services import Services
     from rosml.publish.pipeline import Pipeline
     from rosml.scan.judge import Run
@@ -167,23 +167,23 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     from rosml.publish import promote
 
     call = Call(matrix=matrix, force=force)
-    catalogue = call.catalogue
+    image_set = call.image_set
     # A typo is told before anything else happens.
     native = native_architecture()
-    architecture = selection.architecture_of(catalogue, platform) if platform else native
-    wanted = explain.image(catalogue, target or catalogue.matrix.default.target)
+    architecture = selection.architecture_of(image_set, platform) if platform else native
+    wanted = explain.image(image_set, target or image_set.matrix.default.target)
     require_buildable(wanted, architecture)
-    apt_source.source(catalogue.matrix, wanted.distribution)
+    apt_source.source(image_set.matrix, wanted.distribution)
     if check:
         return
     services = Services.load(ROOT)
     services.require_registry()
-    services.require_builder("" if architecture == native else catalogue.matrix.architectures[architecture].platform)
+    services.require_builder("" if architecture == native else image_set.matrix.architectures[architecture].platform)
     call.registry, call.only = f"{services.registry}/{namespace}", (wanted.target,)
     call.architectures = call.serve = (architecture,)
     run = call.pipeline()
-    there = {target.removeprefix("payload-") for target, name in run.plan.by_key if run.plan.made((target, name))}
-    disk.require(services.state, disk.needed_mb(catalogue, wanted, there), wanted.target)
+    there = {target.removeprefix("part-") for target, name in run.plan.by_key if run.plan.made((target, name))}
+    disk.require(services.state, disk.needed_mb(image_set, wanted, there), wanted.target)
     run.build()
     run.compose()
     run.test([wanted.target])
@@ -195,25 +195,25 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     click.echo(json.dumps(found.to_json(), indent=2) if as_json else found.text())
 
 
-def _list_files(services: Services, catalogue: Catalogue, repository: str, digest: str) -> None:
+def _list_files(services: Services, image_set: ImageSet, repository: str, digest: str) -> None:
     """Attaches the list of its files to what was pushed, which compose.py compares."""
     from rosml.build import file_list
     from rosml.registry import oci
 
     with oci.Registry(services.registry) as client:
-        file_list.attach_files(services, catalogue, client, repository, digest, say)
+        file_list.attach_files(services, image_set, client, repository, digest, say)
 
 
 @cli.command()
-@click.argument("payloads", nargs=-1, metavar="[NAME]...", type=completion.Name("parts"))
+@click.argument("parts", nargs=-1, metavar="[NAME]...", type=completion.Name("parts"))
 @_options("matrix", "namespace", "json")
 @click.option("--markdown", is_flag=True, help="print them as a table in Markdown, for docs/digests.md")
 @click.option(
     "--platform", default="", metavar="PLATFORM", help="for this one only, such as linux/arm64; then no tag moves"
 )
 @click.option("--again", is_flag=True, help="assemble them without the builder's cache")
-def payload(
-    payloads: tuple[str, ...],
+def part(
+    parts: tuple[str, ...],
     matrix: Path,
     namespace: str,
     as_json: bool,
@@ -221,7 +221,7 @@ def payload(
     platform: str,
     again: bool,
 ) -> None:
-    """Assembles payloads and publishes them in the local registry: what COPY --link adds to an image of one's own.
+    """Assembles parts and publishes them in the local registry: what COPY --link adds to an image of one's own.
 
     For all of their architectures, without emulation. Without NAME: lists them.
 
@@ -235,17 +235,15 @@ def payload(
 
     if as_json and markdown:
         raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
-    catalogue = loading.load(matrix, ROOT)
-    wanted = [found.find(catalogue, name) for name in dict.fromkeys(payloads)]
+    image_set = loading.load(matrix, ROOT)
+    wanted = [found.find(image_set, name) for name in dict.fromkeys(parts)]
     if not wanted:
         if as_json:
             click.echo(
-                json.dumps(
-                    [{"name": item.name, "platforms": [*item.platforms]} for item in catalogue.payloads], indent=2
-                )
+                json.dumps([{"name": item.name, "platforms": [*item.platforms]} for item in image_set.parts], indent=2)
             )
         else:
-            for item in catalogue.payloads:
+            for item in image_set.parts:
                 click.echo(f"{item.name}  {', '.join(item.platforms)}")
         return
     services = Services.load(ROOT)
@@ -253,8 +251,8 @@ def payload(
     services.require_builder()
     results = []
     for item in wanted:
-        results.append(found.publish(services, catalogue, item, say, namespace, again, platform))
-        _list_files(services, catalogue, f"{namespace}/payload", results[-1].digest)
+        results.append(found.publish(services, image_set, item, say, namespace, again, platform))
+        _list_files(services, image_set, f"{namespace}/part", results[-1].digest)
         if not (as_json or markdown):
             done = results[-1]
             click.echo(f"{done.reference}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")
@@ -289,7 +287,7 @@ class Call:
     sign: bool = False
     policy: Path = ROOT / "scan.yaml"
 
-    def changed(self, catalogue: Catalogue) -> tuple[str, ...]:
+    def changed(self, image_set: ImageSet) -> tuple[str, ...]:
         """The images to build of those that differ from the revision; ends the command where there are none."""
         from rosml.bake import pull_request
         from rosml.bake.inputs import Inputs
@@ -297,8 +295,8 @@ class Call:
         from rosml.machine import revision
         from rosml.machine.base_images import native_architecture
 
-        found = revision.since(self.since, Inputs(ROOT, catalogue))
-        choice = pull_request.choose(catalogue, found, self.architectures or (native_architecture(),), self.at_most)
+        found = revision.since(self.since, Inputs(ROOT, image_set))
+        choice = pull_request.choose(image_set, found, self.architectures or (native_architecture(),), self.at_most)
         say(str(choice))
         ci.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
         if not choice.built:
@@ -308,7 +306,7 @@ class Call:
         return choice.built
 
     @cached_property
-    def catalogue(self) -> Catalogue:
+    def image_set(self) -> ImageSet:
         """All that the matrix describes, with the locks of this checkout."""
         from rosml.images import load
 
@@ -333,7 +331,7 @@ class Call:
         from rosml.scan import policy
 
         started = time.monotonic()
-        catalogue = self.catalogue
+        image_set = self.image_set
         services = Services.load(ROOT, required=not (reading and self.registry))
         upstream: Mapping[str, str] = {}
         if self.plan_file:
@@ -345,11 +343,11 @@ class Call:
             upstream = plan.upstream
         elif self.shard:
             raise click.UsageError("--shard is one of a plan: add --plan FILE")
-        selection.require_architectures(catalogue, self.serve)  # with a typo nothing would ever get a tag
+        selection.require_architectures(image_set, self.serve)  # with a typo nothing would ever get a tag
         if self.since:
             if self.only:
                 raise click.UsageError("--since says which images; leave --only out")
-            self.only = self.changed(catalogue)
+            self.only = self.changed(image_set)
         if not self.registry:
             services.require_registry()
         place = repositories.destination(self.registry or services.place)
@@ -361,7 +359,7 @@ class Call:
         scanning = running.policy_digest(policy.load(self.policy)) if self.require_scan else ""
         found = planning.survey(
             services,
-            catalogue,
+            image_set,
             client,
             place.prefix,
             self.only,
@@ -406,7 +404,7 @@ class Call:
 def plan(everywhere: bool, shards: int, why: bool, output: Path | None, **options: Any) -> None:
     """Says what is to be done: which images are not as they should be, and why.
 
-    Compares the inputs of every image, and the dates of the packages it is built from, with what the registry's ledger
+    Compares the inputs of every image, and the dates of the packages it is built from, with what the registry's records
     says. Unchanged images are not touched by any later step.
 
     \b
@@ -419,7 +417,7 @@ def plan(everywhere: bool, shards: int, why: bool, output: Path | None, **option
 
     call = Call(**options)
     if everywhere:
-        call.architectures = call.serve or tuple(call.catalogue.matrix.architectures)
+        call.architectures = call.serve or tuple(call.image_set.matrix.architectures)
     pipeline = call.pipeline()
     text = report.plan_json(pipeline, shards, why)
     if output:
@@ -452,8 +450,8 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
         call.report(pipeline)
 
 
-_step("build", "Builds ROS images and payloads that are not as they should be, and pushes them by digest.")
-_step("compose", "Puts images with frameworks together in the registry, from ROS images and payloads; pulls nothing.")
+_step("build", "Builds ROS images and parts that are not as they should be, and pushes them by digest.")
+_step("compose", "Puts images with frameworks together in the registry, from ROS images and parts; pulls nothing.")
 _step("test", "Runs the structure tests of images that have not passed them, on their architecture.")
 _step("index", "Makes indexes of images whose architectures are all there, tested and alike. No tag moves.", _GATED)
 _step("promote", "Moves tags to the indexes of images that passed everything; remembers where they were.", _GATED)
@@ -628,13 +626,13 @@ def undo(run: str, **options: Any) -> None:
     from rosml.base.clock import now
     from rosml.cli import report
     from rosml.publish import undo as undoing
-    from rosml.records.ledger import Ledger
+    from rosml.records.store import Records
 
     started, call = time.monotonic(), Call(**options)
     client, prefix = place_of(call.registry, ROOT)
     with client:
         date = now()
-        outcomes = undoing.undo(Ledger(client, prefix), date, run)
+        outcomes = undoing.undo(Records(client, prefix), date, run)
         report.tell_outcomes(outcomes, date, client.uploaded, started, call.as_json)
     if any(outcome.state == "failed" for outcome in outcomes):
         raise SystemExit(1)
@@ -674,10 +672,10 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
     from rosml.publish.prune import STAYS, Pruner
 
     call = Call(**options)
-    catalogue = loading.catalogue(source.read(call.matrix))  # without its locks: it names repositories
+    image_set = loading.image_set(source.read(call.matrix))  # without its locks: it names repositories
     client, prefix = place_of(call.registry, ROOT)
     with client:
-        pruner = Pruner(client, prefix, catalogue, datetime.now(UTC).date(), days, newest)
+        pruner = Pruner(client, prefix, image_set, datetime.now(UTC).date(), days, newest)
         found = pruner.find()
         if not call.as_json:
             for repository, tag in found.tags:

@@ -14,7 +14,7 @@ from rosml.publish import shards as dealing
 from rosml.publish.pipeline import Outcome, Pipeline
 from rosml.publish.plan import Task, changes
 from rosml.publish.plan_file import PLAN_FORMAT
-from rosml.records import ledger
+from rosml.records import store
 
 
 def tasks(pipeline: Pipeline) -> list[Task]:
@@ -35,9 +35,9 @@ def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
     )
     wanted = {image.target for image in plan.images}
     architectures = {name for target, name in work.made | work.tested if target in wanted}
-    if architectures and plan.catalogue.matrix.rates:
+    if architectures and plan.image_set.matrix.rates:
         # By architecture: a machine of each kind, however few images there are.
-        made = dealing.deal(plan.catalogue, max(shards, len(architectures)), lambda image: image.target in wanted, work)
+        made = dealing.deal(plan.image_set, max(shards, len(architectures)), lambda image: image.target in wanted, work)
         dealt = [dealing.facts(shard) for shard in made.shards]
     content = {
         "version": PLAN_FORMAT,
@@ -78,7 +78,7 @@ def tell(text: str) -> None:
 def _changed(pipeline: Pipeline, task: Task, why: bool) -> dict[str, Any]:
     if not why or not task.steps or task.item.key not in pipeline.plan.known:
         return {}
-    changed = changes(pipeline.plan, pipeline.ledger, task.item)
+    changed = changes(pipeline.plan, pipeline.records, task.item)
     return {"inputs": changed} if changed else {}
 
 
@@ -183,7 +183,7 @@ def markdown(pipeline: Pipeline, outcomes: list[Outcome]) -> str:
     if rows:
         lines += ["| step | image | architecture | state | time | size | digest | what |", "|" + " --- |" * 8]
     for outcome in rows:
-        entry = pipeline.plan.known.get((outcome.target, outcome.architecture or ledger.INDEX))
+        entry = pipeline.plan.known.get((outcome.target, outcome.architecture or store.INDEX))
         facts = (
             size(entry.size) if entry and entry.size else "",
             f"`{entry.digest[:19]}`" if entry and entry.digest else "",

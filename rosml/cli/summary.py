@@ -10,7 +10,7 @@ from rosml.base.units import duration, size
 from rosml.images.image_set import Image, tags_of
 from rosml.machine import buildx
 from rosml.publish.pipeline import Pipeline
-from rosml.records.ledger import INDEX
+from rosml.records.store import INDEX
 from rosml.records.tag_moves import Move
 
 
@@ -112,7 +112,7 @@ def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] |
     require_whole(run, image, architecture, tagged=moves is not None)
     plan, repository = run.plan, run.reference(image.repository)
     entry = plan.known[image.target, architecture]
-    parts = [plan.known[plan.catalogue.payload_by_name[name].target, architecture] for name in image.parts]
+    parts = [plan.known[plan.image_set.part_by_name[name].target, architecture] for name in image.parts]
     seconds: dict[str, float] = {}
     for outcome in run.outcomes:
         if outcome.seconds:

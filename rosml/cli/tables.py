@@ -62,8 +62,8 @@ def print_images(images: Sequence[Image]) -> None:
         table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
     terminal.show(table)
     out = terminal.console()
-    payloads = {name for image in images for name in image.parts}
-    out.print(f"{counted(len(images), 'image')}, {counted(len(payloads), 'payload')}", style="dim")
+    parts = {name for image in images for name in image.parts}
+    out.print(f"{counted(len(images), 'image')}, {counted(len(parts), 'part')}", style="dim")
     lost = sum(bool(image.lost) for image in images)
     waiting = sum(not image.locked for image in images) - lost
     for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
@@ -73,11 +73,11 @@ def print_images(images: Sequence[Image]) -> None:
 
 def print_shards(plan: Dealt, left_out: int = 0) -> None:
     """Prints one line for each shard, and what the whole takes. `left_out`: how many images have no lock."""
-    numbers = ("images", "payloads", "minutes", "GB download", "GB disk")
+    numbers = ("images", "parts", "minutes", "GB download", "GB disk")
     table = terminal.table("shard", "runner", "distributions", *numbers, right=numbers)
     for shard in plan.shards:
         sizes = (f"{megabytes / 1000:.1f}" for megabytes in (shard.download_mb, shard.disk_mb))
-        counts = (str(len(shard.targets)), str(len(shard.payloads)), f"{shard.seconds / 60:.0f}")
+        counts = (str(len(shard.targets)), str(len(shard.parts)), f"{shard.seconds / 60:.0f}")
         table.add_row(shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes)
     terminal.show(table)
     out = terminal.console()

@@ -1,4 +1,4 @@
-"""The facts of a matrix -> every image and payload that they allow."""
+"""The facts of a matrix -> every image and part that they allow."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rosml.images import labels
-from rosml.images.image_set import Catalogue, Image, Payload, Wheels
+from rosml.images.image_set import Image, ImageSet, Part, Wheels
 from rosml.matrix import names, rules
 from rosml.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix, Size
 from rosml.matrix.rules import Brought
@@ -19,10 +19,10 @@ def long_tests(distribution: Distribution) -> tuple[str, ...]:
     return ("pip",) if distribution.wheels else (f"{ros}-workspace", f"{ros}-components", "pip")
 
 
-def expand(matrix: Matrix) -> Catalogue:
-    """Every image and payload of a matrix whose references hold."""
+def expand(matrix: Matrix) -> ImageSet:
+    """Every image and part of a matrix whose references hold."""
     images = tuple(_images(matrix))
-    return Catalogue(matrix, images, tuple(_payloads(matrix, images)), tuple(_wheels(matrix)))
+    return ImageSet(matrix, images, tuple(_parts(matrix, images)), tuple(_wheels(matrix)))
 
 
 def combinations(matrix: Matrix) -> Iterator[tuple[str, str, str, str | None]]:
@@ -49,7 +49,7 @@ class _Kind:
     facts: Framework
     stack: str | None
     architectures: tuple[str, ...]
-    payloads: tuple[Payload, ...]
+    parts: tuple[Part, ...]
     versions: dict[str, str]
     brought: tuple[Brought, ...] = ()
     covering: tuple[str, ...] = ()
@@ -73,9 +73,9 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
     python = matrix.operating_systems[distribution.os].python
     if stack is None:
         return _Kind(framework, facts, None, architectures, (), {})
-    parts = rules.parts(matrix, facts, matrix.stacks[stack])
+    kinds = rules.parts(matrix, facts, matrix.stacks[stack])
     families = set(rules.families(matrix, facts))
-    payloads = tuple(_payload(matrix, part, stack, python, architectures) for part in parts)
+    parts = tuple(_part(matrix, kind, stack, python, architectures) for kind in kinds)
     covering = tuple(
         other
         for other, more in matrix.frameworks.items()
@@ -86,8 +86,8 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
     )
     known = rules.versions(matrix, matrix.stacks[stack])
     versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
-    brought = rules.brought(matrix, parts, matrix.stacks[stack])
-    return _Kind(framework, facts, stack, architectures, payloads, versions, brought, covering)
+    brought = rules.brought(matrix, kinds, matrix.stacks[stack])
+    return _Kind(framework, facts, stack, architectures, parts, versions, brought, covering)
 
 
 def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
@@ -99,7 +99,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
     ros = f"ros{distribution.ros}"
     apt = [ros, *(f"{ros}-{link}" for link in chain)]
     long = long_tests(distribution) if distribution.wheels or not kind.covering else ()
-    shared = [payload.part for payload in kind.payloads if matrix.part[payload.part].tested]
+    shared = [part.kind for part in kind.parts if matrix.part[part.kind].tested]
     wheels = _wheels_of(matrix, name, kind.architectures)
     return Image(
         target=target,
@@ -121,17 +121,17 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         parent=ros_image if kind.stack else below,
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
         wheels=() if kind.stack else distribution.wheels,
-        parts=tuple(payload.name for payload in kind.payloads),
+        parts=tuple(part.name for part in kind.parts),
         tests=("contract", *([f"{ros}-wheels"] if distribution.wheels else apt), *shared, *kind.facts.tests, *long),
         covered=tuple(names.image_target(name, component, other, kind.stack) for other in kind.covering),
         locks=(
             *(lock for item in wheels for lock in item.locks),
-            *(lock for item in kind.payloads for lock in item.locks),
+            *(lock for item in kind.parts for lock in item.locks),
         ),
         disk=Size.total(
             matrix.disk.os,
             *(matrix.disk.components[link] for link in chain),
-            *(payload.disk for payload in kind.payloads),
+            *(part.disk for part in kind.parts),
         ),
         budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.framework),
     )
@@ -184,24 +184,24 @@ def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tup
     return (found,) if distribution.wheels else ()
 
 
-def _payload(matrix: Matrix, part: str, stack: str, python: str, architectures: tuple[str, ...]) -> Payload:
-    any_python = matrix.part[part].any_python
-    pythons = _pythons(matrix, part, stack) if any_python else (python,)
+def _part(matrix: Matrix, kind: str, stack: str, python: str, architectures: tuple[str, ...]) -> Part:
+    any_python = matrix.part[kind].any_python
+    pythons = _pythons(matrix, kind, stack) if any_python else (python,)
     fitting = sorted(name for name, system in matrix.operating_systems.items() if system.python in pythons)
     assembler = matrix.default.assembler
     os = assembler if assembler in fitting or not fitting else fitting[0]
     if any_python:
         python = ANY_PYTHON
-    return Payload(
-        name=names.payload_name(part, stack, python),
-        part=part,
+    return Part(
+        name=names.part_name(kind, stack, python),
+        kind=kind,
         stack=stack,
         python=python,
         os=os,
         architectures=architectures,
         platforms=tuple(matrix.architectures[architecture].platform for architecture in architectures),
-        locks=tuple(names.lock_path(stack, architecture, python, part) for architecture in architectures),
-        disk=matrix.disk.parts[stack][part],
+        locks=tuple(names.lock_path(stack, architecture, python, kind) for architecture in architectures),
+        disk=matrix.disk.parts[stack][kind],
     )
 
 
@@ -211,8 +211,8 @@ def _pythons(matrix: Matrix, part: str, stack: str) -> tuple[str, ...]:
     return matrix.releases[family][matrix.stacks[stack].releases[family]].python if family else ()
 
 
-def _payloads(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Payload]:
-    """Each payload that an image needs, once, for all architectures that any image needs it for."""
+def _parts(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Part]:
+    """Each part that an image needs, once, for all architectures that any image needs it for."""
     needed: dict[tuple[str, str], dict[str, set[str]]] = {}
     for image in images:
         if image.stack:
@@ -222,7 +222,7 @@ def _payloads(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Payload]:
     merged: dict[str, tuple[str, str, str, set[str]]] = {}
     for (stack, python), parts in needed.items():
         for part, wanted in parts.items():
-            name = names.payload_name(part, stack, ANY_PYTHON if matrix.part[part].any_python else python)
+            name = names.part_name(part, stack, ANY_PYTHON if matrix.part[part].any_python else python)
             merged.setdefault(name, (part, stack, python, set()))[3].update(wanted)
     for part, stack, python, wanted in merged.values():
-        yield _payload(matrix, part, stack, python, tuple(name for name in matrix.architectures if name in wanted))
+        yield _part(matrix, part, stack, python, tuple(name for name in matrix.architectures if name in wanted))

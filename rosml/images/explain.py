@@ -12,7 +12,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, unknown
 from rosml.images import apt_source, missing
 from rosml.images.expand import FLOATING
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 from rosml.matrix import names, rules
 from rosml.matrix.model import Apt, Matrix
 
@@ -32,7 +32,7 @@ class Explained:
     """What there is to say of a name.
 
     Attributes:
-        target: the image, payload or group that the name means; the name itself where there is none.
+        target: the image, part or group that the name means; the name itself where there is none.
         exists: whether there is one, with its lock or without.
         reasons: the facts behind it; or one sentence, about why the facts rule it out or what it is.
         head: what stands before several reasons.
@@ -53,17 +53,17 @@ class Explained:
         return {"target": self.target, "exists": self.exists, "reasons": list(self.reasons)}
 
 
-def explain(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.environ) -> str:
+def explain(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.environ) -> str:
     """The text of `explained`."""
-    return explained(catalogue, name, environ).text
+    return explained(image_set, name, environ).text
 
 
-def explained(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.environ) -> Explained:
-    """Why there is an image, payload or group of a name, or why not.
+def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.environ) -> Explained:
+    """Why there is an image, part or group of a name, or why not.
 
     Args:
-        catalogue: what there is.
-        name: of the image, payload or group.
+        image_set: what there is.
+        name: of the image, part or group.
         environ: `ROS_CHANNEL` and `ROS_SNAPSHOT` name another apt repository of ROS for this time.
 
     Raises:
@@ -71,56 +71,56 @@ def explained(catalogue: Catalogue, name: str, environ: Mapping[str, str] = os.e
     """
     if not name:
         raise RosmlError("no image is named", remedy="name one: make explain TARGET=jazzy-robot", exit_code=2)
-    tagged = catalogue.by_tag(name)
-    if image := tagged or catalogue.by_target.get(name.removesuffix("-test"), catalogue.by_target.get(name)):
+    tagged = image_set.by_tag(name)
+    if image := tagged or image_set.by_target.get(name.removesuffix("-test"), image_set.by_target.get(name)):
         head = f"{image.target} {'exists' if image.locked else 'exists, but cannot be built yet'}:"
-        return Explained(image.target, True, tuple(_facts(catalogue.matrix, image, environ)), head)
-    if payload := catalogue.payload_by_name.get(name.removeprefix("payload-")):
-        users = sum(payload.name in image.parts for image in catalogue.images)
-        text = f"{payload.name}: {payload.part} of stack {payload.stack}, assembled from {listed(payload.locks)}, in {counted(users, 'image')}"
-        return Explained(payload.name, True, (text,))
-    if name in catalogue.groups:
-        listed_by = "make list" if name in ("payloads", "tests") else f"make list GROUP={name}"
-        text = f"{name}: a group of {counted(len(catalogue.groups[name]), 'target')}; see them with: {listed_by}"
+        return Explained(image.target, True, tuple(_facts(image_set.matrix, image, environ)), head)
+    if part := image_set.part_by_name.get(name.removeprefix("part-")):
+        users = sum(part.name in image.parts for image in image_set.images)
+        text = f"{part.name}: {part.kind} of stack {part.stack}, assembled from {listed(part.locks)}, in {counted(users, 'image')}"
+        return Explained(part.name, True, (text,))
+    if name in image_set.groups:
+        listed_by = "make list" if name in ("parts", "tests") else f"make list GROUP={name}"
+        text = f"{name}: a group of {counted(len(image_set.groups[name]), 'target')}; see them with: {listed_by}"
         return Explained(name, True, (text,))
-    if members := [image for image in catalogue.images if name in image.groups]:
+    if members := [image for image in image_set.images if name in image.groups]:
         text = f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
         return Explained(name, True, (text,))
-    if reason := why_not(catalogue, name):
+    if reason := why_not(image_set, name):
         return Explained(name, False, (reason,))
-    raise RosmlError(unknown("image", name, _alike(catalogue, name)), remedy="see all with: make list", exit_code=2)
+    raise RosmlError(unknown("image", name, _alike(image_set, name)), remedy="see all with: make list", exit_code=2)
 
 
-def _alike(catalogue: Catalogue, name: str) -> list[str]:
+def _alike(image_set: ImageSet, name: str) -> list[str]:
     """Among what near names are sought: for a tag, those of its repository."""
     repository = name.rpartition("/")[2].partition(":")[0] if ":" in name else ""
-    tags = [tag for image in catalogue.images for tag in image.tags if image.repository == repository]
-    return tags or [*catalogue.by_target, *catalogue.groups]
+    tags = [tag for image in image_set.images for tag in image.tags if image.repository == repository]
+    return tags or [*image_set.by_target, *image_set.groups]
 
 
-def why_not(catalogue: Catalogue, name: str) -> str | None:
+def why_not(image_set: ImageSet, name: str) -> str | None:
     """One sentence about why a combination does not exist; None where it exists or the name is not understood."""
-    if name in catalogue.by_target:
+    if name in image_set.by_target:
         return None
-    for wanted in _readings(catalogue.matrix, name):
-        if sentence := _reason(catalogue, name, wanted):
+    for wanted in _readings(image_set.matrix, name):
+        if sentence := _reason(image_set, name, wanted):
             return sentence
     return None
 
 
-def image(catalogue: Catalogue, name: str) -> Image:
+def image(image_set: ImageSet, name: str) -> Image:
     """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`.
 
     Raises:
         RosmlError: there is none (exit code 2); says why the facts rule it out, or names near ones.
     """
-    if name not in catalogue.by_target and not catalogue.by_tag(name) and (reason := why_not(catalogue, name)):
+    if name not in image_set.by_target and not image_set.by_tag(name) and (reason := why_not(image_set, name)):
         raise RosmlError(reason, remedy="see all with: make list", exit_code=2)
-    return catalogue.image(name)
+    return image_set.image(name)
 
 
-def _reason(catalogue: Catalogue, name: str, wanted: Wanted) -> str | None:
-    matrix = catalogue.matrix
+def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
+    matrix = image_set.matrix
     if reason := rules.component_reason(matrix, wanted.distribution, wanted.component):
         return f"{name} does not exist: {reason}."
     row, facts = wanted.distribution, matrix.frameworks[wanted.framework]
@@ -128,9 +128,9 @@ def _reason(catalogue: Catalogue, name: str, wanted: Wanted) -> str | None:
         if reason := rules.stack_reason(matrix, row, wanted.framework, wanted.stack):
             return f"{name} does not exist: {reason}."
         target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
-        if ":" in name and target in catalogue.by_target:
+        if ":" in name and target in image_set.by_target:
             stack = matrix.distributions[row].default_stack
-            return f"there is no tag {name}: short ones are for stack {stack} alone; take {catalogue.by_target[target].tags[0]}."
+            return f"there is no tag {name}: short ones are for stack {stack} alone; take {image_set.by_target[target].tags[0]}."
         return f"{name} is called {target}."
     reasons = {stack: rules.stack_reason(matrix, row, wanted.framework, stack) for stack in matrix.stacks}
     image = wanted.distribution, wanted.component, wanted.framework

@@ -1,4 +1,4 @@
-"""A catalogue as a table for people and as JSON for machines."""
+"""An image set as a table for people and as JSON for machines."""
 
 from __future__ import annotations
 

@@ -11,17 +11,17 @@ from rosml.matrix import names
 from rosml.matrix.model import Matrix, Size
 from rosml.matrix.rules import Brought
 
-PAYLOADS = "payload"
-"""The repository of payloads, without the registry's prefix."""
+PARTS = "part"
+"""The repository of parts, without the registry's prefix."""
 
 
 @dataclass(frozen=True)
-class Payload:
+class Part:
     """A part of a stack, assembled once and added to many images.
 
     Attributes:
-        name: `torch-cu128-py311`; also the tag in the repository `payload`, and the key in DIGESTS.
-        part: the entry of the matrix that it is built from, such as `torch`.
+        name: `torch-cu128-py311`; also the tag in the repository `part`, and the key in DIGESTS.
+        kind: the entry of the matrix that it is built from, such as `torch`.
         stack: name of the stack.
         python: version of Python, `any` where the part is the same for all.
         os: operating system that it is assembled on, one with that Python: the assembler of the matrix, or else the first
@@ -34,7 +34,7 @@ class Payload:
     """
 
     name: str
-    part: str
+    kind: str
     stack: str
     python: str
     os: str
@@ -46,8 +46,8 @@ class Payload:
 
     @property
     def target(self) -> str:
-        """The bake target of the payload as an image of its own."""
-        return names.payload_target(self.name)
+        """The bake target of the part as an image of its own."""
+        return names.part_target(self.name)
 
 
 @dataclass(frozen=True)
@@ -83,18 +83,18 @@ class Image:
         repository: without the registry. tags: `repository:tag` without the registry; the first one is the main tag.
         groups: bake groups that build it.
         parent: target that it stands on: of a ROS image the component below or the operating system, otherwise the
-            ROS image that payloads are joined to.
+            ROS image that parts are joined to.
         packages: Debian packages that a ROS image adds to its parent, separated by spaces.
         wheels: Python packages that a ROS image gets in their place.
-        parts: payloads that are joined to the parent, in this order.
+        parts: parts that are joined to the parent, in this order.
         tests: names of the files in tests/structure, those of its ancestors first.
         covered: targets of images with all its layers and more frameworks, on all its architectures. What takes longer
             than all other tests runs in them, and not in this one, unless a lock is missing to build any of them.
-        locks: locks of the wheels that its ROS comes from, and of its payloads.
+        locks: locks of the wheels that its ROS comes from, and of its parts.
         unlocked: those that are missing; without all of them it cannot be built, and is in no group.
         lost: those of them that should be there, since they wait for no other index.
         disk: forecast of its size with everything below it.
-        budget: MB that its payloads may have together in the registry; None if that is left open.
+        budget: MB that its parts may have together in the registry; None if that is left open.
     """
 
     target: str
@@ -137,19 +137,19 @@ class Image:
 
 
 @dataclass(frozen=True)
-class Catalogue:
+class ImageSet:
     """All that a matrix describes, in the order of the file."""
 
     matrix: Matrix
     images: tuple[Image, ...]
-    payloads: tuple[Payload, ...]
+    parts: tuple[Part, ...]
     wheels: tuple[Wheels, ...] = ()
 
     @property
     def locks(self) -> set[str]:
         """Every lock that is needed, relative to the project's root."""
         wheels = {lock for item in self.wheels for lock in item.locks}
-        return wheels.union(lock for payload in self.payloads for lock in payload.locks)
+        return wheels.union(lock for part in self.parts for lock in part.locks)
 
     @cached_property
     def by_target(self) -> dict[str, Image]:
@@ -157,9 +157,9 @@ class Catalogue:
         return {image.target: image for image in self.images}
 
     @cached_property
-    def payload_by_name(self) -> dict[str, Payload]:
-        """Payloads by name."""
-        return {payload.name: payload for payload in self.payloads}
+    def part_by_name(self) -> dict[str, Part]:
+        """Parts by name."""
+        return {part.name: part for part in self.parts}
 
     @cached_property
     def groups(self) -> dict[str, tuple[str, ...]]:
@@ -173,7 +173,7 @@ class Catalogue:
                 if group != "default":
                     members.setdefault(group, []).append(image.target)
         used = {name for image in locked.values() for name in image.parts}
-        members["payloads"] = [payload.target for payload in self.payloads if payload.name in used]
+        members["parts"] = [part.target for part in self.parts if part.name in used]
         members["tests"] = [image.test_target for image in locked.values()]
         return {name: tuple(targets) for name, targets in members.items() if targets}
 
@@ -193,11 +193,11 @@ class Catalogue:
         return next((image for image in self.images if tag in image.tags), None) if ":" in tag else None
 
 
-def repository_of(thing: Image | Payload) -> str:
-    """The repository of an image or payload, without the registry's prefix."""
-    return PAYLOADS if isinstance(thing, Payload) else thing.repository
+def repository_of(thing: Image | Part) -> str:
+    """The repository of an image or part, without the registry's prefix."""
+    return PARTS if isinstance(thing, Part) else thing.repository
 
 
-def tags_of(thing: Image | Payload) -> list[str]:
-    """The tags of an image or payload, without the repository: the main one, those that spell versions out, floating ones."""
-    return [thing.name] if isinstance(thing, Payload) else [tag.split(":", 1)[1] for tag in thing.tags]
+def tags_of(thing: Image | Part) -> list[str]:
+    """The tags of an image or part, without the repository: the main one, those that spell versions out, floating ones."""
+    return [thing.name] if isinstance(thing, Part) else [tag.split(":", 1)[1] for tag in thing.tags]

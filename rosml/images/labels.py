@@ -1,6 +1,6 @@
-"""What the labels of images and payloads say: for the bake file, and for whoever joins images in a registry.
+"""What the labels of images and parts say: for the bake file, and for whoever joins images in a registry.
 
-A payload says what it is and what it takes, so that it can be joined by somebody who has the registry and nothing else.
+A part says what it is and what it takes, so that it can be joined by somebody who has the registry and nothing else.
 """
 
 from __future__ import annotations
@@ -8,9 +8,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from rosml.images.image_set import Image, Payload
+from rosml.images.image_set import Image, Part
 from rosml.matrix import names
-from rosml.matrix.model import ANY_PYTHON, Part
+from rosml.matrix.model import ANY_PYTHON, PartEntry
 from rosml.matrix.rules import Brought
 
 PREFIX = "io.rosml."
@@ -24,10 +24,10 @@ OCI = "org.opencontainers.image."
 """Prefix of the labels that an index has as annotations too."""
 
 BRINGS = f"{PREFIX}brings"
-"""The label of a payload that says what it brings, with how tags and descriptions call it: `tensorflow:tf:TensorFlow`."""
+"""The label of a part that says what it brings, with how tags and descriptions call it: `tensorflow:tf:TensorFlow`."""
 
 RELEASE = f"{PREFIX}release"
-"""The label of a payload that says what it is a release of."""
+"""The label of a part that says what it is a release of."""
 
 
 def named(
@@ -63,14 +63,14 @@ def variable(name: str) -> str:
     return name.upper().replace("-", "_")
 
 
-def of_payload(
-    part: Part,
+def of_part(
+    entry: PartEntry,
     stack: str,
     python: str,
     brought: Sequence[Brought],
-    frameworks: Mapping[str, Sequence[Part]],
+    frameworks: Mapping[str, Sequence[PartEntry]],
 ) -> dict[str, str]:
-    """The labels of a payload.
+    """The labels of a part.
 
     Args:
         python: `any` where the part is the same for all. brought: what it brings.
@@ -78,30 +78,30 @@ def of_payload(
     """
     pythons = "any Python" if python == ANY_PYTHON else f"Python {python}"
     return {
-        TITLE: names.payload_name(part.name, stack, python),
-        DESCRIPTION: f"part {part.name} of stack {stack}, for {pythons}",
-        f"{PREFIX}part": part.name,
+        TITLE: names.part_name(entry.name, stack, python),
+        DESCRIPTION: f"part {entry.name} of stack {stack}, for {pythons}",
+        f"{PREFIX}part": entry.name,
         f"{PREFIX}stack": stack,
         f"{PREFIX}python": python,
         **{f"{PREFIX}{item.name}": item.version for item in brought},
         **({BRINGS: called(brought)} if brought else {}),
-        **({RELEASE: part.release} if part.release else {}),
+        **({RELEASE: entry.release} if entry.release else {}),
         f"{PREFIX}frameworks": " ".join(f"{name}={_marked(frameworks[name])}" for name in smallest_first(frameworks)),
     }
 
 
-def _marked(parts: Iterable[Part]) -> str:
+def _marked(parts: Iterable[PartEntry]) -> str:
     """Names of parts, with * at those for any Python."""
     return ",".join(f"{part.name}*" if part.any_python else part.name for part in parts)
 
 
 def called(brought: Sequence[Brought]) -> str:
-    """What a payload brings, as its label says it: `cuda:cuda:CUDA cudnn::`."""
+    """What a part brings, as its label says it: `cuda:cuda:CUDA cudnn::`."""
     return " ".join(f"{item.name}:{item.short}:{item.title}" for item in brought)
 
 
 def brought_by(labels: Mapping[str, str]) -> Iterator[Brought]:
-    """What a payload with these labels brings.
+    """What a part with these labels brings.
 
     Raises:
         ValueError: the label is damaged.
@@ -118,7 +118,7 @@ def smallest_first(frameworks: Mapping[str, Sequence[object]]) -> list[str]:
 
 
 def frameworks(text: str) -> dict[str, tuple[str, ...]]:
-    """The parts of every framework that takes a payload, as its label has them: smallest first.
+    """The parts of every framework that takes a part, as its label has them: smallest first.
 
     Raises:
         ValueError: the label is damaged.
@@ -132,6 +132,6 @@ def any_python(text: str, part: str) -> bool:
     return f"{part}*" in re.split("[ =,]", text)
 
 
-def title(thing: Image | Payload) -> str:
-    """What the label and the annotation of that name say of an image or payload."""
-    return thing.name if isinstance(thing, Payload) else thing.target
+def title(thing: Image | Part) -> str:
+    """What the label and the annotation of that name say of an image or part."""
+    return thing.name if isinstance(thing, Part) else thing.target

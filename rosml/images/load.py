@@ -9,13 +9,13 @@ from rosml import ROOT
 from rosml.base.problems import SHOWN, InputError
 from rosml.images.collisions import collisions
 from rosml.images.expand import expand
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.locked import current_locks, with_locks
 from rosml.matrix.source import Document, read
 from rosml.matrix.validate import validate
 
 
-def load(file: Path, root: Path = ROOT) -> Catalogue:
+def load(file: Path, root: Path = ROOT) -> ImageSet:
     """Reads, validates and expands a matrix, and looks which locks are there.
 
     Args:
@@ -26,12 +26,12 @@ def load(file: Path, root: Path = ROOT) -> Catalogue:
         RosmlError: the file cannot be read (exit code 2).
         InputError: it has problems: all that can be seen at once, each with its place (exit code 2).
     """
-    result = catalogue(read(file))
+    result = image_set(read(file))
     return with_locks(result, current_locks(result, root))
 
 
-def catalogue(document: Document) -> Catalogue:
-    """The catalogue of a parsed matrix; raises as `load` does."""
+def image_set(document: Document) -> ImageSet:
+    """The image set of a parsed matrix; raises as `load` does."""
     result = expand(validate(document))
     if found := [document.problem(path, text) for path, text in islice(collisions(result), SHOWN + 1)]:
         raise InputError(document.name, found)

@@ -1,11 +1,11 @@
-"""The text of a lock: what it pins, and whether it is the one that a payload needs now."""
+"""The text of a lock: what it pins, and whether it is the one that a part needs now."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 
-from rosml.images.image_set import Payload, Wheels
+from rosml.images.image_set import Part, Wheels
 from rosml.matrix import names
 from rosml.matrix.model import Matrix
 
@@ -39,16 +39,16 @@ def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
         yield fact, f"nvidia-{package}-cu{cuda.split('.')[0]}"
 
 
-def current(text: str, payload: Payload, matrix: Matrix, architecture: str) -> bool:
-    """Whether a text is the payload's lock: its head says so, it is whole, and it pins what the stack's facts say."""
-    head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
+def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
+    """Whether a text is the part's lock: its head says so, it is whole, and it pins what the stack's facts say."""
+    head = names.lock_head(part.stack, architecture, part.python, part.kind)
     if not text.startswith(f"{head}\n") or not _WHOLE.fullmatch(text):
         return False
-    pinned, stack, part = versions(text), matrix.stacks[payload.stack], matrix.part[payload.part]
-    if part.release:
-        requirement = stack.requirement(part.release, architecture) or ""
-        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.releases[part.release]
-    if part.versions:
+    pinned, stack, entry = versions(text), matrix.stacks[part.stack], matrix.part[part.kind]
+    if entry.release:
+        requirement = stack.requirement(entry.release, architecture) or ""
+        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.releases[entry.release]
+    if entry.versions:
         facts = {package: getattr(stack, fact) for fact, package in cuda_packages(stack.cuda or "")}
         return all(pinned[package] == fact for package, fact in facts.items() if package in pinned and fact)
     return True

@@ -11,23 +11,23 @@ from rosml.base.errors import RosmlError
 from rosml.base.files import shown
 from rosml.images import lock_file, missing
 from rosml.images.expand import long_tests
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 
 
-def current_locks(catalogue: Catalogue, root: Path) -> frozenset[str]:
+def current_locks(image_set: ImageSet, root: Path) -> frozenset[str]:
     """The locks that can be used: they are there, whole, and hold what the facts say now."""
     present = locks(root)
     wheels = frozenset(
         lock
-        for item in catalogue.wheels
+        for item in image_set.wheels
         for architecture, lock in zip(item.architectures, item.locks, strict=True)
         if lock in present and lock_file.current_wheels(_text(root / lock), item, architecture)
     )
     return wheels | frozenset(
         lock
-        for payload in catalogue.payloads
-        for architecture, lock in zip(payload.architectures, payload.locks, strict=True)
-        if lock in present and lock_file.current(_text(root / lock), payload, catalogue.matrix, architecture)
+        for part in image_set.parts
+        for architecture, lock in zip(part.architectures, part.locks, strict=True)
+        if lock in present and lock_file.current(_text(root / lock), part, image_set.matrix, architecture)
     )
 
 
@@ -43,29 +43,28 @@ def _text(file: Path) -> str:
         raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", "give this user read access") from None
 
 
-def with_locks(catalogue: Catalogue, present: Collection[str]) -> Catalogue:
-    """A catalogue that knows which of its images and payloads lack a lock."""
-    absent = catalogue.locks.difference(present)
-    lost = absent - missing.waiting(catalogue.matrix, catalogue.payloads)
+def with_locks(image_set: ImageSet, present: Collection[str]) -> ImageSet:
+    """An image set that knows which of its images and parts lack a lock."""
+    absent = image_set.locks.difference(present)
+    lost = absent - missing.waiting(image_set.matrix, image_set.parts)
 
     def without(image: Image) -> Image:
         unlocked = tuple(lock for lock in image.locks if lock in absent)
         return replace(image, unlocked=unlocked, lost=tuple(lock for lock in unlocked if lock in lost))
 
-    images = tuple(without(image) if absent.intersection(image.locks) else image for image in catalogue.images)
+    images = tuple(without(image) if absent.intersection(image.locks) else image for image in image_set.images)
     locked = {image.target for image in images if image.locked}
 
     def alone(image: Image) -> Image:
         """With all tests, since none of the images that cover it can be built."""
-        long = long_tests(catalogue.matrix.distributions[image.distribution])
+        long = long_tests(image_set.matrix.distributions[image.distribution])
         return replace(image, tests=tuple(dict.fromkeys((*image.tests, *long))))
 
     images = tuple(alone(image) if image.covered and locked.isdisjoint(image.covered) else image for image in images)
-    payloads = tuple(
-        replace(payload, unlocked=tuple(lock for lock in payload.locks if lock in absent))
-        for payload in catalogue.payloads
+    parts = tuple(
+        replace(part, unlocked=tuple(lock for lock in part.locks if lock in absent)) for part in image_set.parts
     )
-    return replace(catalogue, images=images, payloads=payloads)
+    return replace(image_set, images=images, parts=parts)
 
 
 def locks(root: Path) -> frozenset[str]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
-from rosml.images.image_set import Catalogue, Image, Payload
+from rosml.images.image_set import Image, ImageSet, Part
 from rosml.matrix.model import Matrix
 
 MAKE_LOCKS = "run 'make locks'"
@@ -19,25 +19,25 @@ RESTORE = f"{MAKE_LOCKS}; if they were there and got lost: git checkout locks"
 """What to do about locks that should be there."""
 
 
-def waiting(matrix: Matrix, payloads: Iterable[Payload]) -> frozenset[str]:
+def waiting(matrix: Matrix, parts: Iterable[Part]) -> frozenset[str]:
     """Locks that cannot be made before PyTorch's own index was asked: of releases that have wheels `elsewhere` and no
     digest for a Python, and what is common to such releases alone."""
     by_lock = {
-        lock: (payload.stack, architecture, payload.python, payload.part)
-        for payload in payloads
-        for architecture, lock in zip(payload.architectures, payload.locks, strict=True)
+        lock: (part.stack, architecture, part.python, part.kind)
+        for part in parts
+        for architecture, lock in zip(part.architectures, part.locks, strict=True)
     }
     asking: set[str] = set()
     others: set[tuple[str, str, str]] = set()
-    for lock, (stack, architecture, python, part) in by_lock.items():
-        if part in matrix.families:
-            if _asks(matrix, stack, architecture, python, part):
+    for lock, (stack, architecture, python, kind) in by_lock.items():
+        if kind in matrix.families:
+            if _asks(matrix, stack, architecture, python, kind):
                 asking.add(lock)
             else:
                 others.add((stack, architecture, python))
     known = {by_lock[lock][:3] for lock in asking} - others
     return frozenset(
-        asking | {lock for lock, (*key, part) in by_lock.items() if matrix.part[part].shared and tuple(key) in known}
+        asking | {lock for lock, (*key, kind) in by_lock.items() if matrix.part[kind].shared and tuple(key) in known}
     )
 
 
@@ -57,12 +57,12 @@ def remedy(image: Image) -> str:
     return MAKE_LOCKS if image.lost else ASK_PYTORCH
 
 
-def lost(catalogue: Catalogue) -> RosmlError | None:
+def lost(image_set: ImageSet) -> RosmlError | None:
     """What to say of images whose locks should be there; None where none is missing but those that wait."""
-    images = [image.target for image in catalogue.images if image.lost]
+    images = [image.target for image in image_set.images if image.lost]
     if not images:
         return None
-    locks = list(dict.fromkeys(lock for image in catalogue.images for lock in image.lost))
+    locks = list(dict.fromkeys(lock for image in image_set.images for lock in image.lost))
     are = "is" if len(locks) == 1 else "are"
     text = f"{counted(len(images), 'image')} cannot be built ({some(images)}): {some(locks)} {are} missing, or not of the release that matrix.yaml names"
     return RosmlError(text, RESTORE)

@@ -7,72 +7,72 @@ from collections.abc import Iterable, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 
 
-def select(catalogue: Catalogue, only: Sequence[str]) -> tuple[Image, ...]:
+def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
     """The images that patterns, groups or targets name; all if there is none.
 
     Raises:
         RosmlError: a pattern names none (exit code 2).
     """
     if not only:
-        return catalogue.images
+        return image_set.images
     wanted: set[str] = set()
     for pattern in only:
-        found = fnmatch.filter(catalogue.by_target, pattern)
-        if not found and pattern in catalogue.groups:
-            found = [name for name in catalogue.groups[pattern] if name in catalogue.by_target]
+        found = fnmatch.filter(image_set.by_target, pattern)
+        if not found and pattern in image_set.groups:
+            found = [name for name in image_set.groups[pattern] if name in image_set.by_target]
         if not found:
-            raise RosmlError(unknown("image", pattern, catalogue.by_target), "see all with: make list", exit_code=2)
+            raise RosmlError(unknown("image", pattern, image_set.by_target), "see all with: make list", exit_code=2)
         wanted.update(found)
-    return tuple(image for image in catalogue.images if image.target in wanted)
+    return tuple(image for image in image_set.images if image.target in wanted)
 
 
-def require_architectures(catalogue: Catalogue, names: Iterable[str]) -> None:
+def require_architectures(image_set: ImageSet, names: Iterable[str]) -> None:
     """Checks names of architectures.
 
     Raises:
         RosmlError: the matrix has none of that name (exit code 2).
     """
-    known = catalogue.matrix.architectures
+    known = image_set.matrix.architectures
     for name in names:
         if name not in known:
             raise RosmlError(unknown("architecture", name, known), f"there is {', '.join(known)}", exit_code=2)
 
 
-def groups_of(catalogue: Catalogue) -> list[str]:
+def groups_of(image_set: ImageSet) -> list[str]:
     """All groups that `members` knows, those of images without a lock and architectures among them."""
-    return sorted({group for image in catalogue.images for group in (*image.groups, *image.architectures)})
+    return sorted({group for image in image_set.images for group in (*image.groups, *image.architectures)})
 
 
-def members(catalogue: Catalogue, groups: Sequence[str] = ()) -> tuple[Image, ...]:
+def members(image_set: ImageSet, groups: Sequence[str] = ()) -> tuple[Image, ...]:
     """The images that are in all of some groups, those without a lock among them, in the order of the matrix. An
     architecture counts as the group of the images that exist for it.
 
     Raises:
         RosmlError: there is no such group (exit code 2).
     """
-    known = groups_of(catalogue)
+    known = groups_of(image_set)
     for name in groups:
         if name not in known:
             raise RosmlError(unknown("group", name, known), f"there is {listed(known)}", exit_code=2)
     wanted = set(groups)
-    return tuple(image for image in catalogue.images if wanted <= {*image.groups, *image.architectures})
+    return tuple(image for image in image_set.images if wanted <= {*image.groups, *image.architectures})
 
 
-def none_in(catalogue: Catalogue, groups: Sequence[str]) -> str:
+def none_in(image_set: ImageSet, groups: Sequence[str]) -> str:
     """What to say where no image is in all of some groups: so, and how to learn why."""
-    return f"no image is in all of {listed(groups)}; see why: make explain TARGET={_example(catalogue, groups)}"
+    return f"no image is in all of {listed(groups)}; see why: make explain TARGET={_example(image_set, groups)}"
 
 
-def _example(catalogue: Catalogue, groups: Sequence[str]) -> str:
+def _example(image_set: ImageSet, groups: Sequence[str]) -> str:
     """A name to ask about: an image of the other groups where an architecture is what is lacking, or the name that the
     groups make up, or its pattern."""
-    axes = [name for name in groups if name not in catalogue.matrix.architectures]
-    if len(axes) < len(groups) and (others := members(catalogue, axes)):
+    axes = [name for name in groups if name not in image_set.matrix.architectures]
+    if len(axes) < len(groups) and (others := members(image_set, axes)):
         return others[0].target
-    matrix = catalogue.matrix
+    matrix = image_set.matrix
     words = [
         [name for name in groups if name in axis]
         for axis in (matrix.distributions, matrix.components, matrix.frameworks, matrix.stacks)
@@ -82,13 +82,13 @@ def _example(catalogue: Catalogue, groups: Sequence[str]) -> str:
     return "-".join(name for word in words for name in word) if readable else "<distribution>-<component>-<framework>"
 
 
-def architecture_of(catalogue: Catalogue, platform: str) -> str:
+def architecture_of(image_set: ImageSet, platform: str) -> str:
     """The architecture of a platform such as `linux/arm64`.
 
     Raises:
         RosmlError: the matrix has no such platform (exit code 2).
     """
-    known = {facts.platform: name for name, facts in catalogue.matrix.architectures.items()}
+    known = {facts.platform: name for name, facts in image_set.matrix.architectures.items()}
     if platform not in known:
         raise RosmlError(unknown("platform", platform, known), f"take one of {listed(list(known))}", exit_code=2)
     return known[platform]

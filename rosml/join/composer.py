@@ -56,7 +56,7 @@ class Composed:
 
 
 class Composer:
-    """Composes images; what it read of ROS images and payloads it need not read again. Safe to share among threads.
+    """Composes images; what it read of ROS images and parts it need not read again. Safe to share among threads.
 
     Attributes:
         allow_unlisted: go on although an image has no list of its files.
@@ -90,11 +90,11 @@ class Composer:
     def __exit__(self, failed: object, *_: object) -> None:
         self._pool.shutdown(wait=not failed, cancel_futures=True)  # Ctrl-C waits for no registry
 
-    def compose(self, ros: str, payloads: Sequence[str], target: str, platforms: Sequence[str] = ()) -> Composed:
-        """Composes an image for every platform that a ROS image and payloads have in common, and tags it.
+    def compose(self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = ()) -> Composed:
+        """Composes an image for every platform that a ROS image and parts have in common, and tags it.
 
         Args:
-            ros, payloads: complete references of indexes or manifests.
+            ros, parts: complete references of indexes or manifests.
             target: complete reference with the tag to move.
             platforms: for these only, such as `linux/arm64`.
 
@@ -105,10 +105,10 @@ class Composer:
         where = oci.parse(target)
         if oci.is_digest(where.reference):
             raise RosmlError(f"{target} is a digest, and a tag is to be moved", "write it with a tag", exit_code=2)
-        if str(where) in {str(oci.parse(source)) for source in (ros, *payloads)}:
+        if str(where) in {str(oci.parse(source)) for source in (ros, *parts)}:
             text = f"{target} is one of the images that are joined, and would be overwritten"
             raise RosmlError(text, "name another tag", exit_code=2)
-        found = list(self._pool.map(self._platforms, [ros, *payloads]))
+        found = list(self._pool.map(self._platforms, [ros, *parts]))
         wanted = _common(found, platforms)
         self._say_what_is_left_out(found, wanted, platforms)
         result = Composed()
@@ -122,17 +122,17 @@ class Composer:
         result.seconds = time.monotonic() - started
         return result
 
-    def manifest(self, ros: Reference, payloads: Sequence[Reference], host: str, repository: str) -> Composed:
+    def manifest(self, ros: Reference, parts: Sequence[Reference], host: str, repository: str) -> Composed:
         """Composes an image from manifests for one platform; by its digest alone, without an index or a tag.
 
         Args:
-            ros, payloads: by digest. host, repository: where the image goes.
+            ros, parts: by digest. host, repository: where the image goes.
 
         Raises:
             RosmlError: as in `compose`.
         """
         started = time.monotonic()
-        sources = list(self._pool.map(lambda item: self._source(str(item), item), (ros, *payloads)))
+        sources = list(self._pool.map(lambda item: self._source(str(item), item), (ros, *parts)))
         result = Composed()
         image = self._joined(sources, result)
         digest = self._push(image, host, repository, result)

@@ -1,4 +1,4 @@
-"""The lists of files of images and payloads: made in the builder, attached in the registry, compared before a join.
+"""The lists of files of images and parts: made in the builder, attached in the registry, compared before a join.
 
 Two parts that carry the same file would hide one another's: the later layer wins, without a word. Each list is an
 artifact beside the image that it is of, so that whoever joins images in a registry need not pull them to see that.

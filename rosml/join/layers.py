@@ -1,4 +1,4 @@
-"""A ROS image and payloads -> the manifest and config of the image that they make together. Nothing here uses a network.
+"""A ROS image and parts -> the manifest and config of the image that they make together. Nothing here uses a network.
 
 The same inputs give the same bytes, on any machine and in any order: layers in the order in which the Dockerfile joins
 them, environment and labels as a build of the same target has them.
@@ -100,25 +100,25 @@ def platform(facts: Mapping[str, Any]) -> str:
     return known if not variant or known == "linux/arm64" else f"{known}/{variant}"
 
 
-def join(ros: Source, payloads: Sequence[Source]) -> Joined:
-    """Joins a ROS image and payloads, all for one platform.
+def join(ros: Source, parts: Sequence[Source]) -> Joined:
+    """Joins a ROS image and parts, all for one platform.
 
     Raises:
         RosmlError: they do not go together (exit code 2); with the reason and what to do.
     """
     _require_ros(ros)
-    for payload in payloads:
-        _require_payload(payload)
-    payloads = sorted(payloads, key=lambda item: (item.labels[_PART], item.name))
-    for payload in payloads:
-        _require_fit(ros, payload)
-    framework, order = _framework(ros, payloads)
-    payloads = sorted(payloads, key=lambda item: order.index(item.labels[_PART]))
-    brought = _brought(payloads)
-    stack = payloads[0].labels[_STACK]
+    for part in parts:
+        _require_part(part)
+    parts = sorted(parts, key=lambda item: (item.labels[_PART], item.name))
+    for part in parts:
+        _require_fit(ros, part)
+    framework, order = _framework(ros, parts)
+    parts = sorted(parts, key=lambda item: order.index(item.labels[_PART]))
+    brought = _brought(parts)
+    stack = parts[0].labels[_STACK]
     merged = _labels(ros, framework, stack, brought)
-    sources = (ros, *payloads)
-    config = oci.encoded(_config(ros, payloads, brought, merged))
+    sources = (ros, *parts)
+    config = oci.encoded(_config(ros, parts, brought, merged))
     manifest = {
         "schemaVersion": 2,
         "mediaType": oci.IMAGE,
@@ -134,8 +134,8 @@ def join(ros: Source, payloads: Sequence[Source]) -> Joined:
 
 def _require_ros(ros: Source) -> None:
     if _PART in ros.labels:
-        text = f"{ros.name} is a payload, and the first image has to be a ROS image"
-        raise RosmlError(text, "name the ROS image first, then the payloads", exit_code=2)
+        text = f"{ros.name} is a part, and the first image has to be a ROS image"
+        raise RosmlError(text, "name the ROS image first, then the parts", exit_code=2)
     for label in (_DISTRIBUTION, _COMPONENT, _PYTHON, _ROS):
         if not ros.labels.get(label):
             text = f"{ros.name} is no ROS image of this project: it has no label {label}"
@@ -147,15 +147,13 @@ def _require_ros(ros: Source) -> None:
     _require_whole(ros)
 
 
-def _require_payload(payload: Source) -> None:
+def _require_part(part: Source) -> None:
     for label in (_PART, _STACK, _PYTHON, _FRAMEWORKS):
-        if not payload.labels.get(label):
-            what = "a ROS image" if _DISTRIBUTION in payload.labels else "no payload"
-            text = f"{payload.name} is {what}: it has no label {label}"
-            raise RosmlError(
-                text, "take one of the repository payload, made by this version or a later one", exit_code=2
-            )
-    _require_whole(payload)
+        if not part.labels.get(label):
+            what = "a ROS image" if _DISTRIBUTION in part.labels else "no part"
+            text = f"{part.name} is {what}: it has no label {label}"
+            raise RosmlError(text, "take one of the repository part, made by this version or a later one", exit_code=2)
+    _require_whole(part)
 
 
 def _require_whole(source: Source) -> None:
@@ -167,78 +165,76 @@ def _require_whole(source: Source) -> None:
         raise RosmlError(f"{source.name} is no whole image: its config does not list its layers", "push it anew")
 
 
-def _framework(ros: Source, payloads: Sequence[Source]) -> tuple[str, tuple[str, ...]]:
-    """The framework that payloads make, and its parts in their order."""
-    if not payloads:
-        raise RosmlError(f"nothing is to be joined to {ros.name}", "name the payloads after it", exit_code=2)
-    stacks = {item.labels[_STACK]: item.name for item in payloads}
+def _framework(ros: Source, parts: Sequence[Source]) -> tuple[str, tuple[str, ...]]:
+    """The framework that parts make, and its parts in their order."""
+    if not parts:
+        raise RosmlError(f"nothing is to be joined to {ros.name}", "name the parts after it", exit_code=2)
+    stacks = {item.labels[_STACK]: item.name for item in parts}
     if len(stacks) > 1:
         found = listed([f"{name} is of stack {stack}" for stack, name in stacks.items()])
-        raise RosmlError(f"an image carries one stack: {found}", "take payloads of one stack", exit_code=2)
-    by_part: dict[str, Source] = {}
-    for item in payloads:
-        part = item.labels[_PART]
-        if part in by_part:
-            text = f"part {part} is there twice: {by_part[part].name} and {item.name}"
+        raise RosmlError(f"an image carries one stack: {found}", "take parts of one stack", exit_code=2)
+    by_kind: dict[str, Source] = {}
+    for item in parts:
+        kind = item.labels[_PART]
+        if kind in by_kind:
+            text = f"part {kind} is there twice: {by_kind[kind].name} and {item.name}"
             raise RosmlError(text, "leave out one of them", exit_code=2)
-        by_part[part] = item
-    known = [_frameworks(item) for item in payloads]
-    shared = {name: parts for name, parts in known[0].items() if all(name in other for other in known)}
-    stack = payloads[0].labels[_STACK]
-    for name, parts in shared.items():
-        if any(other[name] != parts for other in known):
-            text = f"the payloads do not agree on the parts of framework {name}: they are of different releases"
-            raise RosmlError(text, "take payloads that were published together", exit_code=2)
-        if set(parts) == set(by_part):
-            return name, parts
+        by_kind[kind] = item
+    known = [_frameworks(item) for item in parts]
+    shared = {name: kinds for name, kinds in known[0].items() if all(name in other for other in known)}
+    stack = parts[0].labels[_STACK]
+    for name, kinds in shared.items():
+        if any(other[name] != kinds for other in known):
+            text = f"these do not agree on the parts of framework {name}: they are of different releases"
+            raise RosmlError(text, "take parts that were published together", exit_code=2)
+        if set(kinds) == set(by_kind):
+            return name, kinds
     if not shared:
-        text = f"no framework of stack {stack} takes {listed(sorted(by_part))} together"
+        text = f"no framework of stack {stack} takes {listed(sorted(by_kind))} together"
         raise RosmlError(text, "make an image for each of them", exit_code=2)
-    name, parts = min(shared.items(), key=lambda item: len(item[1]))
-    missing = [part for part in parts if part not in by_part]
-    text = f"{listed([item.name for item in payloads])} cannot do without {listed(missing)} of stack {stack}"
-    told = payloads[0].labels[_FRAMEWORKS]
-    pythons = {part: ANY_PYTHON if labels.any_python(told, part) else ros.labels[_PYTHON] for part in missing}
-    lacking = listed([names.payload_name(part, stack, python) for part, python in pythons.items()])
-    raise RosmlError(text, f"add {lacking}: framework {name} consists of {listed(parts)}", exit_code=2)
+    name, kinds = min(shared.items(), key=lambda item: len(item[1]))
+    missing = [kind for kind in kinds if kind not in by_kind]
+    text = f"{listed([item.name for item in parts])} cannot do without {listed(missing)} of stack {stack}"
+    told = parts[0].labels[_FRAMEWORKS]
+    pythons = {kind: ANY_PYTHON if labels.any_python(told, kind) else ros.labels[_PYTHON] for kind in missing}
+    lacking = listed([names.part_name(kind, stack, python) for kind, python in pythons.items()])
+    raise RosmlError(text, f"add {lacking}: framework {name} consists of {listed(kinds)}", exit_code=2)
 
 
-def _frameworks(payload: Source) -> dict[str, tuple[str, ...]]:
+def _frameworks(part: Source) -> dict[str, tuple[str, ...]]:
     try:
-        return labels.frameworks(payload.labels[_FRAMEWORKS])
+        return labels.frameworks(part.labels[_FRAMEWORKS])
     except ValueError:
-        raise RosmlError(
-            f"{payload.name}: its label {_FRAMEWORKS} is damaged", "publish it anew", exit_code=2
-        ) from None
+        raise RosmlError(f"{part.name}: its label {_FRAMEWORKS} is damaged", "publish it anew", exit_code=2) from None
 
 
-def _require_fit(ros: Source, payload: Source) -> None:
-    if payload.platform != ros.platform:
-        text = f"{payload.name} is for {payload.platform}, and {ros.name} for {ros.platform}"
+def _require_fit(ros: Source, part: Source) -> None:
+    if part.platform != ros.platform:
+        text = f"{part.name} is for {part.platform}, and {ros.name} for {ros.platform}"
         raise RosmlError(text, "take images for one platform", exit_code=2)
-    wanted, found = payload.labels[_PYTHON], ros.labels[_PYTHON]
+    wanted, found = part.labels[_PYTHON], ros.labels[_PYTHON]
     if wanted not in (ANY_PYTHON, found):
-        name = names.payload_name(payload.labels[_PART], payload.labels[_STACK], found)
-        text = f"{payload.name} is for Python {wanted}, and {ros.name} has Python {found}"
-        raise RosmlError(text, f"take the payload {name}", exit_code=2)
+        name = names.part_name(part.labels[_PART], part.labels[_STACK], found)
+        text = f"{part.name} is for Python {wanted}, and {ros.name} has Python {found}"
+        raise RosmlError(text, f"take the part {name}", exit_code=2)
 
 
-def _brought(payloads: Sequence[Source]) -> tuple[Brought, ...]:
-    """What payloads bring, each once: releases first, then facts of the stack."""
+def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
+    """What parts bring, each once: releases first, then facts of the stack."""
     found: dict[str, tuple[Brought, str]] = {}
-    for payload in payloads:
+    for part in parts:
         try:
-            brings = list(labels.brought_by(payload.labels))
+            brings = list(labels.brought_by(part.labels))
         except ValueError:
-            text = f"{payload.name}: its label {labels.BRINGS} is damaged"
+            text = f"{part.name}: its label {labels.BRINGS} is damaged"
             raise RosmlError(text, "publish it anew", exit_code=2) from None
         for item in brings:
-            known, whose = found.setdefault(item.name, (item, payload.name))
+            known, whose = found.setdefault(item.name, (item, part.name))
             if known.version != item.version:
-                text = f"{whose} has {item.name} {known.version}, and {payload.name} has {item.version}"
-                raise RosmlError(text, "take payloads that were published together", exit_code=2)
+                text = f"{whose} has {item.name} {known.version}, and {part.name} has {item.version}"
+                raise RosmlError(text, "take parts that were published together", exit_code=2)
             if item.title:
-                found[item.name] = (item, payload.name)
+                found[item.name] = (item, part.name)
     return tuple(sorted((item for item, _ in found.values()), key=lambda item: not item.released))
 
 
@@ -252,7 +248,7 @@ def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought])
 
 
 def _config(
-    ros: Source, payloads: Sequence[Source], brought: Sequence[Brought], merged: Mapping[str, str]
+    ros: Source, parts: Sequence[Source], brought: Sequence[Brought], merged: Mapping[str, str]
 ) -> dict[str, Any]:
     config = copy.deepcopy(dict(ros.config))
     inner = config.setdefault("config", {})
@@ -260,18 +256,18 @@ def _config(
     kept = [entry for entry in inner.get("Env") or [] if entry.partition("=")[0] not in environment]
     inner["Env"] = [*kept, *(f"{name}={value}" for name, value in environment.items())]
     inner["Labels"] = dict(merged)
-    for payload in payloads:
-        config["rootfs"]["diff_ids"] += payload.diff_ids
+    for part in parts:
+        config["rootfs"]["diff_ids"] += part.diff_ids
     if config.get("history"):  # one entry for each layer, or none at all
-        config["history"] += [entry for payload in payloads for entry in _history(config, payload)]
+        config["history"] += [entry for part in parts for entry in _history(config, part)]
     return config
 
 
-def _history(config: Mapping[str, Any], payload: Source) -> list[dict[str, Any]]:
-    part, stack, python = (payload.labels[name] for name in (_PART, _STACK, _PYTHON))
+def _history(config: Mapping[str, Any], part: Source) -> list[dict[str, Any]]:
+    kind, stack, python = (part.labels[name] for name in (_PART, _STACK, _PYTHON))
     entry = {
-        "created_by": f"COPY --link --from=payload:{names.payload_name(part, stack, python)} / /",
+        "created_by": f"COPY --link --from=part:{names.part_name(kind, stack, python)} / /",
         "comment": "joined in the registry",
         **({"created": config["created"]} if "created" in config else {}),
     }
-    return [entry] * len(payload.diff_ids)
+    return [entry] * len(part.diff_ids)

@@ -1,4 +1,4 @@
-"""Hash-pinned locks: resolve a stack once, split the result into payload parts.
+"""Hash-pinned locks: resolve a stack once, split the result into parts.
 
 A stack is resolved as a whole, so that its releases, CUDA and numpy agree, and written as one requirements file per part.
 What a part holds follows from the dependency graph, and from what its entry in matrix.yaml says:
@@ -30,10 +30,10 @@ from typing import NamedTuple
 from rosml.base import progress_bar
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.lock_file import NVIDIA_PACKAGES, cuda_packages, package_name, versions
 from rosml.matrix import names
-from rosml.matrix.model import ANY_PYTHON, Matrix, Part
+from rosml.matrix.model import ANY_PYTHON, Matrix, PartEntry
 from rosml.matrix.rules import NVIDIA
 
 _HASH = re.compile(r"sha256:[0-9a-f]+")
@@ -68,7 +68,7 @@ class Request:
         ros: whether it is a distribution's.
         numpy: version specifier that keeps the ABI of the operating system's own numpy, e.g. ``<2``.
         constraints: further requirements of the stack.
-        provided: packages the operating system has and the payload must not carry, with their versions.
+        provided: packages the operating system has and the part must not carry, with their versions.
         cuda: the stack's versions of ``cuda``, ``cudnn`` and ``nccl``; empty for a stack without CUDA.
         elsewhere: frameworks whose wheels only PyTorch's own index has.
         parts: what the packages are dealt out to; none of ROS.
@@ -84,7 +84,7 @@ class Request:
     provided: Mapping[str, str] = field(default_factory=dict)
     cuda: Mapping[str, str] = field(default_factory=dict)
     elsewhere: Mapping[str, Elsewhere] = field(default_factory=dict)
-    parts: tuple[Part, ...] = ()
+    parts: tuple[PartEntry, ...] = ()
     ros: bool = False
 
     @property
@@ -107,24 +107,24 @@ class Pin:
     wanted_by: frozenset[str]
 
 
-def requests(catalogue: Catalogue) -> Iterator[Request]:
-    """Every resolution that the payloads of a catalogue need: one per stack, Python version and architecture; one per
+def requests(image_set: ImageSet) -> Iterator[Request]:
+    """Every resolution that the parts of an image set need: one per stack, Python version and architecture; one per
     framework where those of a stack contradict each other."""
-    matrix = catalogue.matrix
+    matrix = image_set.matrix
     seen: set[tuple[str, str, str]] = set()
-    # What no payload holds has no wheel there, and would make the whole stack unresolvable.
+    # What no part holds has no wheel there, and would make the whole stack unresolvable.
     held = {
-        (payload.stack, architecture, payload.python, payload.part)
-        for payload in catalogue.payloads
-        for architecture in payload.architectures
+        (part.stack, architecture, part.python, part.kind)
+        for part in image_set.parts
+        for architecture in part.architectures
     }
-    for payload in catalogue.payloads:
-        if payload.python == ANY_PYTHON:
+    for part in image_set.parts:
+        if part.python == ANY_PYTHON:
             continue  # comes out of the resolution for any Python version
-        system = matrix.operating_systems[payload.os]
-        stack = matrix.stacks[payload.stack]
-        for architecture in payload.architectures:
-            if (key := (payload.stack, architecture, payload.python)) in seen:
+        system = matrix.operating_systems[part.os]
+        stack = matrix.stacks[part.stack]
+        for architecture in part.architectures:
+            if (key := (part.stack, architecture, part.python)) in seen:
                 continue
             seen.add(key)
             families = [family for family in matrix.families if (*key, family) in held]
@@ -132,9 +132,9 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
                 wanted = {family: stack.requirement(family, architecture) for family in together}
                 wheels = {family: _elsewhere(matrix, *key, family) for family in together}
                 yield Request(
-                    stack=payload.stack,
+                    stack=part.stack,
                     architecture=architecture,
-                    python=payload.python,
+                    python=part.python,
                     wheels=matrix.architectures[architecture].wheels,
                     roots={family: requirement for family, requirement in wanted.items() if requirement},
                     numpy=system.numpy,
@@ -148,12 +148,12 @@ def requests(catalogue: Catalogue) -> Iterator[Request]:
                     elsewhere={family: wheel for family, wheel in wheels.items() if wheel},
                     parts=matrix.parts,
                 )
-    yield from _ros_requests(catalogue)
+    yield from _ros_requests(image_set)
 
 
-def _ros_requests(catalogue: Catalogue) -> Iterator[Request]:
-    matrix = catalogue.matrix
-    for item in catalogue.wheels:
+def _ros_requests(image_set: ImageSet) -> Iterator[Request]:
+    matrix = image_set.matrix
+    for item in image_set.wheels:
         system = matrix.operating_systems[item.os]
         for architecture in item.architectures:
             yield Request(
@@ -169,7 +169,7 @@ def _ros_requests(catalogue: Catalogue) -> Iterator[Request]:
 
 
 def _elsewhere(matrix: Matrix, stack: str, architecture: str, python: str, family: str) -> Elsewhere | None:
-    """A framework's wheel on PyTorch's own index, if it is there that a payload's wheel comes from."""
+    """A framework's wheel on PyTorch's own index, if it is there that a part's wheel comes from."""
     facts = matrix.stacks[stack]
     release = matrix.releases[family][facts.releases[family]]
     digests = release.elsewhere.get(stack, {}).get(architecture)
@@ -379,7 +379,7 @@ def closure(root: str, pins: Iterable[Pin]) -> frozenset[str]:
     return frozenset(seen)
 
 
-def split(pins: list[Pin], roots: Mapping[str, str], parts: Sequence[Part]) -> dict[str, list[Pin]]:
+def split(pins: list[Pin], roots: Mapping[str, str], parts: Sequence[PartEntry]) -> dict[str, list[Pin]]:
     """Assigns every package to a part, and those that parts repeat to these as well.
 
     Args:
@@ -400,7 +400,7 @@ def split(pins: list[Pin], roots: Mapping[str, str], parts: Sequence[Part]) -> d
     return {part: sorted(content, key=lambda pin: pin.name) for part, content in found.items() if content}
 
 
-def shared_part(parts: Sequence[Part]) -> str:
+def shared_part(parts: Sequence[PartEntry]) -> str:
     """The part that holds what several releases need."""
     return next(part.name for part in parts if part.shared)
 
@@ -431,7 +431,7 @@ class Locks:
 
 
 def lock(
-    catalogue: Catalogue,
+    image_set: ImageSet,
     root: Path,
     uv: str = "uv",
     upgrade: bool = False,
@@ -444,7 +444,7 @@ def lock(
     as they are, with all that was resolved with them; otherwise the rest of the stack is locked without it.
 
     Args:
-        catalogue: all that the matrix describes.
+        image_set: all that the matrix describes.
         root: the project's root, where earlier locks are.
         uv: the command to resolve with.
         upgrade: move to the newest versions that fit; otherwise an earlier lock's versions stay where they fit.
@@ -455,7 +455,7 @@ def lock(
         RosmlError: something does not resolve, or two Python versions of a stack would need different versions of a
             part that is the same for both.
     """
-    wanted = [request for request in requests(catalogue) if not stacks or request.stack in stacks]
+    wanted = [request for request in requests(image_set) if not stacks or request.stack in stacks]
     run = Uv(uv)
     with ThreadPoolExecutor(WORKERS) as pool:  # mostly waits for the indexes
         futures = [pool.submit(_outcome, request, root, run, upgrade) for request in wanted]

@@ -89,7 +89,7 @@ def ensure(services: Services, os: OperatingSystem, architecture: str = "", say:
 
     Args:
         os: the operating system.
-        architecture: ``amd64`` or ``arm64``; the machine's own if empty. The image has both where it is not: payloads
+        architecture: ``amd64`` or ``arm64``; the machine's own if empty. The image has both where it is not: parts
             are assembled on the machine's own.
         say: told when a base image is made, which takes half a minute.
 

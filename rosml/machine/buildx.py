@@ -127,7 +127,7 @@ def run(services: Services, bake: Bake, progress: BuildProgress | None = None) -
 
     Builds in one builder take turns. BuildKit solves builds that run at the same time in one graph; one that begins while
     another one holds the steps that they share runs steps anew whose results are in the cache
-    (https://github.com/moby/buildkit/issues/4674): gigabytes of payloads were assembled three times.
+    (https://github.com/moby/buildkit/issues/4674): gigabytes of parts were assembled three times.
 
     Returns:
         The progress with all steps, and what buildx says about the target, e.g. `containerimage.digest`.

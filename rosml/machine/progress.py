@@ -20,7 +20,7 @@ from datetime import datetime
 from typing import TextIO
 
 _PREFIX = re.compile(r"^\[(?P<context>[^\]]*)\]\s*(?P<command>.*)$")
-_PART = re.compile(r"^\[(?:_files-|payload-)?(?P<part>\S+) payload-files [^]]*\] .*/assemble\.sh")
+_PART = re.compile(r"^\[(?:_files-|part-)?(?P<part>\S+) part-files [^]]*\] .*/assemble\.sh")
 _MOUNT = re.compile(r"--mount=\S+\s*")
 
 HEARTBEAT_SECONDS = 20.0

@@ -13,7 +13,8 @@ from rosml.bake.diff import Difference, between
 from rosml.bake.inputs import Inputs
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
-from rosml.images import image_set, load
+from rosml.images import image_set as sets
+from rosml.images import load
 from rosml.matrix import source
 
 
@@ -30,11 +31,11 @@ def since(version: str, now: Inputs) -> Difference:
         return between(Inputs(Path(folder), _catalogue(version, Path(folder) / "matrix.yaml")), now)
 
 
-def _catalogue(revision: str, file: Path) -> image_set.Catalogue:
+def _catalogue(revision: str, file: Path) -> sets.ImageSet:
     if not file.is_file():
         raise RosmlError(f"revision {revision} has no matrix.yaml", remedy="name a later one", exit_code=2)
     try:
-        return load.catalogue(source.parse(file.read_bytes(), f"{revision}:matrix.yaml"))
+        return load.image_set(source.parse(file.read_bytes(), f"{revision}:matrix.yaml"))
     except InputError as error:
         reason = f"this version of the project does not understand the matrix of revision {revision}:\n{error.message}"
         raise RosmlError(reason, remedy="compare with a later revision", exit_code=2) from None

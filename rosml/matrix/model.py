@@ -121,7 +121,7 @@ class Default(Facts):
 
     target: Target = Field(description="the image that `make image` builds")
     assembler: OsName = Field(
-        description="the operating system that assembles payloads for any Python, tests images and lists their files"
+        description="the operating system that assembles parts for any Python, tests images and lists their files"
     )
     group: Annotated[tuple[Target, ...], Field(min_length=1)] = Field(
         description="images of the bake file's `default` group: small and useful"
@@ -168,7 +168,7 @@ class OperatingSystem(Facts):
         default={}, description="the package <generation>-apt-source of ROS 1 (ros) and ROS 2 (ros2) for it"
     )
     provides: dict[Word, Version] = Field(
-        default={}, description="Python packages of the system that ROS's tools import: no payload carries them"
+        default={}, description="Python packages of the system that ROS's tools import: no part carries them"
     )
 
 
@@ -181,7 +181,7 @@ class Component(Facts):
     metapackage: Word | None = Field(default=None, description="name in package names; the component's own if left out")
 
 
-class Part(Facts):
+class PartEntry(Facts):
     """What is built once from locked inputs and joined to many images."""
 
     name: Name = Field(description="its own; also that of its folder in components/ and of its tests")
@@ -365,7 +365,7 @@ class Disk(Facts):
     parts: dict[Name, dict[Name, Size]] = Field(description="stack -> part -> size")
     budgets: dict[Name, dict[Name, Megabytes]] = Field(
         default={},
-        description="stack -> framework -> MB that its payloads may have together in the registry; more fails the tests",
+        description="stack -> framework -> MB that its parts may have together in the registry; more fails the tests",
     )
 
 
@@ -373,7 +373,7 @@ class Rates(Facts):
     """How fast a machine of CI builds, for the estimates of a build plan."""
 
     packages: Rate = Field(description="MB unpacked per second, where apt installs packages")
-    payloads: Rate = Field(description="MB unpacked per second, where payloads are assembled")
+    parts: Rate = Field(description="MB unpacked per second, where parts are assembled")
     test: Rate = Field(description="seconds for the tests of an image")
 
 
@@ -397,7 +397,7 @@ class Matrix(Facts):
     )
     ros_archive: RosArchive | None = Field(default=None, description="needed by distributions with 'apt'")
     components: dict[Name, Component] = Field(min_length=1)
-    parts: tuple[Part, ...] = Field(default=(), description="in the order in which they are joined")
+    parts: tuple[PartEntry, ...] = Field(default=(), description="in the order in which they are joined")
     frameworks: dict[Name, Framework] = Field(min_length=1)
     releases: dict[Name, dict[Version, Release]] = Field(
         default={}, description="what has wheels of its own -> version -> release"
@@ -408,7 +408,7 @@ class Matrix(Facts):
     rates: Rates | None = Field(default=None, description="how fast images are built; a build plan needs it")
 
     @cached_property
-    def part(self) -> dict[str, Part]:
+    def part(self) -> dict[str, PartEntry]:
         """Parts by name."""
         return {part.name: part for part in self.parts}
 

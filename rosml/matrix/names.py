@@ -1,4 +1,4 @@
-"""Names: one place for how targets, payloads, variables and tags are called."""
+"""Names: one place for how targets, parts, variables and tags are called."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ROS = "ros"
 """Stands for a part in the locks of distributions that come from wheels: those are named like stacks, which they share
 no name with."""
 
-RESERVED_GROUPS = ("all", "default", "latest", "payloads", "tests")
+RESERVED_GROUPS = ("all", "default", "latest", "parts", "tests")
 """Groups and tags that do not come from an axis of the matrix."""
 
 
@@ -58,23 +58,23 @@ def os_variable(os: str) -> str:
     return "OS_" + os_slug(os).replace("-", "_").upper()
 
 
-def payload_name(part: str, stack: str, python: str) -> str:
-    """A payload: `torch-cu128-py311`; `cuda-cu128` where it is the same for every Python. Also its tag."""
+def part_name(part: str, stack: str, python: str) -> str:
+    """A part: `torch-cu128-py311`; `cuda-cu128` where it is the same for every Python. Also its tag."""
     return f"{part}-{stack}" + ("" if python == ANY_PYTHON else f"-py{python.replace('.', '')}")
 
 
-def files_target(payload: str) -> str:
-    """The target that assembles a payload's files below /out."""
-    return f"_files-{payload}"
+def files_target(part: str) -> str:
+    """The target that assembles a part's files below /out."""
+    return f"_files-{part}"
 
 
-def payload_target(payload: str) -> str:
-    """The target of a payload as an image of its own."""
-    return f"payload-{payload}"
+def part_target(part: str) -> str:
+    """The target of a part as an image of its own."""
+    return f"part-{part}"
 
 
 def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
-    """A payload's lock, relative to the project's root; the Dockerfile spells the same path."""
+    """A part's lock, relative to the project's root; the Dockerfile spells the same path."""
     return f"locks/{stack}/{architecture}/{python}/{part}.txt"
 
 

@@ -21,7 +21,7 @@ MAX_CHAIN = 32
 """More components on one another than that are a mistake: each is a layer, of which an image can have 127."""
 
 MAX_ARCHITECTURES = 16
-"""More than that are a mistake: every image and payload lists its own."""
+"""More than that are a mistake: every image and part lists its own."""
 
 PLACEHOLDERS = ("component", "metapackage", "ros_distro")
 
@@ -141,7 +141,7 @@ def _archives(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _same_python(matrix: Matrix) -> Iterator[Finding]:
-    """Payloads are shared by all systems with a Python version, so these must agree on what payloads depend on."""
+    """Parts are shared by all systems with a Python version, so these must agree on what parts depend on."""
     first: dict[str, str] = {}
     for name, os in matrix.operating_systems.items():
         other = first.setdefault(os.python, name)
@@ -149,7 +149,7 @@ def _same_python(matrix: Matrix) -> Iterator[Finding]:
             if getattr(matrix.operating_systems[other], key) != getattr(os, key):
                 yield (
                     ("operating_systems", name, key),
-                    f"{name} and {other} have Python {os.python} and so the same payloads, but another '{key}'; they must agree",
+                    f"{name} and {other} have Python {os.python} and so the same parts, but another '{key}'; they must agree",
                 )
 
 
@@ -186,7 +186,7 @@ def _chain_length(matrix: Matrix, name: str) -> int:
 
 
 def _frameworks(matrix: Matrix) -> Iterator[Finding]:
-    repositories: dict[str, str] = {"payload": "the payloads"}
+    repositories: dict[str, str] = {"part": "the parts"}
     plain = 0
     for name, framework in matrix.frameworks.items():
         path: Path = ("frameworks", name)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from rosml.base.problems import listed
-from rosml.matrix.model import Framework, Matrix, Part, RosArchive, Stack
+from rosml.matrix.model import Framework, Matrix, PartEntry, RosArchive, Stack
 
 NVIDIA = ("cuda", "cudnn", "nccl")
 """A stack's facts of CUDA."""
@@ -149,7 +149,7 @@ def brought(matrix: Matrix, parts: Iterable[str], stack: Stack) -> tuple[Brought
     return tuple(sorted(found.values(), key=lambda item: not item.released))
 
 
-def brought_by(part: Part) -> Iterator[Brought]:
+def brought_by(part: PartEntry) -> Iterator[Brought]:
     """What a part brings, whatever its version; the first of it has the part's title."""
     for index, name in enumerate(part.brings):
         title = (part.title or "") if index == 0 else ""

@@ -1,6 +1,6 @@
 """The steps of a publishing run: build, compose, test, scan, index, promote. Each does what the plan says is missing.
 
-A step works item by item, and writes an item's entry in the ledger when it is done: whatever ends the run, the next one
+A step works item by item, and writes an item's entry in the records when it is done: whatever ends the run, the next one
 goes on from there. An item that fails is written down as failed, and is no other item's trouble, but for those that are
 put together from it. No tag moves before the last step, and then only to an index of images that passed.
 """
@@ -26,13 +26,13 @@ from rosml.base.problems import some
 from rosml.build import package_state as upstreams
 from rosml.build.maker import BuildKitMaker, Made, Maker, turn_file
 from rosml.images import apt_source
-from rosml.images.image_set import Image, Payload, repository_of
+from rosml.images.image_set import Image, Part, repository_of
 from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title
 from rosml.machine import regctl
 from rosml.publish import provenance, same_content
 from rosml.publish.plan import ELSEWHERE, Item, Plan
 from rosml.publish.sign import PATIENCE, Signer, SignerFailed
-from rosml.records.ledger import DATE, INDEX, INPUTS, Entry, Ledger
+from rosml.records.store import DATE, INDEX, INPUTS, Entry, Records
 from rosml.registry import repositories
 from rosml.scan import judge as scanning
 from rosml.scan import sarif
@@ -105,15 +105,15 @@ class Pipeline:
     @cached_property
     def _maker(self) -> Maker:
         plan = self.plan
-        services, catalogue = plan.services, plan.catalogue
+        services, image_set = plan.services, plan.image_set
         return self.maker or BuildKitMaker(
-            services, catalogue, self.registry, self.host, self.prefix, self.say, plan.force
+            services, image_set, self.registry, self.host, self.prefix, self.say, plan.force
         )
 
     @property
-    def ledger(self) -> Ledger:
-        """The ledger of the registry."""
-        return Ledger(self.registry, self.prefix)
+    def records(self) -> Records:
+        """The records of the registry."""
+        return Records(self.registry, self.prefix)
 
     def repository(self, name: str) -> str:
         """Path of a repository in the registry."""
@@ -131,14 +131,14 @@ class Pipeline:
     @property
     def uploaded(self) -> int:
         """Bytes that the registry got since its client was made: layers that it did not have, configs, manifests, what is
-        attached, the ledger. Without what regctl and cosign send: indexes and signatures, of about 1 kB each.
+        attached, the records. Without what regctl and cosign send: indexes and signatures, of about 1 kB each.
         """
         return self.pushed + int(self.registry.uploaded)
 
     # ---- Items -------------------------------------------------------------------------------------------------------
 
     def build(self, targets: Sequence[str] = ()) -> None:
-        """Builds ROS images and payloads that are not as they should be, and pushes them by digest.
+        """Builds ROS images and parts that are not as they should be, and pushes them by digest.
 
         Args:
             targets: of these alone, and what they stand on; all if empty.
@@ -169,7 +169,7 @@ class Pipeline:
         Args:
             targets: of these alone; all if empty.
         """
-        wanted = [i for i in self.plan.items if i.kind != "payload" and (not targets or i.target in targets)]
+        wanted = [i for i in self.plan.items if i.kind != "part" and (not targets or i.target in targets)]
         self._each("test", wanted, self._test)
 
     def _each(self, step: str, items: Sequence[Item], work: Callable[[Item, Entry], Entry]) -> None:
@@ -215,8 +215,8 @@ class Pipeline:
         self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before))
 
     def _done_elsewhere(self, step: str, item: Item) -> bool:
-        """Looks at the ledger once more: another run may have done this step since this one began."""
-        found = self.ledger.read(*item.key)
+        """Looks at the records once more: another run may have done this step since this one began."""
+        found = self.records.read(*item.key)
         if found is None or found == self.plan.known.get(item.key):
             return False
         self.plan.known[item.key] = found
@@ -234,12 +234,12 @@ class Pipeline:
             RosmlError: it may not.
         """
         if not self._may_push:
-            self.registry.may_push(self.ledger.repository)
+            self.registry.may_push(self.records.repository)
             self._may_push = True
 
     def _write(self, item: Item, entry: Entry) -> None:
         entry = self._remembered(entry)
-        self.ledger.write(entry, self.plan.inputs.of(*item.key))
+        self.records.write(entry, self.plan.inputs.of(*item.key))
         self.plan.known[item.key] = entry
         if entry.digest:
             self.plan.present.add(item.key)
@@ -253,7 +253,7 @@ class Pipeline:
 
     def _build(self, item: Item, entry: Entry) -> Entry:
         started = now()
-        if isinstance(item.thing, Payload):
+        if isinstance(item.thing, Part):
             made = self._maker.build_part(item.thing, item.architecture)
         else:  # packages whose repository did not answer are taken for those of the last build
             moment = self.plan.upstream.get(item.thing.distribution, entry.upstream)
@@ -298,11 +298,11 @@ class Pipeline:
     def _parameters(self, item: Item) -> dict[str, str]:
         """What was asked for."""
         asked = {"target": item.target, "platform": self._platform(item.architecture)}
-        if isinstance(item.thing, Payload):
+        if isinstance(item.thing, Part):
             return asked
         image = item.thing
         found = {"distribution": image.distribution, "component": image.component, "framework": image.framework}
-        repository = apt_source.source(self.plan.catalogue.matrix, image.distribution)
+        repository = apt_source.source(self.plan.image_set.matrix, image.distribution)
         channel = {"channel": repository.channel, "snapshot": repository.day} if repository else {}
         return asked | found | {"stack": image.stack or ""} | channel
 
@@ -318,7 +318,7 @@ class Pipeline:
             used = self.plan.inputs.of(*item.key)
             yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
         if isinstance(item.thing, Image) and item.kind == "ros":
-            matrix, distribution = self.plan.catalogue.matrix, item.thing.distribution
+            matrix, distribution = self.plan.image_set.matrix, item.thing.distribution
             for address, moment in upstreams.repositories(matrix, distribution, made.upstream):
                 yield provenance.packages(address, moment)
         yield from self._source
@@ -340,7 +340,7 @@ class Pipeline:
         return {target: self.plan.known[target, item.architecture].digest for target in item.needs}
 
     def _platform(self, architecture: str) -> str:
-        return self.plan.catalogue.matrix.architectures[architecture].platform
+        return self.plan.image_set.matrix.architectures[architecture].platform
 
     def _compose(self, item: Item, entry: Entry) -> Entry:
         started, parts = now(), self._parts(item)
@@ -382,15 +382,15 @@ class Pipeline:
         images: dict[tuple[str, str], scanning.Image] = {}
         for item in self.plan.items:
             entry = self.plan.known.get(item.key)
-            if item.kind == "payload" or entry is None or not entry.digest or item.key not in self.plan.present:
+            if item.kind == "part" or entry is None or not entry.digest or item.key not in self.plan.present:
                 continue
             same = state and entry.scan.get("policy") == policy and entry.scan.get("database") == state
             if not same or entry.scanned == scanning.Outcome.SCANNER_FAILED.value:
                 images[item.key] = scanning.Image(item.target, item.architecture, tuple(self._scanned_parts(item)))
         moment = datetime.fromisoformat(self.plan.date.replace("Z", "+00:00"))
         # Of those that are not there nothing can be known: they may lack a lock.
-        there = {item.key for item in self.plan.items if item.kind != "payload"} & self.plan.present
-        whole = images.keys() == there and len(self.plan.images) == len(self.plan.catalogue.images)
+        there = {item.key for item in self.plan.items if item.kind != "part"} & self.plan.present
+        whole = images.keys() == there and len(self.plan.images) == len(self.plan.image_set.images)
         started = time.monotonic()
         run = self._scan(list(images.values()), rules, trivy, moment, whole)
         seconds = (time.monotonic() - started) / max(1, len(run.images))
@@ -404,7 +404,7 @@ class Pipeline:
                 "findings": dict(Counter(finding.severity for finding in found.findings)),
                 "failing": sorted({finding.id for finding in found.failing}),
             }
-            known = self.ledger.read(*key)
+            known = self.records.read(*key)
             if known is None or known.digest != self.plan.known[key].digest:
                 text = "another run has made it anew since it was scanned"
                 self.outcomes.append(Outcome("scan", *key, "waits", text, seconds))
@@ -423,14 +423,14 @@ class Pipeline:
     def _scan(
         self, images: list[scanning.Image], rules: Rules, trivy: Trivy | ScannerFailed, moment: datetime, whole: bool
     ) -> scanning.Run:
-        targets = self.plan.catalogue.by_target
+        targets = self.plan.image_set.by_target
         if isinstance(trivy, ScannerFailed):
             return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole, targets)
         shelf = Shelf(self.registry, f"trivy {trivy.version}")
         return scanning.scan_images(images, rules, trivy, shelf, now=moment, whole=whole, targets=targets, say=self.say)
 
     def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
-        """The ROS image and the payloads that an image is the sum of."""
+        """The ROS image and the parts that an image is the sum of."""
         for target in item.needs if item.kind == "joined" else (item.target,):
             part = self.plan.by_key[target, item.architecture]
             digest = self.plan.known[part.key].digest
@@ -466,14 +466,14 @@ class Pipeline:
                 entry = replace(entry, failed={"step": "index", "reason": _short(error), "remedy": error.remedy})
                 state, reason = "failed", error.message
             entry = self._remembered(replace(entry, changed=self.plan.date))
-            self.ledger.write(entry, {})
+            self.records.write(entry, {})
             self.plan.known[thing.target, INDEX] = entry
             self.plan.present.add((thing.target, INDEX))
             self.outcomes.append(Outcome("index", thing.target, "", state, reason, time.monotonic() - started))
             if state == "done":
                 self.signed(thing)
 
-    def _indexed(self, thing: Image | Payload, digests: Mapping[str, str], inputs: str) -> bool:
+    def _indexed(self, thing: Image | Part, digests: Mapping[str, str], inputs: str) -> bool:
         """Whether there is an index of these very images: by what the run knew when it began, or made by another one since."""
         key = thing.target, INDEX
 
@@ -484,7 +484,7 @@ class Pipeline:
 
         if fits(self.plan.known.get(key)):
             return True
-        found = self.ledger.read(*key)
+        found = self.records.read(*key)
         if found is None or found == self.plan.known.get(key):
             return False
         self.plan.known[key] = found
@@ -493,12 +493,12 @@ class Pipeline:
             self.plan.present.add(key)
         return fits(found)
 
-    def signed(self, thing: Image | Payload, moving: bool = False) -> bool:
+    def signed(self, thing: Image | Part, moving: bool = False) -> bool:
         """Whether an image's index has the signature that it needs, which is made if it lacks it.
 
         Args:
-            thing: the image or payload.
-            moving: whether a tag is about to move to it: then the ledger's word is not enough, and cosign is asked.
+            thing: the image or part.
+            moving: whether a tag is about to move to it: then the records' word is not enough, and cosign is asked.
         """
         entry = self.plan.known[thing.target, INDEX]
         if self.signer is None or (self.signer.identity in entry.signed and not moving):
@@ -518,21 +518,21 @@ class Pipeline:
         if self.signer.identity not in entry.signed:
             signed = {**entry.signed, self.signer.identity: self.plan.date}
             self.plan.known[thing.target, INDEX] = replace(entry, signed=signed)
-            self.ledger.write(self.plan.known[thing.target, INDEX], {})
+            self.records.write(self.plan.known[thing.target, INDEX], {})
         if made:
             text = f"by {self.signer.identity}"
             self.outcomes.append(Outcome("sign", thing.target, "", "done", text, time.monotonic() - started))
         return True
 
-    def members(self, thing: Image | Payload) -> Iterator[tuple[str, str]]:
+    def members(self, thing: Image | Part) -> Iterator[tuple[str, str]]:
         """Target and architecture of what an index of an image is made of."""
         return (key for key in self.plan.members(thing) if not self.serving or key[1] in self.serving)
 
-    def _index(self, thing: Image | Payload, entries: Sequence[Entry], inputs: str) -> str:
+    def _index(self, thing: Image | Part, entries: Sequence[Entry], inputs: str) -> str:
         """Makes an index; gives its digest. Nothing is pulled.
 
         Raises:
-            RosmlError: its architectures do not hold the same; or the ledger names another image's manifest.
+            RosmlError: its architectures do not hold the same; or the records name another image's manifest.
         """
         repository = self.repository(repository_of(thing))
         configs = {entry.architecture: self._config(repository, entry.digest) for entry in entries}
@@ -566,8 +566,8 @@ class Pipeline:
         return content if isinstance(content, dict) else {}
 
 
-def _require_own(thing: Image | Payload, entry: Entry, config: Mapping[str, Any]) -> None:
-    """Checks that a manifest is that of the image which the ledger says it is.
+def _require_own(thing: Image | Part, entry: Entry, config: Mapping[str, Any]) -> None:
+    """Checks that a manifest is that of the image which the records say it is.
 
     Raises:
         RosmlError: it is not.
@@ -576,7 +576,7 @@ def _require_own(thing: Image | Payload, entry: Entry, config: Mapping[str, Any]
     found = str(labels.get(TITLE, "")), str(config.get("architecture", ""))
     if found != (title(thing), entry.architecture):
         raise RosmlError(
-            f"the ledger's entry {entry.tag} names {entry.digest},"
+            f"the records' entry {entry.tag} names {entry.digest},"
             f" which is {found[0] or 'an image without a title'} for {found[1] or 'no architecture'}",
             "publish it again with --force",
         )
@@ -596,5 +596,5 @@ def policy_digest(rules: Rules) -> str:
 
 
 def _short(error: RosmlError, lines: int = 12) -> str:
-    """A message's beginning: the ledger is no place for logs."""
+    """A message's beginning: the records are no place for logs."""
     return "\n".join(error.message.splitlines()[:lines])[:2000]

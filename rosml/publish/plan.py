@@ -1,4 +1,4 @@
-"""What there is to do: the state that a registry should be in, compared with the one that its ledger says it is in.
+"""What there is to do: the state that a registry should be in, compared with the one that its records say it is in.
 
 Nothing is done here. A step that was done before, from the same inputs, is not in the plan again; so a publishing run
 that was interrupted goes on where it was, on any machine.
@@ -18,16 +18,16 @@ from rosml.bake.inputs import TARGET, Inputs
 from rosml.base.errors import RosmlError
 from rosml.base.problems import some
 from rosml.build import package_state as upstreams
-from rosml.images.image_set import Catalogue, Image, Payload, repository_of
+from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.images.selection import require_architectures, select
 from rosml.machine import base_images
 from rosml.machine.services import Services
-from rosml.records import ledger
-from rosml.records.ledger import INDEX, Entry, Ledger
+from rosml.records import store
+from rosml.records.store import INDEX, Entry, Records
 from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
 
-Kind = Literal["ros", "payload", "joined"]
+Kind = Literal["ros", "part", "joined"]
 Step = Literal["build", "compose", "test", "scan"]
 
 ELSEWHERE = "left to a machine for it"
@@ -36,15 +36,15 @@ WAITING = "waiting for a builder"
 
 @dataclass(frozen=True)
 class Item:
-    """An image or payload on one architecture.
+    """An image or part on one architecture.
 
     Attributes:
-        thing: the image or payload.
+        thing: the image or part.
         architecture: under BuildKit's name.
-        needs: bake targets of what it is put together from: the ROS image below, and payloads.
+        needs: bake targets of what it is put together from: the ROS image below, and parts.
     """
 
-    thing: Image | Payload
+    thing: Image | Part
     architecture: str
     needs: tuple[str, ...]
 
@@ -55,9 +55,9 @@ class Item:
 
     @property
     def kind(self) -> Kind:
-        """ROS images and payloads are built; a joined image is composed of them."""
-        if isinstance(self.thing, Payload):
-            return "payload"
+        """ROS images and parts are built; a joined image is composed of them."""
+        if isinstance(self.thing, Part):
+            return "part"
         return "joined" if self.thing.stack else "ros"
 
     @property
@@ -107,7 +107,7 @@ class Plan:
 
     Attributes:
         services: what this machine has. catalogue: all that the matrix describes. inputs: of its targets.
-        known: entries of the ledger by target and architecture; kept up to date while work goes on.
+        known: entries of the records by target and architecture; kept up to date while work goes on.
         upstream: of when the packages of each distribution are.
         present: the entries whose manifest is in the registry.
         images: those that are asked for.
@@ -119,7 +119,7 @@ class Plan:
     """
 
     services: Services
-    catalogue: Catalogue
+    image_set: ImageSet
     inputs: Inputs
     known: dict[tuple[str, str], Entry]
     upstream: dict[str, str]
@@ -135,29 +135,29 @@ class Plan:
 
     @cached_property
     def items(self) -> tuple[Item, ...]:
-        """In the order of work: ROS images from the lowest up, payloads, then what is joined of both."""
+        """In the order of work: ROS images from the lowest up, parts, then what is joined of both."""
         ros: dict[tuple[str, str], Item] = {}
-        payloads: dict[tuple[str, str], Item] = {}
+        parts: dict[tuple[str, str], Item] = {}
         joined: dict[tuple[str, str], Item] = {}
         for image in self.images:
             chain = [image] if image.stack is None else []
-            below = self.catalogue.by_target.get(image.parent)
+            below = self.image_set.by_target.get(image.parent)
             while below:
                 chain.append(below)
-                below = self.catalogue.by_target.get(below.parent)
-            parts = [self.catalogue.payload_by_name[name] for name in image.parts]
-            for architecture in self.catalogue.matrix.architectures if self.whole else image.architectures:
+                below = self.image_set.by_target.get(below.parent)
+            own = [self.image_set.part_by_name[name] for name in image.parts]
+            for architecture in self.image_set.matrix.architectures if self.whole else image.architectures:
                 for link in reversed(chain):
                     if architecture in link.architectures:
-                        below_it = (link.parent,) if link.parent in self.catalogue.by_target else ()
+                        below_it = (link.parent,) if link.parent in self.image_set.by_target else ()
                         ros.setdefault((link.target, architecture), Item(link, architecture, below_it))
-                for part in parts:
+                for part in own:
                     if architecture in part.architectures:
-                        payloads.setdefault((part.target, architecture), Item(part, architecture, ()))
+                        parts.setdefault((part.target, architecture), Item(part, architecture, ()))
                 if image.stack and architecture in image.architectures:
-                    needs = (image.parent, *(part.target for part in parts))
+                    needs = (image.parent, *(part.target for part in own))
                     joined[image.target, architecture] = Item(image, architecture, needs)
-        return (*ros.values(), *payloads.values(), *joined.values())
+        return (*ros.values(), *parts.values(), *joined.values())
 
     @cached_property
     def by_key(self) -> dict[tuple[str, str], Item]:
@@ -231,11 +231,11 @@ class Plan:
     def _checks(self, item: Item, entry: Entry | None) -> tuple[Step, ...]:
         """The checks that are still to be done; all of them for an item that is to be made."""
         steps: list[Step] = []
-        if item.kind != "payload" and not (entry and self.passed(item, entry)):
+        if item.kind != "part" and not (entry and self.passed(item, entry)):
             steps.append("test")
-        # A payload is scanned as a part of the images that have it.
+        # A part is scanned as a part of the images that have it.
         clean = entry and entry.scanned == "clean" and entry.scan.get("policy") == self.scanning
-        if self.scanning and item.kind != "payload" and not clean:
+        if self.scanning and item.kind != "part" and not clean:
             steps.append("scan")
         return tuple(steps)
 
@@ -253,17 +253,17 @@ class Plan:
 
     def hindrance(self, item: Item) -> str:
         """Why an item cannot be made on this machine; empty where it can."""
-        image_or_payload = item.thing
-        if lacking := [lock for lock in image_or_payload.unlocked if lock.split("/")[2] == item.architecture]:
+        image_or_part = item.thing
+        if lacking := [lock for lock in image_or_part.unlocked if lock.split("/")[2] == item.architecture]:
             return f"lock missing: {some(lacking)}"
         if item.kind == "joined":  # put together in the registry, from anywhere
             return ""
         if item.architecture not in self.architectures:
             return ELSEWHERE
-        system = self.catalogue.matrix.operating_systems[image_or_payload.os]
+        system = self.image_set.matrix.operating_systems[image_or_part.os]
         if not self.services.mirror or base_images.debian_suite(system.image):
             return ""
-        if item.kind == "payload":
+        if item.kind == "part":
             return ""
         return f"{WAITING}: {system.image} is on Docker Hub, which does not answer"
 
@@ -283,15 +283,15 @@ class Plan:
 
     # ---- Indexes -----------------------------------------------------------------------------------------------------
 
-    def members(self, thing: Image | Payload) -> tuple[tuple[str, str], ...]:
-        """The items that an image's, or payload's, index is made of."""
+    def members(self, thing: Image | Part) -> tuple[tuple[str, str], ...]:
+        """The items that an image's, or part's, index is made of."""
         return tuple((thing.target, architecture) for architecture in thing.architectures)
 
-    def unready(self, thing: Image | Payload, serving: Sequence[str] = ()) -> str:
+    def unready(self, thing: Image | Part, serving: Sequence[str] = ()) -> str:
         """Why no index of an image can be made; empty where it can.
 
         Args:
-            thing: the image or payload.
+            thing: the image or part.
             serving: the architectures that the registry serves; all of the matrix if empty.
         """
         keys = [key for key in self.members(thing) if not serving or key[1] in serving]
@@ -303,32 +303,32 @@ class Plan:
                 return f"{key[1]} is not there" + (f": {self.hindrance(item)}" if item and self.hindrance(item) else "")
             if why := self.reasons(item):
                 return f"{key[1]}: {why[0]}"
-            if item.kind != "payload" and not self.passed(item, entry):
+            if item.kind != "part" and not self.passed(item, entry):
                 failures = some(list(entry.failures)) if entry.failures else ""
                 return f"{key[1]}: tests " + (f"failed: {failures}" if failures else "have not passed")
             if self.scanning and "scan" in self._checks(item, entry):
                 return f"{key[1]}: scan: {entry.scanned or 'not done'}"
-            if item.kind == "payload" and not self._used(entry):
+            if item.kind == "part" and not self._used(entry):
                 checks = "its tests and the scan" if self.scanning else "its tests"
                 return f"{key[1]}: no image that has it passed {checks} yet"
         return ""
 
-    def _used(self, payload: Entry) -> bool:
-        """Whether an image that has a payload, this very one, passed its tests, and the scan where there is one."""
+    def _used(self, part: Entry) -> bool:
+        """Whether an image that has a part, this very one, passed its tests, and the scan where there is one."""
         return any(
-            entry.parts.get(payload.target) == payload.digest and not self._checks(item, entry)
+            entry.parts.get(part.target) == part.digest and not self._checks(item, entry)
             for key, item in self.by_key.items()
-            if item.kind == "joined" and item.architecture == payload.architecture and (entry := self.known.get(key))
+            if item.kind == "joined" and item.architecture == part.architecture and (entry := self.known.get(key))
         )
 
-    def things(self) -> tuple[Image | Payload, ...]:
-        """Images and payloads that get an index: those that are asked for, and what they stand on."""
+    def things(self) -> tuple[Image | Part, ...]:
+        """Images and parts that get an index: those that are asked for, and what they stand on."""
         return tuple({item.target: item.thing for item in self.items}.values())
 
 
 def survey(
     services: Services,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     registry: Client,
     prefix: str,
     only: Sequence[str] = (),
@@ -344,7 +344,7 @@ def survey(
 
     Args:
         services: what this machine has.
-        catalogue: all that the matrix describes.
+        image_set: all that the matrix describes.
         registry: where the images are. prefix: path of its repositories.
         only: patterns of targets, or groups.
         architectures: those to work for; the machine's own if empty.
@@ -360,15 +360,15 @@ def survey(
         RosmlError: the registry does not answer, or there is no such image or architecture.
     """
     native = base_images.native_architecture()
-    require_architectures(catalogue, architectures)
+    require_architectures(image_set, architectures)
     plan = Plan(
         services,
-        catalogue,
-        inputs or Inputs(services.root, catalogue),
+        image_set,
+        inputs or Inputs(services.root, image_set),
         {},
         dict(upstream or {}),
         set(),
-        select(catalogue, only),
+        select(image_set, only),
         tuple(architectures) or (native,),
         force,
         scanning,
@@ -376,7 +376,7 @@ def survey(
         whole=whole,
     )
     plan.inputs.check()
-    book = Ledger(registry, prefix)
+    book = Records(registry, prefix)
     keys = [item.key for item in plan.items] + [(thing.target, INDEX) for thing in plan.things()]
     plan.known = book.read_all(keys)
     plan.present = present(registry, prefix, plan.known.values())
@@ -392,7 +392,7 @@ def present(registry: Client, prefix: str, entries: Iterable[Entry]) -> set[tupl
         return bool(entry.digest and registry.head(repository, entry.digest))
 
     found = list(entries)
-    with ThreadPoolExecutor(ledger.READERS) as pool:
+    with ThreadPoolExecutor(store.READERS) as pool:
         return {(e.target, e.architecture) for e, yes in zip(found, pool.map(there, found), strict=True) if yes}
 
 
@@ -409,7 +409,7 @@ def _ask(plan: Plan) -> None:
 
     def asked(name: str) -> str | RosmlError:
         try:
-            return upstreams.state(plan.catalogue.matrix, name)
+            return upstreams.state(plan.image_set.matrix, name)
         except RosmlError as error:
             return error
 
@@ -424,7 +424,7 @@ def _ask(plan: Plan) -> None:
                 plan.upstream[name] = answer
 
 
-def changes(plan: Plan, book: Ledger, item: Item) -> list[str]:
+def changes(plan: Plan, book: Records, item: Item) -> list[str]:
     """Which inputs of an item differ from those that it was made from, and those of its parts."""
     old, new = book.inputs(*item.key), plan.inputs.of(item.target, item.architecture)
     if not old:

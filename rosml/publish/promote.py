@@ -1,6 +1,6 @@
 """Moves tags to indexes whose images passed everything, and back.
 
-The order is what keeps promises: first the index is signed, where that is asked for, and what the ledger says is attached
+The order is what keeps promises: first the index is signed, where that is asked for, and what the records say is attached
 to it and its images; then the record of where tags were, then the dated tag, which never moves again, then those that
 spell versions out, the floating ones last. A tag never moves to something older, or to fewer architectures.
 """
@@ -17,12 +17,12 @@ from typing import Any
 from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.images import labels
-from rosml.images.image_set import Image, Payload, tags_of
+from rosml.images.image_set import Image, Part, tags_of
 from rosml.images.labels import TITLE
 from rosml.matrix.names import dated
 from rosml.publish.pipeline import Outcome, Pipeline
-from rosml.records import ledger
-from rosml.records.ledger import ANNOTATION, INDEX, READERS, Entry
+from rosml.records import store
+from rosml.records.store import ANNOTATION, INDEX, READERS, Entry
 from rosml.records.tag_moves import Move, read_moves, record_name
 
 
@@ -43,7 +43,7 @@ class Promotion:
             RosmlError: the registry does not answer, or takes no record of where tags were; no tag was moved.
         """
         self._settled = self._settled_tags()
-        planned: list[tuple[Image | Payload, list[Move]]] = []
+        planned: list[tuple[Image | Part, list[Move]]] = []
         for thing in self.pipeline.plan.things():
             entry = self._adopted(thing)
             if reason := self.pipeline.plan.unready(thing, self.pipeline.serving):
@@ -75,12 +75,12 @@ class Promotion:
             pool.shutdown(cancel_futures=True)
         return every
 
-    def _say(self, thing: Image | Payload, state: Any, reason: str, seconds: float = 0.0) -> None:
+    def _say(self, thing: Image | Part, state: Any, reason: str, seconds: float = 0.0) -> None:
         self.pipeline.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
 
-    def _adopted(self, thing: Image | Payload) -> Entry | None:
+    def _adopted(self, thing: Image | Part) -> Entry | None:
         """The entry of an image's index: of the one that its tag points at, where another publisher made that one later, of the
-        same images, and wrote the ledger before this one did. Otherwise the tag would wait for ever, at something newer.
+        same images, and wrote the records before this one did. Otherwise the tag would wait for ever, at something newer.
         """
         known = self.pipeline.plan.known
         entry = known.get((thing.target, INDEX))
@@ -93,35 +93,35 @@ class Promotion:
         found = self.registry.manifest(repository, there) if there not in ("", entry.digest) else None
         if found is None:
             return entry
-        date, said = ledger.date_of(found), ledger.annotations_of(found)
+        date, said = store.date_of(found), store.annotations_of(found)
         later = clock.is_date(date) and date > entry.date and not clock.is_ahead(date, clock.now())
-        if not later or _members(found) != dict(entry.parts) or said.get(ledger.INPUTS) != entry.inputs:
+        if not later or _members(found) != dict(entry.parts) or said.get(store.INPUTS) != entry.inputs:
             return entry
         facts = {name: getattr(entry, name) for name in ("inputs", "repository", "parts")}
         entry = replace(entry.made(there, **facts, date=date), changed=self.date)
-        self.pipeline.ledger.write(entry, {})
+        self.pipeline.records.write(entry, {})
         known[thing.target, INDEX] = entry
         self.pipeline.plan.present.add((thing.target, INDEX))
         return entry
 
-    def _current(self, thing: Image | Payload, entry: Entry) -> bool:
+    def _current(self, thing: Image | Part, entry: Entry) -> bool:
         known = self.pipeline.plan.known
         members = {key[1]: known[key].digest for key in self.pipeline.members(thing)}
         return entry.parts == members and entry.inputs == self.pipeline.plan.inputs.together(thing)
 
-    def _wrong(self, thing: Image | Payload, entry: Entry) -> str:
-        """Why what the ledger names as an image's index is not that; empty where it is."""
+    def _wrong(self, thing: Image | Part, entry: Entry) -> str:
+        """Why what the records name as an image's index is not that; empty where it is."""
         found = self.registry.manifest(self.pipeline.repository(entry.repository), entry.digest)
         if found is None:
             return f"its index {entry.digest} is not in the registry any more"
-        name = ledger.annotations_of(found).get(TITLE, "")
+        name = store.annotations_of(found).get(TITLE, "")
         if _members(found) != dict(entry.parts) or name != labels.title(thing):
-            what = f"that of {name}" if name != labels.title(thing) else "of other images than the ledger has"
-            return f"the ledger names {entry.digest} as its index, which is {what}; --force makes it anew"
+            what = f"that of {name}" if name != labels.title(thing) else "of other images than the records have"
+            return f"the records name {entry.digest} as its index, which is {what}; --force makes it anew"
         return ""
 
-    def _attached(self, thing: Image | Payload, moves: list[Move]) -> bool:
-        """Whether what the ledger says is attached to an index and its images; what is missing is attached now."""
+    def _attached(self, thing: Image | Part, moves: list[Move]) -> bool:
+        """Whether what the records say is attached to an index and its images; what is missing is attached now."""
         known, started = self.pipeline.plan.known, time.monotonic()
         entry = known[thing.target, INDEX]
         members = [known[key] for key in self.pipeline.members(thing)]
@@ -130,20 +130,20 @@ class Promotion:
             return True
         try:
             inputs = self.pipeline.plan.inputs
-            made = [self.pipeline.ledger.attach(item, inputs.of(item.target, item.architecture)) for item in members]
-            made.append(self.pipeline.ledger.attach(entry, {}))
+            made = [self.pipeline.records.attach(item, inputs.of(item.target, item.architecture)) for item in members]
+            made.append(self.pipeline.records.attach(entry, {}))
             known[thing.target, INDEX] = replace(entry, attached=attached)
-            self.pipeline.ledger.write(known[thing.target, INDEX], {})
+            self.pipeline.records.write(known[thing.target, INDEX], {})
         except RosmlError as error:
             answers(self.pipeline)
             self._say(thing, "failed", error.message, time.monotonic() - started)
             return False
         if any(made) and not moves:
-            self._say(thing, "done", "its entries in the ledger are attached to it", time.monotonic() - started)
+            self._say(thing, "done", "its entries in the records are attached to it", time.monotonic() - started)
         return True
 
     def _settled_tags(self) -> frozenset[tuple[str, str]]:
-        """Repository and tag of all that point at what the ledger names. Most of them do on most nights: they are asked for
+        """Repository and tag of all that point at what the records name. Most of them do on most nights: they are asked for
         side by side, since one after the other would take minutes on a registry that is far away.
         """
         known = self.pipeline.plan.known
@@ -160,7 +160,7 @@ class Promotion:
             there = pool.map(lambda item: self.registry.head(*item[:2]) == item[2], wanted)
             return frozenset(item[:2] for item, same in zip(wanted, there, strict=True) if same)
 
-    def _moves(self, thing: Image | Payload, entry: Entry) -> Iterable[Move]:
+    def _moves(self, thing: Image | Part, entry: Entry) -> Iterable[Move]:
         """The moves of an image, in their order; those that would go back, or lose an architecture, are told instead."""
         repository = self.pipeline.repository(entry.repository)
         tags = tags_of(thing)
@@ -196,7 +196,7 @@ class Promotion:
         found = self.registry.manifest(repository, old) if old else None
         if found is None:
             return ""
-        date = ledger.date_of(found)
+        date = store.date_of(found)
         if date and not clock.is_date(date):
             self.pipeline.say(
                 f"{repository}@{old} says {date[:40]!r} of when it was made, which is no date: taken for older"
@@ -212,7 +212,7 @@ class Promotion:
     def _record(self, planned: list[Move]) -> None:
         """Writes where tags were. A run that is called again keeps what it wrote first."""
         name = record_name(self.date)
-        before = {(move.repository, move.tag): move for move in read_moves(self.pipeline.ledger, name)}
+        before = {(move.repository, move.tag): move for move in read_moves(self.pipeline.records, name)}
         merged = dict(before)
         for move in planned:
             first = before.get((move.repository, move.tag))
@@ -221,9 +221,9 @@ class Promotion:
             )
         content = {"date": self.date, "moves": [move.to_json() for move in merged.values()]}
         text = json.dumps(content, sort_keys=True)
-        self.pipeline.ledger.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
+        self.pipeline.records.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
 
-    def _move(self, planned: tuple[Image | Payload, list[Move]]) -> tuple[float, str]:
+    def _move(self, planned: tuple[Image | Part, list[Move]]) -> tuple[float, str]:
         """Moves the tags of an image; gives the seconds that it took, and why one did not move. A tag that is protected, or an
         index that somebody removed, is no other image's fault.
 
@@ -260,4 +260,4 @@ def answers(pipeline: Pipeline) -> None:
     Raises:
         RosmlError: it does not.
     """
-    pipeline.registry.head(pipeline.ledger.repository, record_name(pipeline.plan.date))
+    pipeline.registry.head(pipeline.records.repository, record_name(pipeline.plan.date))

@@ -18,7 +18,7 @@ from typing import Any
 from urllib.parse import quote, urlsplit
 
 from rosml.base.errors import RosmlError
-from rosml.records.ledger import CREATED
+from rosml.records.store import CREATED
 from rosml.registry.credentials import DOCKER_HUB
 from rosml.registry.oci import digest_of, encoded
 from rosml.registry.protocol import Client
@@ -90,7 +90,7 @@ class Definition:
 
 
 def image(name: str, repository: str, digest: str, **annotations: str) -> dict[str, Any]:
-    """The descriptor of an image or payload.
+    """The descriptor of an image or part.
 
     Args:
         name: what it is called here. repository: with the registry. digest: of its manifest.

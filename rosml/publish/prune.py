@@ -20,11 +20,11 @@ from typing import Any, TypeVar
 from rosml.base.clock import is_date
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed
-from rosml.images.image_set import PAYLOADS, Catalogue
+from rosml.images.image_set import PARTS, ImageSet
 from rosml.matrix.names import DATED
 from rosml.publish import provenance
-from rosml.records import ledger
-from rosml.records.ledger import READERS, REPOSITORY, Entry, Ledger, date_of, order
+from rosml.records import store
+from rosml.records.store import READERS, REPOSITORY, Entry, Records, date_of, order
 from rosml.records.tag_moves import UNDO, read_moves
 from rosml.registry.oci import INDEXES, Manifest, Undeletable
 from rosml.registry.protocol import Client
@@ -45,7 +45,7 @@ Digests = dict[str, set[str]]
 T = TypeVar("T")
 R = TypeVar("R")
 
-MARKS = {ledger.ARTIFACT: ledger.FACTS, provenance.MEDIA_TYPE: provenance.DEFINITION}
+MARKS = {store.ARTIFACT: store.FACTS, provenance.MEDIA_TYPE: provenance.DEFINITION}
 """Types of artifacts of which an image needs the newest alone, and the annotation that says that a run attached them."""
 
 
@@ -56,8 +56,8 @@ class Pruning:
     Attributes:
         tags: repository and tag. manifests: repository and digest, no tag of which is kept; what is attached to them goes
             with them.
-        records: tags of the ledger: records of runs that are older than what is kept.
-        superseded: repository, digest of an image or index that the ledger names, and of an artifact that is attached to it
+        records: tags of the records: records of runs that are older than what is kept.
+        superseded: repository, digest of an image or index that the records name, and of an artifact that is attached to it
             in whose place there is a newer one.
         kept: how many tags stay.
         needed: repository and digest of what something leads to that is kept.
@@ -89,13 +89,13 @@ class Pruner:
 
     Attributes:
         registry: where. prefix: path of its repositories.
-        catalogue: names the repositories.
+        image_set: names the repositories.
         today: the day from which ages count. days: dated tags younger than that stay. newest: so many of each image stay in any case.
     """
 
     registry: Client
     prefix: str
-    catalogue: Catalogue
+    image_set: ImageSet
     today: date
     days: int = 30
     newest: int = 3
@@ -153,9 +153,9 @@ class Pruner:
         return self.today - timedelta(days=self.days)
 
     def _book(self) -> tuple[Digests, Digests, Digests, list[str]]:
-        """What the ledger says: digests by repository that its entries name, those that are needed, with what kept records
+        """What the records say: digests by repository that its entries name, those that are needed, with what kept records
         name, those that may go; and records that are too old."""
-        book = Ledger(self.registry, self.prefix)
+        book = Records(self.registry, self.prefix)
         names = self.registry.tags(book.repository)
         records = sorted(name for name in names if name.startswith(UNDO))
         old = [name for name in records if _day(name.removeprefix(UNDO)[:8]) < self._oldest]
@@ -174,13 +174,13 @@ class Pruner:
         return named, roots, candidates, old
 
     def _roots(self, repository: str) -> set[str]:
-        """What the ledger needs of a repository, as of some seconds ago."""
+        """What the records need of a repository, as of some seconds ago."""
         if self._read is None or time.monotonic() > self._read[0] + LOOK_SECONDS:
             self._read = time.monotonic(), self._book()[1]
         return self._read[1].get(repository, set())
 
     def _needed(self, repository: str) -> set[str]:
-        """What something leads to now, in a repository: a tag, the ledger, a record that is kept."""
+        """What something leads to now, in a repository: a tag, the records, a record that is kept."""
         path = self._path(repository)
         tags = self._each(partial(self.registry.head, path), self._tags(path))
         return self._reach(path, {*self._roots(repository), *tags})
@@ -268,18 +268,18 @@ class Pruner:
         return f"{REPOSITORY}:{name}"
 
     def _repositories(self) -> Iterable[str]:
-        return dict.fromkeys([*(facts.repository for facts in self.catalogue.matrix.frameworks.values()), PAYLOADS])
+        return dict.fromkeys([*(facts.repository for facts in self.image_set.matrix.frameworks.values()), PARTS])
 
     def _path(self, repository: str) -> str:
         return repository_path(self.prefix, repository)
 
-    def _entries(self, book: Ledger, names: Iterable[str]) -> Iterator[Entry]:
+    def _entries(self, book: Records, names: Iterable[str]) -> Iterator[Entry]:
         keys = [(target, architecture) for target, _, architecture in (name.rpartition(".") for name in names)]
         found = book.read_all(keys)
         if lost := [key for key in keys if key not in found]:
             # What an entry names that cannot be read might be thrown away.
             raise RosmlError(
-                f"the ledger's entry {'.'.join(lost[0])} cannot be read: nothing can be said to be unused",
+                f"the records' entry {'.'.join(lost[0])} cannot be read: nothing can be said to be unused",
                 "publish that image again, or use the version of this program that wrote it",
             )
         yield from found.values()
@@ -317,7 +317,7 @@ class Pruner:
         return found[::-1]
 
     def _superseded(self, repository: str, subjects: list[str]) -> Iterator[tuple[str, str, str]]:
-        """Of what is attached to what the ledger names, entries and provenance but for the newest of each: repository,
+        """Of what is attached to what the records name, entries and provenance but for the newest of each: repository,
         what it is attached to, and the artifact. What others attached is theirs."""
         path = self._path(repository)
         for subject, attached in zip(

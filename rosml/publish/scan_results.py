@@ -18,7 +18,7 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.publish.pipeline import Outcome as Done
 from rosml.publish.pipeline import Pipeline
-from rosml.records import ledger
+from rosml.records import store
 from rosml.registry.oci import digest_of, encoded, is_digest, is_place
 from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
@@ -32,7 +32,7 @@ READS = ("manifest", "head", "blob", "has_blob", "tags", "referrers", "uploaded"
 
 
 class Reader:
-    """A registry that is only read: entries of the ledger and SBOMs that are put into it are kept for the file.
+    """A registry that is only read: entries of the records and SBOMs that are put into it are kept for the file.
 
     Args:
         client: the registry.
@@ -55,14 +55,14 @@ class Reader:
         return digest_of(data)
 
     def put_manifest(self, _repository: str, _reference: str, content: Mapping[str, Any], _media_type: str) -> str:
-        """Keeps an entry of the ledger.
+        """Keeps an entry of the records.
 
         Raises:
             RosmlError: it is something else.
         """
-        text = (content.get("annotations") or {}).get(ledger.ANNOTATION)
+        text = (content.get("annotations") or {}).get(store.ANNOTATION)
         if text is None:
-            raise RosmlError("a scan that hands its results over puts only entries of the ledger", "record them first")
+            raise RosmlError("a scan that hands its results over puts only entries of the records", "record them first")
         self.entries.append(json.loads(text))
         return digest_of(encoded(content))
 
@@ -75,7 +75,7 @@ class Reader:
         repository: str,
         subject: Mapping[str, Any],
         _artifact_type: str,
-        payload: bytes,
+        part: bytes,
         media_type: str,
         annotations: Mapping[str, str] | None = None,
     ) -> str:
@@ -84,8 +84,8 @@ class Reader:
             raise RosmlError(f"a scan attaches no {media_type}", "record SBOMs only")
         scanner = (annotations or {}).get(SCANNER_ANNOTATION, "")
         found = {"repository": repository, "digest": str(subject["digest"]), "scanner": scanner}
-        self.sboms.append(found | {"content": payload.decode()})
-        return digest_of(payload)
+        self.sboms.append(found | {"content": part.decode()})
+        return digest_of(part)
 
     def write(self, file: Path, date: str) -> None:
         """Writes the file."""
@@ -132,13 +132,13 @@ def record(pipeline: Pipeline, file: Path) -> None:
             pipeline.outcomes.append(Done("record", *key, "waits", "it was made anew since it was scanned"))
             continue
         entry = replace(known, scanned=found.scanned, scan=found.scan, changed=pipeline.plan.date)
-        pipeline.ledger.write(entry)
+        pipeline.records.write(entry)
         pipeline.plan.known[key] = entry
         pipeline.outcomes.append(Done("record", *key, "done", found.scanned))
 
 
-def _entry(item: Any) -> ledger.Entry:
-    found = ledger.parse(item)
+def _entry(item: Any) -> store.Entry:
+    found = store.parse(item)
     if found is None or found.scanned not in {outcome.value for outcome in Outcome} or not is_digest(found.digest):
         raise ValueError("an outcome in it is none")
     return found

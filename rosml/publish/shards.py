@@ -1,7 +1,7 @@
 """The build plan for CI: which machine builds which images, so that all of them are ready soon, at the same time.
 
 What is dealt out are units, a distribution on an architecture: its ROS images stand on one another, and all its other
-images on one of those, so that no unit builds what another one has to wait for. Payloads and operating systems are
+images on one of those, so that no unit builds what another one has to wait for. Parts and operating systems are
 shared between units: a shard assembles them once, however many of its units need them.
 """
 
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 from rosml.machine import disk
 from rosml.matrix import names
 from rosml.matrix.model import Rates, Size
@@ -31,7 +31,7 @@ class Work:
     """What is to be done, by target and architecture.
 
     Attributes:
-        made: images and payloads that are built or composed. tested: images whose tests run.
+        made: images and parts that are built or composed. tested: images whose tests run.
     """
 
     made: frozenset[tuple[str, str]]
@@ -57,7 +57,7 @@ class Shard:
         runner: label of the machines in CI.
         distributions: what it builds, in the order of the matrix.
         targets: bake targets in build order: of each distribution the ROS images from the lowest up, then the others.
-        payloads: names of the payloads that it assembles.
+        parts: names of the parts that it assembles.
         download_mb: what the network brings: base images, Debian packages and wheels, compressed.
         disk_mb: room that it needs at its peak, which is its end, with the reserve; counted as `machine/disk.py` counts.
         seconds: time of building and testing, by the matrix' rates.
@@ -69,7 +69,7 @@ class Shard:
     runner: str
     distributions: tuple[str, ...]
     targets: tuple[str, ...]
-    payloads: tuple[str, ...]
+    parts: tuple[str, ...]
     download_mb: int
     disk_mb: int
     seconds: int
@@ -84,12 +84,12 @@ class Dealt:
 
 
 def deal(
-    catalogue: Catalogue, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
+    image_set: ImageSet, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
 ) -> Dealt:
     """Deals a catalogue's images out to machines.
 
     Args:
-        catalogue: all that the matrix describes.
+        image_set: all that the matrix describes.
         shards: how many machines there are, at most.
         include: whether an image is built. The ROS images that it stands on are built with it.
         work: what is to be done; images and architectures without any get no machine, and times count nothing else. All that
@@ -102,7 +102,7 @@ def deal(
     if shards < 1:
         text = f"{shards} machines can build nothing"
         raise RosmlError(text, "say how many there are, one or more: make plan SHARDS=8", exit_code=2)
-    units = _units(catalogue, _rates(catalogue), include, work)
+    units = _units(image_set, _rates(image_set), include, work)
     if not units:
         raise RosmlError("no image can be built, so there is nothing to plan", "see why: make locks", exit_code=2)
     if shards < len(units):
@@ -113,25 +113,25 @@ def deal(
             exit_code=2,
         )
     dealt = [
-        _shard(catalogue, architecture, number, content)
+        _shard(image_set, architecture, number, content)
         for architecture, share in _shares(units, shards).items()
         for number, content in enumerate(_dealt(units[architecture], share), 1)
     ]
     return Dealt(shards, tuple(dealt))
 
 
-def _rates(catalogue: Catalogue) -> Rates:
-    if catalogue.matrix.rates:
-        return catalogue.matrix.rates
+def _rates(image_set: ImageSet) -> Rates:
+    if image_set.matrix.rates:
+        return image_set.matrix.rates
     raise RosmlError(
         "matrix.yaml: 'rates' is missing: how fast images are built",
-        "add it, such as 'rates: {packages: 25, payloads: 60, test: 15}'",
+        "add it, such as 'rates: {packages: 25, parts: 60, test: 15}'",
         exit_code=2,
     )
 
 
-def _runner(catalogue: Catalogue, architecture: str) -> str:
-    if runner := catalogue.matrix.architectures[architecture].runner:
+def _runner(image_set: ImageSet, architecture: str) -> str:
+    if runner := image_set.matrix.architectures[architecture].runner:
         return runner
     raise RosmlError(
         f"matrix.yaml: architectures.{architecture}: 'runner' is missing: the label of CI's machines",
@@ -144,17 +144,17 @@ def _runner(catalogue: Catalogue, architecture: str) -> str:
 
 
 def _units(
-    catalogue: Catalogue, rates: Rates, include: Callable[[Image], bool], work: Work | None
+    image_set: ImageSet, rates: Rates, include: Callable[[Image], bool], work: Work | None
 ) -> dict[str, list[Unit]]:
     """Units by architecture, both in the order of the matrix; architectures without any are left out."""
-    members: dict[str, dict[str, list[Image]]] = {name: {} for name in catalogue.matrix.architectures}
-    for image in filter(include, catalogue.images):
+    members: dict[str, dict[str, list[Image]]] = {name: {} for name in image_set.matrix.architectures}
+    for image in filter(include, image_set.images):
         for architecture in image.architectures:
             if work is None or (image.target, architecture) in work.made | work.tested:
                 members[architecture].setdefault(image.distribution, []).append(image)
     return {
         architecture: [
-            _unit(catalogue, rates, name, images, architecture, work) for name, images in distributions.items()
+            _unit(image_set, rates, name, images, architecture, work) for name, images in distributions.items()
         ]
         for architecture, distributions in members.items()
         if distributions
@@ -162,48 +162,48 @@ def _units(
 
 
 def _unit(
-    catalogue: Catalogue, rates: Rates, distribution: str, images: list[Image], architecture: str, work: Work | None
+    image_set: ImageSet, rates: Rates, distribution: str, images: list[Image], architecture: str, work: Work | None
 ) -> Unit:
-    ordered = _ordered(catalogue, images)
+    ordered = _ordered(image_set, images)
 
     def made(target: str) -> bool:
         return work is None or (target, architecture) in work.made
 
     ros = [image for image in ordered if image.stack is None and made(image.target)]
     tests = sum(work is None or (image.target, architecture) in work.tested for image in ordered)
-    packages = sum(_own(catalogue, image).unpacked for image in ros)
+    packages = sum(_own(image_set, image).unpacked for image in ros)
     costs: Costs = {("distribution", distribution): _divided(packages, rates.packages) + rates.test * tests}
-    if any(image.parent not in catalogue.by_target for image in ros):
-        costs["os", ordered[0].os] = _divided(catalogue.matrix.disk.os.unpacked, rates.packages)
-    for payload in (catalogue.payload_by_name[name] for name in _payloads(ordered)):
-        if made(payload.target):
-            costs["payload", payload.name] = _divided(payload.disk.unpacked, rates.payloads)
+    if any(image.parent not in image_set.by_target for image in ros):
+        costs["os", ordered[0].os] = _divided(image_set.matrix.disk.os.unpacked, rates.packages)
+    for part in (image_set.part_by_name[name] for name in _parts(ordered)):
+        if made(part.target):
+            costs["part", part.name] = _divided(part.disk.unpacked, rates.parts)
     return Unit(distribution, ordered, costs)
 
 
-def _ordered(catalogue: Catalogue, images: Iterable[Image]) -> tuple[Image, ...]:
+def _ordered(image_set: ImageSet, images: Iterable[Image]) -> tuple[Image, ...]:
     """Images in build order, with the ROS images that they stand on, which come first."""
     images = list(images)
-    chains = [link for image in images for link in _chain(catalogue, image)]
+    chains = [link for image in images for link in _chain(image_set, image)]
     return tuple({image.target: image for image in [*chains, *images]}.values())
 
 
-def _chain(catalogue: Catalogue, image: Image) -> list[Image]:
+def _chain(image_set: ImageSet, image: Image) -> list[Image]:
     """The ROS images that an image stands on, lowest first, and the image itself if it is one."""
     chain = [] if image.stack else [image]
-    while below := catalogue.by_target.get(image.parent):
+    while below := image_set.by_target.get(image.parent):
         chain.append(below)
         image = below
     return chain[::-1]
 
 
-def _own(catalogue: Catalogue, image: Image) -> Size:
+def _own(image_set: ImageSet, image: Image) -> Size:
     """Size of a ROS image without what it stands on."""
-    below = catalogue.by_target.get(image.parent)
-    return image.disk - (below.disk if below else catalogue.matrix.disk.os)
+    below = image_set.by_target.get(image.parent)
+    return image.disk - (below.disk if below else image_set.matrix.disk.os)
 
 
-def _payloads(images: Iterable[Image]) -> tuple[str, ...]:
+def _parts(images: Iterable[Image]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(part for image in images for part in image.parts))
 
 
@@ -259,33 +259,33 @@ def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
     return shards
 
 
-def _shard(catalogue: Catalogue, architecture: str, number: int, units: list[Unit]) -> Shard:
+def _shard(image_set: ImageSet, architecture: str, number: int, units: list[Unit]) -> Shard:
     images = [image for unit in units for image in unit.images]
-    payloads = _payloads(images)
+    parts = _parts(images)
     systems = {image.os for image in images}
     sizes = [
-        *(catalogue.matrix.disk.os for _ in systems),
-        *(_own(catalogue, image) for image in images if image.stack is None),
-        *(catalogue.payload_by_name[name].disk for name in payloads),
+        *(image_set.matrix.disk.os for _ in systems),
+        *(_own(image_set, image) for image in images if image.stack is None),
+        *(image_set.part_by_name[name].disk for name in parts),
     ]
     return Shard(
         name=f"{architecture}-{number}",
         architecture=architecture,
-        platform=catalogue.matrix.architectures[architecture].platform,
-        runner=_runner(catalogue, architecture),
+        platform=image_set.matrix.architectures[architecture].platform,
+        runner=_runner(image_set, architecture),
         distributions=tuple(unit.distribution for unit in units),
         targets=tuple(image.target for image in images),
-        payloads=payloads,
+        parts=parts,
         download_mb=sum(size.compressed for size in sizes),
-        disk_mb=_disk_mb(catalogue, images),
+        disk_mb=_disk_mb(image_set, images),
         seconds=_seconds(units),
     )
 
 
-def _disk_mb(catalogue: Catalogue, images: list[Image]) -> int:
+def _disk_mb(image_set: ImageSet, images: list[Image]) -> int:
     total, built = disk.RESERVE_MB, set[str]()
     for image in images:
-        total += disk.needed_mb(catalogue, image, built)
+        total += disk.needed_mb(image_set, image, built)
         built.update((names.os_target(image.os), image.target, *image.parts))
     return total
 
@@ -302,7 +302,7 @@ def facts(shard: Shard) -> dict[str, Any]:
         "runner": shard.runner,
         "distributions": list(shard.distributions),
         "targets": list(shard.targets),
-        "payloads": list(shard.payloads),
+        "parts": list(shard.parts),
         "estimates": {"download_mb": shard.download_mb, "disk_mb": shard.disk_mb, "seconds": shard.seconds},
     }
 

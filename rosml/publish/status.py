@@ -10,9 +10,9 @@ from datetime import datetime
 from typing import Any
 
 from rosml.base.clock import TIME, is_ahead, is_date
-from rosml.images.image_set import Image, Payload, repository_of, tags_of
+from rosml.images.image_set import Image, Part, repository_of, tags_of
 from rosml.publish.plan import ELSEWHERE, WAITING, Plan
-from rosml.records.ledger import INDEX, Entry, date_of
+from rosml.records.store import INDEX, Entry, date_of
 from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
 
@@ -55,7 +55,7 @@ class Standing:
 
 
 def standings(plan: Plan, registry: Client, prefix: str, now: str, serving: Sequence[str] = ()) -> Iterator[Standing]:
-    """How every image, and payload, that is asked for stands.
+    """How every image, and part, that is asked for stands.
 
     Args:
         plan: what there is to do.
@@ -85,7 +85,7 @@ def standings(plan: Plan, registry: Client, prefix: str, now: str, serving: Sequ
         )
 
 
-def _state(plan: Plan, thing: Image | Payload, tagged: str, serving: Sequence[str]) -> tuple[str, str]:
+def _state(plan: Plan, thing: Image | Part, tagged: str, serving: Sequence[str]) -> tuple[str, str]:
     members = [key for key in plan.members(thing) if not serving or key[1] in serving]
     index = plan.known.get((thing.target, INDEX))
     still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
@@ -120,7 +120,7 @@ def _odd(date: str, now: str) -> str:
 def _over(plan: Plan, entry: Entry) -> bool:
     """Whether a failure is of the past: what failed is as it should be, since the change that broke it was taken back."""
     item = plan.by_key[entry.target, entry.architecture]
-    return plan.made(item.key) and (item.kind == "payload" or plan.passed(item, entry))
+    return plan.made(item.key) and (item.kind == "part" or plan.passed(item, entry))
 
 
 def _reason(entry: Entry) -> str:

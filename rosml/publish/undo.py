@@ -6,22 +6,22 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 from rosml.base.errors import RosmlError
-from rosml.images.image_set import PAYLOADS
+from rosml.images.image_set import PARTS
 from rosml.images.labels import TITLE
-from rosml.matrix.names import payload_target
+from rosml.matrix.names import part_target
 from rosml.publish.pipeline import Outcome
-from rosml.records import ledger
-from rosml.records.ledger import INDEX, READERS, Ledger
+from rosml.records import store
+from rosml.records.store import INDEX, READERS, Records
 from rosml.records.tag_moves import UNDO, Move, read_moves, record_name
 
 
-def undo(book: Ledger, date: str, run: str = "") -> list[Outcome]:
+def undo(book: Records, date: str, run: str = "") -> list[Outcome]:
     """Moves tags back to where they were before a run. What they pointed at is held: no later run moves them there again.
 
     It reads the run's record and the indexes that it names, and nothing else: no matrix, and nothing of this machine.
 
     Args:
-        book: the ledger of the registry.
+        book: the records of the registry.
         date: of now; entries say that they are held since then.
         run: the run's date; of the last one that has a record if empty.
 
@@ -53,7 +53,7 @@ def undo(book: Ledger, date: str, run: str = "") -> list[Outcome]:
     return outcomes or [Outcome("undo", name, "", "done", "nothing was left to move back")]
 
 
-def _back(book: Ledger, record: str, move: Move, there: str) -> Outcome | None:
+def _back(book: Records, record: str, move: Move, there: str) -> Outcome | None:
     """Moves one tag back from where it is; None where it is back already.
 
     Raises:
@@ -76,10 +76,10 @@ def _back(book: Ledger, record: str, move: Move, there: str) -> Outcome | None:
     return Outcome("undo", text, "", "done", f"back to {move.old}" if move.old else "removed: it was not there before")
 
 
-def _hold(book: Ledger, repository: str, digest: str, date: str) -> None:
-    """Writes down that an index gets no tags any more: in the entry of the image, or payload, that its title names."""
+def _hold(book: Records, repository: str, digest: str, date: str) -> None:
+    """Writes down that an index gets no tags any more: in the entry of the image, or part, that its title names."""
     index = book.registry.manifest(book.path(repository), digest)
-    title = str(ledger.annotations_of(index).get(TITLE, ""))
-    entry = book.read(payload_target(title) if repository == PAYLOADS else title, INDEX) if title else None
+    title = str(store.annotations_of(index).get(TITLE, ""))
+    entry = book.read(part_target(title) if repository == PARTS else title, INDEX) if title else None
     if entry and not entry.held and (entry.repository, entry.digest) == (repository, digest):
         book.write(replace(entry, held=date, changed=date), {})

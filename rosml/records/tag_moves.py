@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
-from rosml.records.ledger import Ledger
+from rosml.records.store import Records
 
 UNDO = "undo."
 """How tags of records begin that say where tags were."""
@@ -32,17 +32,17 @@ def record_name(date: str) -> str:
     return UNDO + re.sub(r"[^0-9TZ]", "", date)
 
 
-def read_moves(ledger: Ledger, name: str) -> list[Move]:
+def read_moves(records: Records, name: str) -> list[Move]:
     """The moves that a record tells of; none where there is no such record.
 
     Raises:
         RosmlError: it cannot be read.
     """
-    found = ledger.registry.manifest(ledger.repository, name)
+    found = records.registry.manifest(records.repository, name)
     if found is None:
         return []
     try:
-        content = json.loads(ledger.registry.blob(ledger.repository, found.content["layers"][0]["digest"]))
+        content = json.loads(records.registry.blob(records.repository, found.content["layers"][0]["digest"]))
         return [Move(**move) for move in content["moves"]]
     except (KeyError, TypeError, ValueError, IndexError):
         raise RosmlError(f"the record {name} cannot be read", "move the tags by hand: regctl image copy") from None

@@ -154,22 +154,22 @@ def descriptor(media_type: str, data: bytes) -> dict[str, Any]:
 
 def artifact(
     artifact_type: str,
-    payload: bytes,
+    part: bytes,
     media_type: str,
     annotations: Mapping[str, str] | None = None,
     subject: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """The manifest of an artifact with one layer. Its blobs are the payload and EMPTY_BLOB.
+    """The manifest of an artifact with one layer. Its blobs are the part and EMPTY_BLOB.
 
     Args:
-        media_type: of the payload. subject: descriptor of the manifest that it is attached to, if to one.
+        media_type: of the part. subject: descriptor of the manifest that it is attached to, if to one.
     """
     return {
         "schemaVersion": 2,
         "mediaType": IMAGE,
         "artifactType": artifact_type,
         "config": descriptor(EMPTY, EMPTY_BLOB),
-        "layers": [descriptor(media_type, payload)],
+        "layers": [descriptor(media_type, part)],
         **({"subject": {key: subject[key] for key in ("mediaType", "digest", "size")}} if subject else {}),
         **({"annotations": dict(annotations)} if annotations else {}),
     }
@@ -549,14 +549,14 @@ class Registry:
         repository: str,
         subject: Mapping[str, Any],
         artifact_type: str,
-        payload: bytes,
+        part: bytes,
         media_type: str,
         annotations: Mapping[str, str] | None = None,
     ) -> str:
         """Attaches an artifact to a manifest of the repository; the same one again changes nothing.
 
         Args:
-            subject: descriptor of the manifest. media_type: of the payload.
+            subject: descriptor of the manifest. media_type: of the part.
 
         Returns:
             Digest of the artifact's manifest.
@@ -564,9 +564,9 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        for data in (EMPTY_BLOB, payload):
+        for data in (EMPTY_BLOB, part):
             self.put_blob(repository, data)
-        data = encoded(artifact(artifact_type, payload, media_type, annotations, subject))
+        data = encoded(artifact(artifact_type, part, media_type, annotations, subject))
         digest, headers = self.send_manifest(repository, "", data, IMAGE)
         if headers.get("oci-subject") != subject["digest"]:  # this registry keeps no account of referrers
             noted = {"annotations": dict(annotations)} if annotations else {}

@@ -1,6 +1,6 @@
 """Scans images for known vulnerabilities, part by part, and judges what is found by the policy.
 
-An image is a ROS image and payloads. Each part is read once in its life, to write its SBOM, which is kept in the
+An image is a ROS image and parts. Each part is read once in its life, to write its SBOM, which is kept in the
 registry beside it; each night every SBOM is held against one state of the database, once, however many images have that
 part. So hundreds of images cost some dozens of scans of small files, and no layer is pulled a second time.
 
@@ -42,10 +42,10 @@ class Outcome(StrEnum):
 
 @dataclass(frozen=True)
 class Part:
-    """A ROS image or a payload, for one platform.
+    """A ROS image or a part, for one platform.
 
     Attributes:
-        name: the bake target of the ROS image, or the payload's name.
+        name: the bake target of the ROS image, or the part's name.
         registry, repository, digest: where its image manifest is.
         ros: whether it is a ROS image, which has an operating system.
     """
@@ -76,7 +76,7 @@ class Image:
     Attributes:
         target: its bake target, which ignore entries speak of.
         architecture: which of its platforms this is.
-        parts: what it is the sum of: the ROS image, then its payloads.
+        parts: what it is the sum of: the ROS image, then its parts.
     """
 
     target: str
@@ -165,7 +165,7 @@ class Scanned:
         return tuple(finding for finding in self.findings if finding.fails)
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json` and for the ledger."""
+        """For `--json` and for the records."""
         return {**asdict(self), "outcome": self.outcome.value, "exit_code": self.outcome.exit_code}
 
 
@@ -317,7 +317,7 @@ def scan(target: str, architecture: str, parts: Sequence[Part], rules: Rules, sc
     Args:
         target: the bake target.
         architecture: which of its platforms.
-        parts: the ROS image, then the payloads.
+        parts: the ROS image, then the parts.
         rules: the policy.
         scanner: with the database that the whole run uses.
         today: the run's date, by which ignore entries expire.

@@ -28,7 +28,7 @@ SCANNER_FAILED = 4
 INSTALL = "run 'make scanner'"
 VERSION_SECONDS = 30.0
 SBOM_SECONDS = 1800.0
-"""A payload with CUDA is 3.5 GB compressed, and all of it is read."""
+"""A part with CUDA is 3.5 GB compressed, and all of it is read."""
 SCAN_SECONDS = 600.0
 FETCH_SECONDS = 900.0
 DATABASE_FORMAT = 2

@@ -25,7 +25,7 @@ from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.images import load
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from tests.e2e.builders import builder
@@ -173,7 +173,7 @@ def small_file_system(folder: Path, size: str, services: Services) -> None:
 
 
 @pytest.fixture(scope="session")
-def catalogue() -> Catalogue:
+def image_set() -> ImageSet:
     return load.load(ROOT / "matrix.yaml")
 
 
@@ -196,7 +196,7 @@ class Published:
 
 
 @pytest.fixture(scope="session")
-def published(services: Services, catalogue: Catalogue) -> Callable[[str], Published]:
+def published(services: Services, image_set: ImageSet) -> Callable[[str], Published]:
     """Publishes a target once per run, whichever process is the first to want it."""
     folder = Path(os.environ[SESSION])
 
@@ -207,7 +207,7 @@ def published(services: Services, catalogue: Catalogue) -> Callable[[str], Publi
                 outcome = publish(target)
                 assert outcome.code == 0, outcome.err
                 file.write_text(outcome.out)
-        image = catalogue.image(target)
+        image = image_set.image(target)
         repository = f"{services.registry}/{NAMESPACE}/{image.repository}"
         return Published(image, json.loads(file.read_text()), repository, services)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from rosml import ROOT
 from rosml.build.push import COMPRESSION
 from rosml.images import load
-from rosml.images.image_set import Payload
+from rosml.images.image_set import Part
 from rosml.machine import base_images, buildx, regctl
 from rosml.machine.services import Services
 from rosml.matrix import names
@@ -91,13 +91,13 @@ def push(
     buildx.run(services, bake)
 
 
-def push_payload(
-    services: Services, image: Published, payload: Payload, *sets: str, variables: Mapping[str, str] | None = None
+def push_part(
+    services: Services, image: Published, part: Part, *sets: str, variables: Mapping[str, str] | None = None
 ) -> list[str]:
-    """Pushes a payload as an image of its own, by its name as a tag; returns its layers."""
+    """Pushes a part as an image of its own, by its name as a tag; returns its layers."""
     prefix = f"{services.registry}/{NAMESPACE}"
-    push(services, image, payload.target, prefix, *sets, variables=variables)
-    return [layer.digest for layer in regctl.layers(services, f"{prefix}/payload:{payload.name}")]
+    push(services, image, part.target, prefix, *sets, variables=variables)
+    return [layer.digest for layer in regctl.layers(services, f"{prefix}/part:{part.name}")]
 
 
 def base_reference(image: Published) -> str:

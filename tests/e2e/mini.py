@@ -22,12 +22,12 @@ import yaml
 from rosml import ROOT
 from rosml.base.file_lock import turn
 from rosml.images import load
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.machine import base_images
 from rosml.machine.services import Services
 from rosml.publish import plan as planning
-from rosml.records import ledger
-from rosml.records.ledger import ARTIFACT, INDEX, Ledger
+from rosml.records import store
+from rosml.records.store import ARTIFACT, INDEX, Records
 from rosml.records.tag_moves import UNDO
 from rosml.registry import oci
 from tests.e2e.conftest import CHECKOUT, Run, run
@@ -50,7 +50,7 @@ BASE = """\
 FROM {os}
 RUN --mount=type=bind,source=components,target=/run/components --mount=type=bind,source=tools,target=/run/tools \\
     --mount=type=bind,source=tools/requirements.txt,target=/run/requirements.txt --mount=type=secret,id=ca-bundle \\
-    /run/components/payload/install-assembler.sh
+    /run/components/part/install-assembler.sh
 """
 """The base image of small projects: what the real Dockerfile would install on top of Debian, which a builder with an empty
 cache need not do."""
@@ -65,11 +65,11 @@ for package in $ROS_PACKAGES; do echo {mark} >"/opt/mini/$package"; done
 "$(dirname "$0")/../build/clean.sh"
 """
 
-PAYLOAD = """\
+PART = """\
 #!/usr/bin/env bash
 set -euo pipefail
-mkdir -p /out/opt/mini-payload
-echo "$PART $STACK $PYTHON {mark}" >"/out/opt/mini-payload/$PART"
+mkdir -p /out/opt/mini-part
+echo "$PART $STACK $PYTHON {mark}" >"/out/opt/mini-part/$PART"
 find /out -exec touch --no-dereference --date=@"${{SOURCE_DATE_EPOCH:-0}}" {{}} +
 """
 
@@ -102,7 +102,7 @@ class Mini:
         return Mini(self.folder, self.services, f"rosml-test/{uuid.uuid4().hex[:12]}")
 
     @property
-    def catalogue(self) -> Catalogue:
+    def image_set(self) -> ImageSet:
         """All that its matrix describes."""
         return load.load(self.folder / "matrix.yaml", self.folder)
 
@@ -138,8 +138,8 @@ class Mini:
             )
 
     def recorded(self, date: str) -> set[tuple[str, str]]:
-        """The work of a run, by its date, whose result the ledger has: step and target."""
-        book = Ledger(self.client(), self.prefix)
+        """The work of a run, by its date, whose result the records have: step and target."""
+        book = Records(self.client(), self.prefix)
         names = [name for name in book.registry.tags(book.repository) if not name.startswith(("sha256-", UNDO))]
         entries = [book.read(*name.rpartition(".")[::2]) for name in names if not name.endswith(f".{INDEX}")]
         found = set[tuple[str, str]]()
@@ -157,8 +157,8 @@ class Mini:
             target: a ROS image that stands on no other one, and is there for this architecture. labels: that it has to itself.
         """
         client = self.client()
-        book, here = Ledger(client, self.prefix), Services.load(self.folder)
-        plan = planning.survey(here, self.catalogue, client, self.prefix, [target], [OTHER])
+        book, here = Records(client, self.prefix), Services.load(self.folder)
+        plan = planning.survey(here, self.image_set, client, self.prefix, [target], [OTHER])
         item, other = plan.by_key[target, OTHER], book.read(target, NATIVE)
         assert other and not item.needs
         path = book.path(item.repository)
@@ -177,11 +177,11 @@ class Mini:
         book.write(replace(other, architecture=OTHER, superseded=before, **own), plan.inputs.of(*item.key))  # type: ignore[arg-type]
         return digest
 
-    def mark(self, ros: str = "1", payload: str = "1") -> None:
-        """Changes what ROS images, or payloads, hold."""
+    def mark(self, ros: str = "1", part: str = "1") -> None:
+        """Changes what ROS images, or parts, hold."""
         for name, text in {
             "components/ros/install.sh": ROS.format(mark=ros),
-            "components/payload/assemble.sh": PAYLOAD.format(mark=payload),
+            "components/part/assemble.sh": PART.format(mark=part),
         }.items():
             (self.folder / name).write_text(text)
             (self.folder / name).chmod(0o755)
@@ -196,10 +196,10 @@ class Mini:
         return oci.Registry(self.services.registry)
 
     def tags(self) -> dict[str, str]:
-        """Every tag of every image and payload, and where it points."""
+        """Every tag of every image and part, and where it points."""
         client = self.client()
         found = {}
-        for repository in ("ros", "ros-tf", "payload"):
+        for repository in ("ros", "ros-tf", "part"):
             path = f"{self.prefix}/{repository}"
             for tag in client.tags(path):
                 if not tag.startswith("sha256-"):
@@ -209,20 +209,20 @@ class Mini:
     def check(self) -> None:
         """What must hold at any time: a tag points at a whole index of images that passed their tests."""
         client = self.client()
-        book = Ledger(client, self.prefix)
+        book = Records(client, self.prefix)
         for tag, digest in self.tags().items():
             repository = f"{self.prefix}/{tag.split(':')[0]}"
             index = client.manifest(repository, digest)
             assert index and index.content.get("manifests"), f"{tag} points at no index"
-            if not tag.startswith("payload:"):
+            if not tag.startswith("part:"):
                 require_oci_set(index.content["annotations"], tag)
-            assert ledger.DATE in index.content["annotations"], f"{tag} was not made by a run"
+            assert store.DATE in index.content["annotations"], f"{tag} was not made by a run"
             for name in (digest, *(member["digest"] for member in index.content["manifests"])):
                 assert client.referrers(repository, name, ARTIFACT), f"{tag}: its entry is not attached"
             for member in index.content["manifests"]:
                 manifest = client.manifest(repository, member["digest"])
                 assert manifest, f"{tag} is partial"
-                if not tag.startswith("payload:"):
+                if not tag.startswith("part:"):
                     attached = book.attached(repository.removeprefix(f"{self.prefix}/"), member["digest"])
                     assert attached and attached[0].passed and not attached[0].failures, f"{tag}: an untested image"
                     config = client.json_blob(repository, manifest.content["config"]["digest"])
@@ -263,11 +263,11 @@ def begun(said: str) -> set[tuple[str, str]]:
     return {(step, target) for step, target in re.findall(r"^==> (build|compose|test) (\S+) for ", said, re.M)}
 
 
-def base(services: Services, catalogue: Catalogue) -> tuple[str, str]:
+def base(services: Services, image_set: ImageSet) -> tuple[str, str]:
     """Name and digest of the base image of small projects; made where the registry has none of today's recipe."""
-    parent = base_images.ensure(services, catalogue.matrix.operating_systems["bookworm"])
+    parent = base_images.ensure(services, image_set.matrix.operating_systems["bookworm"])
     recipe = BASE.format(os=parent)
-    used = ("components/payload/install-assembler.sh", "components/build/network.sh", "tools/requirements.txt")
+    used = ("components/part/install-assembler.sh", "components/build/network.sh", "tools/requirements.txt")
     content = recipe.encode() + b"".join((ROOT / name).read_bytes() for name in used)
     repository = f"rosml-test/{hashlib.sha256(content).hexdigest()[:12]}/debian"
     client = oci.Registry(services.registry)
@@ -331,7 +331,7 @@ def make(folder: Path, services: Services) -> Mini:
     (folder / ".state" / "services.json").write_text(json.dumps(facts | own))
     for name, text in {
         "base/install": NOTHING,
-        "payload/install-assembler": NOTHING,
+        "part/install-assembler": NOTHING,
         "base/contract": CONTRACT,
         "tensorflow/install-compiler": NOTHING,
     }.items():

@@ -1,4 +1,4 @@
-"""Images of a few bytes with the labels of real ones: ROS images and payloads, put into a registry without a builder."""
+"""Images of a few bytes with the labels of real ones: ROS images and parts, put into a registry without a builder."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from rosml.images import labels
 from rosml.join import file_lists
 from rosml.matrix import rules
-from rosml.matrix.model import ANY_PYTHON, Part
+from rosml.matrix.model import ANY_PYTHON, PartEntry
 from rosml.registry import oci
 from rosml.registry.oci import Registry
 
@@ -21,11 +21,11 @@ PLATFORMS = ("linux/amd64",)
 ENTRIES = {
     part.name: part
     for part in (
-        Part(name="cuda", title="CUDA", versions=("cuda", "cudnn"), accelerator="cuda", any_python=True),
-        Part(name="common", needs=("cuda",), shared=True),
-        Part(name="torch", title="PyTorch", release="torch", needs=("common",)),
-        Part(name="tensorflow-cc", release="tensorflow", any_python=True, needs=("tensorflow",)),
-        Part(name="tensorflow", title="TensorFlow", short="tf", release="tensorflow", needs=("common",)),
+        PartEntry(name="cuda", title="CUDA", versions=("cuda", "cudnn"), accelerator="cuda", any_python=True),
+        PartEntry(name="common", needs=("cuda",), shared=True),
+        PartEntry(name="torch", title="PyTorch", release="torch", needs=("common",)),
+        PartEntry(name="tensorflow-cc", release="tensorflow", any_python=True, needs=("tensorflow",)),
+        PartEntry(name="tensorflow", title="TensorFlow", short="tf", release="tensorflow", needs=("common",)),
     )
 }
 PARTS = tuple(ENTRIES)
@@ -134,29 +134,29 @@ def ros(distribution: str = "bookworm", component: str = "core", python: str = "
     return Tiny(said, **facts)  # type: ignore[arg-type]
 
 
-def payload(
-    part: str,
+def part(
+    kind: str,
     stack: str = "cu128",
     python: str = "3.11",
     versions: Mapping[str, str] = VERSIONS,
     frameworks: Mapping[str, Sequence[str]] | None = None,
     **more: object,
 ) -> Tiny:
-    """A payload of a stack with CUDA, or of one whose name begins with `cpu`. `more`: what else `Tiny` has."""
+    """A part of a stack with CUDA, or of one whose name begins with `cpu`. `more`: what else `Tiny` has."""
     own = {name: tuple(p for p in parts if p != "cuda" or not stack.startswith("cpu")) for name, parts in
            (frameworks or FRAMEWORKS).items()}  # fmt: skip
     taking = {
-        name: [ENTRIES.get(other) or Part(name=other) for other in parts]
+        name: [ENTRIES.get(other) or PartEntry(name=other) for other in parts]
         for name, parts in own.items()
-        if part in parts
+        if kind in parts
     }
-    entry = ENTRIES[part]
+    entry = ENTRIES[kind]
     python = ANY_PYTHON if entry.any_python else python
     brought = [replace(item, version=versions[item.name]) for item in rules.brought_by(entry) if item.name in versions]
-    said = labels.of_payload(entry, stack, python, brought, taking)
-    return Tiny(said, **{"files": (f"usr/local/share/{part}",), **more})  # type: ignore[arg-type]
+    said = labels.of_part(entry, stack, python, brought, taking)
+    return Tiny(said, **{"files": (f"usr/local/share/{kind}",), **more})  # type: ignore[arg-type]
 
 
 def stack(registry: Registry, repository: str, parts: Sequence[str], name: str = "cu128", **more: object) -> list[str]:
-    """Puts payloads of a stack into a repository; gives their references. `more`: what else `payload` has."""
-    return [payload(part, name, **more).put(registry, repository, f"{part}-{name}") for part in parts]  # type: ignore[arg-type]
+    """Puts parts of a stack into a repository; gives their references. `more`: what else `part` has."""
+    return [part(kind, name, **more).put(registry, repository, f"{kind}-{name}") for kind in parts]  # type: ignore[arg-type]

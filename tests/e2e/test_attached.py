@@ -1,4 +1,4 @@
-"""What is attached to images of a real run: their entries of the ledger, where they came from, and signatures; that none
+"""What is attached to images of a real run: their entries of the records, where they came from, and signatures; that none
 of it is uploaded twice, and none of it is in an image."""
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from rosml.publish import provenance
 from rosml.publish.pipeline import Pipeline
 from rosml.publish.promote import Promotion
 from rosml.publish.sign import Signer, SignerFailed
-from rosml.records import ledger
-from rosml.records.ledger import INDEX, Ledger
+from rosml.records import store
+from rosml.records.store import INDEX, Records
 from rosml.registry import oci
 from tests.e2e import mini as minis
 from tests.e2e import secure
@@ -38,42 +38,42 @@ def mini(project: Mini) -> Iterator[Mini]:
     yield project.elsewhere()
 
 
-def entries(mini: Mini) -> dict[tuple[str, str], ledger.Entry]:
-    book = Ledger(mini.client(), mini.prefix)
+def entries(mini: Mini) -> dict[tuple[str, str], store.Entry]:
+    book = Records(mini.client(), mini.prefix)
     names = [name.rpartition(".")[::2] for name in book.registry.tags(book.repository) if not name.startswith("undo.")]
     found = {(target, architecture): book.read(target, architecture) for target, architecture in names}
     return {key: entry for key, entry in found.items() if entry}
 
 
 def test_entries_and_provenance(mini: Mini) -> None:
-    """A second run sends nothing; one whose ledger was lost carries on; another place has the same manifests."""
+    """A second run sends nothing; one whose records were lost carries on; another place has the same manifests."""
     mini.all(*ONLY)
     client, known = mini.client(), entries(mini)
     sizes = []
     for (target, architecture), entry in known.items():
         path = f"{mini.prefix}/{entry.repository}"
-        found = Ledger(client, mini.prefix).attached(entry.repository, entry.digest)
+        found = Records(client, mini.prefix).attached(entry.repository, entry.digest)
         assert found and found[0].facts == entry.facts
         listed = run(
             *(mini.services.regctl, "--host", f"reg={mini.services.registry},tls=disabled", "artifact", "list"),
             *("--format", "{{json .}}", f"{mini.services.registry}/{path}@{entry.digest}"),
         )
         kinds = [item["artifactType"] for item in json.loads(listed.out)["descriptors"]]
-        assert kinds.count(ledger.ARTIFACT) == 1
+        assert kinds.count(store.ARTIFACT) == 1
         assert kinds.count(provenance.MEDIA_TYPE) == (architecture != INDEX), f"{target}: {kinds}"
         for item in client.referrers(path, entry.digest):
             content = client.manifest(path, item["digest"])
             assert content
-            if item["artifactType"] in (ledger.ARTIFACT, provenance.MEDIA_TYPE):
+            if item["artifactType"] in (store.ARTIFACT, provenance.MEDIA_TYPE):
                 sizes.append((item["artifactType"], content.size + content.content["layers"][0]["size"]))
-    for kind in (ledger.ARTIFACT, provenance.MEDIA_TYPE):
+    for kind in (store.ARTIFACT, provenance.MEDIA_TYPE):
         own = [size for name, size in sizes if name == kind]
         LOG.info("%s: %d, of %d bytes on average", kind, len(own), sum(own) / len(own))
 
     with oci.Registry(mini.services.registry) as counting:
         services = Services.load(mini.folder)
         plan = planning.survey(
-            services, mini.catalogue, counting, mini.prefix, [ONLY[1]], (NATIVE,), date="2027-01-01T00:00:00Z"
+            services, mini.image_set, counting, mini.prefix, [ONLY[1]], (NATIVE,), date="2027-01-01T00:00:00Z"
         )
         again = Pipeline(plan, counting, services.registry, mini.prefix, LOG.info, (NATIVE,))
         for step in (again.build, again.compose, again.test, again.index, Promotion(again).run):
@@ -83,14 +83,14 @@ def test_entries_and_provenance(mini: Mini) -> None:
     test = mini.folder / "tests/structure/contract.yaml"
     test.write_text(test.read_text() + "# another\n")
     image = known["bookworm-core", NATIVE]
-    where = (f"{mini.prefix}/{image.repository}", image.digest, ledger.ARTIFACT)
+    where = (f"{mini.prefix}/{image.repository}", image.digest, store.ARTIFACT)
     mini.all(*ONLY)
     known = entries(mini)
     assert len(client.referrers(*where)) == 2, "its tests are others"
     assert mini.publish("prune", "--apply").code == 0
     (left,) = client.referrers(*where)
     assert client.manifest(where[0], left["digest"]), "the newest one"
-    found = Ledger(client, mini.prefix).attached(image.repository, image.digest)
+    found = Records(client, mini.prefix).attached(image.repository, image.digest)
     assert found and found[0].facts == known["bookworm-core", NATIVE].facts
     assert json.loads(mini.publish("prune", "--json").out)["superseded"] == []
 
@@ -124,7 +124,7 @@ def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
         signer.verify(reference)
         assert signer.identity in entry.signed
         assert signer.ensure(reference) is False
-        assert Ledger(client, mini.prefix).attached(entry.repository, entry.digest), f"{target}: its entry is gone"
+        assert Records(client, mini.prefix).attached(entry.repository, entry.digest), f"{target}: its entry is gone"
         kinds = [item["artifactType"] for item in client.referrers(f"{mini.prefix}/{entry.repository}", entry.digest)]
         assert sum("sigstore" in kind for kind in kinds) == 1, kinds
     assert mini.all(*ONLY, "--sign", env=cosign)["outcomes"] == []

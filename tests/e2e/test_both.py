@@ -10,7 +10,7 @@ import pytest
 
 from rosml import ROOT
 from rosml.build import structure_tests
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.matrix import names
@@ -41,7 +41,7 @@ def test_both_frameworks_share_their_layers_and_import_in_either_order(published
     }
 
 
-def test_images_with_less_have_the_same_layers(services: Services, published: Publish, catalogue: Catalogue) -> None:
+def test_images_with_less_have_the_same_layers(services: Services, published: Publish, image_set: ImageSet) -> None:
     """Of CUDA alone and of TensorFlow alone, as in the image with both frameworks: built here and not tested, as all that
     they hold was."""
     both = published(BOTH)
@@ -49,7 +49,7 @@ def test_images_with_less_have_the_same_layers(services: Services, published: Pu
     prefix = f"{services.registry}/{NAMESPACE}-layers"
     for framework in ("cuda", "tensorflow"):
         target = names.image_target(both.image.distribution, both.image.component, framework, both.image.stack)
-        image = catalogue.image(target)
+        image = image_set.image(target)
         push(services, both, target, prefix)
         layers = [layer.digest for layer in regctl.layers(services, f"{prefix}/{image.tags[0]}")]
         assert layers == [*both.layers[: -len(parts)], *(parts[name] for name in image.parts)], target

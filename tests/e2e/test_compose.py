@@ -14,7 +14,7 @@ import pytest
 
 from rosml import ROOT
 from rosml.build import file_list
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.join import composer as composing
 from rosml.join import file_lists
 from rosml.machine import regctl
@@ -22,7 +22,7 @@ from rosml.machine.services import Services
 from rosml.registry import oci
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG, NAMESPACE, Published, Run, run
-from tests.e2e.images import build, push_payload
+from tests.e2e.images import build, push_part
 from tests.e2e.mini import Mini
 
 PARTS = ("common-cpu-py311", "tensorflow-cc-cpu", "tensorflow-cpu-py311")
@@ -52,7 +52,7 @@ def small(checkout: Path, tag: str, *images: str) -> dict[str, Any]:
 
 
 def parts(mini: Mini) -> list[str]:
-    return [f"{mini.registry}/payload:{name}" for name in PARTS]
+    return [f"{mini.registry}/part:{name}" for name in PARTS]
 
 
 def config(client: oci.Registry, repository: str, reference: str) -> tuple[list[str], dict[str, Any]]:
@@ -104,7 +104,7 @@ def test_what_does_not_go_together(mini: Mini) -> None:
     for arguments, words in {
         (ros, tensorflow): "common",
         (ros, common, cc, tensorflow, tensorflow): "twice",
-        (common, cc): "is a payload",
+        (common, cc): "is a part",
         (ros, ros): "is a ROS image",
         (f"{mini.registry}/ros-tf:bookworm-core-cpu", common): "already",
         (f"{mini.registry}/ros:bookworm-corn", common): "did you mean 'bookworm-core'",
@@ -118,7 +118,7 @@ def test_what_does_not_go_together(mini: Mini) -> None:
 def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
     """Known from the lists that are attached to them; nothing is pulled for it."""
     client = mini.client()
-    repository = f"{mini.prefix}/payload"
+    repository = f"{mini.prefix}/part"
     index = client.manifest(repository, PARTS[0])
     assert index
     manifest = client.manifest(repository, index.content["manifests"][0]["digest"])
@@ -127,19 +127,19 @@ def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
     listed = client.manifest(repository, entry["digest"])
     assert listed
     names = file_lists.unpacked(client.blob(repository, listed.content["layers"][0]["digest"])).decode().split()
-    assert names == ["opt/mini-payload/common"]
+    assert names == ["opt/mini-part/common"]
 
     other = {**manifest.content, "annotations": {"another": "one"}}
     digest = client.put_manifest(repository, "", oci.encoded(other), oci.IMAGE)
     changed = client.manifest(repository, digest)
     assert changed
-    file_lists.attach(client, repository, changed, gzip.compress(b"opt/mini-payload/tensorflow-cc\n"))
-    arguments = [f"{mini.registry}/payload@{digest}", *parts(mini)[1:]]
+    file_lists.attach(client, repository, changed, gzip.compress(b"opt/mini-part/tensorflow-cc\n"))
+    arguments = [f"{mini.registry}/part@{digest}", *parts(mini)[1:]]
     outcome = composed(
         mini.folder, f"{mini.registry}/ros:bookworm-core", *arguments, "--tag", f"{mini.registry}/mine:never"
     )
     assert outcome.code == 2
-    assert "both carry /opt/mini-payload/tensorflow-cc" in outcome.err
+    assert "both carry /opt/mini-part/tensorflow-cc" in outcome.err
 
 
 def test_two_hundred_images(mini: Mini) -> None:
@@ -175,7 +175,7 @@ def test_two_hundred_images(mini: Mini) -> None:
 
 
 def test_a_real_one_runs(
-    services: Services, published: Callable[[str], Published], catalogue: Catalogue, tmp_path: Path
+    services: Services, published: Callable[[str], Published], image_set: ImageSet, tmp_path: Path
 ) -> None:
     """ROS and TensorFlow as they are: the layers of the built image, and a program that uses both."""
     image, ros = published("bookworm-core-tensorflow-cpu"), published("bookworm-core")
@@ -183,16 +183,16 @@ def test_a_real_one_runs(
     place = f"{services.registry}/{NAMESPACE}"
     images = {"ros": ros.result["manifest"]}
     for name in image.image.parts:
-        push_payload(services, image, catalogue.payload_by_name[name])
-        images[f"payload:{name}"] = client.head(f"{NAMESPACE}/payload", name)
+        push_part(services, image, image_set.part_by_name[name])
+        images[f"part:{name}"] = client.head(f"{NAMESPACE}/part", name)
     for name, digest in images.items():
         repository = f"{NAMESPACE}/{name.partition(':')[0]}"
-        file_list.attach_files(services, catalogue, client, repository, digest, LOG.info)
+        file_list.attach_files(services, image_set, client, repository, digest, LOG.info)
         listed = regctl.regctl(services, "artifact", "list", f"{services.registry}/{repository}@{digest}")
         assert file_lists.ARTIFACT in listed, "other tools find the list as well"
     tag = f"{place}/composed:latest"
-    payloads = [f"{place}/payload:{name}" for name in image.image.parts]
-    small(ROOT, tag, f"{place}/ros:bookworm-core", *payloads)
+    parts = [f"{place}/part:{name}" for name in image.image.parts]
+    small(ROOT, tag, f"{place}/ros:bookworm-core", *parts)
     layers, found = config(client, f"{NAMESPACE}/composed", "latest")
     assert layers == image.layers
     built = config(client, f"{NAMESPACE}/{image.image.repository}", image.result["manifest"])[1]

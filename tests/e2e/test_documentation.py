@@ -1,5 +1,5 @@
 """What the documentation shows, file by file and command by command as it stands there, in real images: the C++ examples,
-Dockerfiles of users, the CI of a package, payloads that are compared, an image that is carried to another registry."""
+Dockerfiles of users, the CI of a package, parts that are compared, an image that is carried to another registry."""
 
 from __future__ import annotations
 
@@ -198,8 +198,8 @@ def test_dockerfiles_of_users(services: Services, published: Publish, tmp_path: 
         assert re.search(rf"^#\d+ [\d.]+ {wanted}", said, re.MULTILINE), said
 
 
-def test_payloads_are_compared(services: Services) -> None:
-    """The commands of the page about reproducibility, in the tests' namespaces, and without `--again`: a payload that is
+def test_parts_are_compared(services: Services) -> None:
+    """The commands of the page about reproducibility, in the tests' namespaces, and without `--again`: a part that is
     assembled without the builder's cache is tests/e2e/test_tensorflow.py's."""
     steps = [
         command
@@ -211,7 +211,7 @@ def test_payloads_are_compared(services: Services) -> None:
     for step, (old, new) in zip(
         steps,
         [
-            ("payload ", f"payload --namespace {NAMESPACE} "),
+            ("part ", f"part --namespace {NAMESPACE} "),
             ("--again --namespace again", f"--namespace {again}"),
             ("<host>/rosml/", f"<host>/{NAMESPACE}/"),
         ],

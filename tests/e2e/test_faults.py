@@ -26,7 +26,7 @@ def test_a_failing_structure_test_leaves_every_tag(
     before = published(TARGET)
     matrix = checkout / "matrix.yaml"
     text = matrix.read_text().replace('python: "3.11"', 'python: "3.12"', 1)
-    # Systems with one Python agree on what payloads depend on: bookworm provides what Ubuntu 24.04 does.
+    # Systems with one Python agree on what parts depend on: bookworm provides what Ubuntu 24.04 does.
     system = text.index("  ubuntu-24.04:")
     provides = text[text.index("provides:", system) :].splitlines()[0]
     matrix.write_text(text.replace(text[text.index("provides: {") :].splitlines()[0], provides, 1))

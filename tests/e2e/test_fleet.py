@@ -62,7 +62,7 @@ def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Servic
     for name in (
         "components/base/install.sh",
         "components/base/contract.sh",
-        "components/payload/install-assembler.sh",
+        "components/part/install-assembler.sh",
     ):
         (mini.folder / name).write_text(NOTHING)
     plan = tmp_path / "plan.json"
@@ -238,7 +238,7 @@ def test_a_registry_that_fails_now_and_then(mini: Mini, services: Services) -> N
             assert "Traceback" not in outcome.err
             mini.check()
             assert mini.tags().keys() >= tags.keys(), "a tag was lost"
-            assert not begun(outcome.err) & recorded, "what the ledger had was done again"
+            assert not begun(outcome.err) & recorded, "what the records had was done again"
             recorded = mini.recorded(date)
             if outcome.code == 0:
                 break

@@ -13,13 +13,13 @@ import pytest
 
 from rosml import ROOT
 from rosml.build import structure_tests
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.labels import OCI
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from tests.documented import blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, publish, run
-from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, base_reference, build, push_payload
+from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, base_reference, build, push_part
 
 OCI_SET = {"title", "description", "version", "created", "licenses", "base.name", "base.digest"}
 """What an image says of itself, and its index repeats; `source` where matrix.yaml has one. tests/e2e/mini.py has them with
@@ -30,7 +30,7 @@ SECOND_IMAGE_BYTES = 100_000_000
 
 @dataclass(frozen=True)
 class Pair:
-    """Two images with the same payloads.
+    """Two images with the same parts.
 
     Attributes:
         first, second: targets. program: in Python, with the framework.
@@ -61,8 +61,8 @@ def pair(request: pytest.FixtureRequest) -> Pair:
     return found
 
 
-def payload_layers(image: Published) -> list[str]:
-    """The layers of an image that are its payloads'."""
+def part_layers(image: Published) -> list[str]:
+    """The layers of an image that are its parts'."""
     return image.layers[-len(image.image.parts) :]
 
 
@@ -104,36 +104,34 @@ def test_a_second_call_changes_nothing(pair: Pair, published: Publish) -> None:
     assert '"seconds": {}' in again.out, "nothing was tested once more"
 
 
-def test_a_second_image_with_the_same_payload_costs_next_to_nothing(pair: Pair, published: Publish) -> None:
-    """No payload is assembled or uploaded again; `make bench` says how many seconds that is."""
+def test_a_second_image_with_the_same_part_costs_next_to_nothing(pair: Pair, published: Publish) -> None:
+    """No part is assembled or uploaded again; `make bench` says how many seconds that is."""
     first, second = published(pair.first), published(pair.second)
-    assert payload_layers(second) == payload_layers(first)
-    assert set(second.layers) - set(payload_layers(second)) != set(first.layers) - set(payload_layers(first))
+    assert part_layers(second) == part_layers(first)
+    assert set(second.layers) - set(part_layers(second)) != set(first.layers) - set(part_layers(first))
     assert second.result["uploaded"] < SECOND_IMAGE_BYTES
-    assert not [target for target in second.result["made"] if target.startswith("payload-")]
+    assert not [target for target in second.result["made"] if target.startswith("part-")]
 
 
 def test_nothing_runs_after_the_join(pair: Pair, published: Publish) -> None:
-    """The image is the ROS image's layers and the payloads' layers, and nothing else."""
+    """The image is the ROS image's layers and the parts' layers, and nothing else."""
     joined = published(pair.first)
     ros = published(joined.image.parent)
     assert joined.layers[: len(ros.layers)] == ros.layers
     assert len(joined.layers) == len(ros.layers) + len(joined.image.parts)
 
 
-def test_payloads_are_added_to_an_image_of_ones_own(
-    pair: Pair, services: Services, published: Publish, catalogue: Catalogue, tmp_path: Path
+def test_parts_are_added_to_an_image_of_ones_own(
+    pair: Pair, services: Services, published: Publish, image_set: ImageSet, tmp_path: Path
 ) -> None:
     """COPY --link, as the documentation shows it: a framework in a Debian image that has Python and nothing of ours."""
     image = published(pair.first)
-    layers = [
-        layer for name in image.image.parts for layer in push_payload(services, image, catalogue.payload_by_name[name])
-    ]
-    assert layers == payload_layers(image), "the payload as an image of its own is the same layer"
+    layers = [layer for name in image.image.parts for layer in push_part(services, image, image_set.part_by_name[name])]
+    assert layers == part_layers(image), "the part as an image of its own is the same layer"
     shutil.copy(ROOT / "components/build/network.sh", tmp_path)
-    page = ROOT / "docs/payloads.md"
+    page = ROOT / "docs/parts.md"
     (install,) = [command for block in blocks(page) for command in commands(block) if command.startswith("apt-get")]
-    copies = [f"COPY --link --from={services.registry}/{NAMESPACE}/payload:{name} / /" for name in image.image.parts]
+    copies = [f"COPY --link --from={services.registry}/{NAMESPACE}/part:{name} / /" for name in image.image.parts]
     (tmp_path / "Dockerfile").write_text(
         textwrap.dedent(f"""\
             FROM {base_reference(image)}

@@ -56,15 +56,15 @@ def test_all_then_nothing_then_what_changed(mini: Mini) -> None:
         "ros:bookworm-core",
         "ros:bookworm",
         "ros-tf:bookworm-base-cpu",
-        "payload:tensorflow-cpu-py311",
+        "part:tensorflow-cpu-py311",
     } <= tags.keys()
     client = mini.client()
     again = mini.all()
     assert (again["outcomes"], again["uploaded"]) == ([], 0)
     assert mini.tags() == tags
-    mini.mark(payload="2")
+    mini.mark(part="2")
     changed = mini.all()
-    assert set(did(changed, "build")) == {name for name in did(first, "build") if name.startswith("payload-")}
+    assert set(did(changed, "build")) == {name for name in did(first, "build") if name.startswith("part-")}
     assert did(changed, "compose") == IMAGES[2:] == did(changed, "test")
     assert 0 < changed["uploaded"] < 0.05 * first["uploaded"]
     now = mini.tags()
@@ -119,7 +119,7 @@ def test_killed_at_random_points(mini: Mini, tmp_path: Path, kills: int) -> None
     while killed < kills:
         night += 1
         date = (first + timedelta(days=night)).strftime(TIME)
-        mini.mark(ros=str(night), payload=str(night // 2))
+        mini.mark(ros=str(night), part=str(night // 2))
         before = mini.tags()
         recorded: set[tuple[str, str]] = set()
         tonight = 0
@@ -134,12 +134,12 @@ def test_killed_at_random_points(mini: Mini, tmp_path: Path, kills: int) -> None
                 process.wait()
                 killed, tonight = killed + 1, tonight + 1
                 mini.check()
-                assert not begun(log.read_text()) & recorded, f"run {runs} does again what the ledger had"
+                assert not begun(log.read_text()) & recorded, f"run {runs} does again what the records had"
                 recorded = mini.recorded(date)
                 worked |= bool(recorded)
                 continue
             assert process.returncode == 0, log.read_text()
-            assert not begun(log.read_text()) & recorded, f"run {runs} does again what the ledger had"
+            assert not begun(log.read_text()) & recorded, f"run {runs} does again what the records had"
             break
     assert worked, "no run was killed after it had done something"
     last = mini.all("--date", (first + timedelta(days=night + 1)).strftime(TIME))

@@ -23,8 +23,8 @@ from rosml.images.image_set import Image
 from rosml.machine.base_images import native_architecture
 from rosml.machine.services import Services
 from rosml.publish import plan as planning
-from rosml.records import ledger
-from rosml.records.ledger import Ledger
+from rosml.records import store
+from rosml.records.store import Records
 from rosml.records.tag_moves import UNDO
 from rosml.registry import oci
 from tests.e2e import mini as minis
@@ -54,9 +54,9 @@ def place(project: Mini, folder: Path, deletes: bool) -> Iterator[Mini]:
 def night(mini: Mini, date: str) -> None:
     """What builders and tests leave in a night: other ROS images than before, whose tests passed; then their tags move."""
     client = mini.client()
-    book = Ledger(client, mini.prefix)
+    book = Records(client, mini.prefix)
     plan = planning.survey(
-        Services.load(mini.folder), mini.catalogue, client, mini.prefix, ONLY[1::2], [HERE], date=date
+        Services.load(mini.folder), mini.image_set, client, mini.prefix, ONLY[1::2], [HERE], date=date
     )
     assert {item.target for item in plan.items} == set(ONLY[1::2])
     for item in plan.items:
@@ -68,7 +68,7 @@ def night(mini: Mini, date: str) -> None:
         facts = {"inputs": plan.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
         facts |= {"parts": {target: plan.known[target, HERE].digest for target in item.needs}, "changed": date}
         facts |= {"upstream": plan.upstream.get(image.distribution, ""), "tested": plan.tests(item), "passed": 5}
-        before = plan.known.get(item.key) or ledger.Entry(*item.key)
+        before = plan.known.get(item.key) or store.Entry(*item.key)
         plan.known[item.key] = before.made(digest, **facts)
         book.write(plan.known[item.key], plan.inputs.of(*item.key))
     for step in ("index", "promote"):
@@ -110,7 +110,7 @@ def called(folder: Path, mini: Mini, *arguments: str) -> Run:
 
 
 def records(mini: Mini) -> list[str]:
-    return [name for name in mini.client().tags(f"{mini.prefix}/ledger") if name.startswith(UNDO)]
+    return [name for name in mini.client().tags(f"{mini.prefix}/records") if name.startswith(UNDO)]
 
 
 def test_a_registry_that_refuses_to_delete(project: Mini, tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ import pytest
 from rosml import ROOT
 from rosml.build import push, structure_tests
 from rosml.build.variables import variables
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.machine import base_images, buildx, regctl
 from rosml.machine.services import Services
 from tests.e2e.conftest import LOG, NAMESPACE
@@ -21,13 +21,13 @@ from tests.e2e.images import NATIVE, Publish, build, build_on
 @pytest.mark.full(proof="rebuild")
 @pytest.mark.parametrize("target", ["bookworm-core"])
 def test_the_same_packages_give_the_same_layers(
-    target: str, published: Publish, services: Services, catalogue: Catalogue
+    target: str, published: Publish, services: Services, image_set: ImageSet
 ) -> None:
     """Another build without any cache: every layer of every component, from the base image on."""
     image = published(target)
     prefix = f"{services.registry}/{NAMESPACE}"
-    given = variables(services, catalogue, image.image, NATIVE, prefix, print)
-    bake_file = push.write_excerpt(services, catalogue, target)
+    given = variables(services, image_set, image.image, NATIVE, prefix, print)
+    bake_file = push.write_excerpt(services, image_set, target)
     call = buildx.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), given)
     repository = f"{prefix}/again"
     _, manifest = push.push_by_digest(services, call, repository)

@@ -17,7 +17,7 @@ import pytest
 
 from rosml import ROOT
 from rosml.build import part as building
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.scan import judge, policy, sbom
@@ -55,7 +55,7 @@ def database(trivy: Trivy, rules: policy.Rules) -> Database:
 
 @dataclass(frozen=True)
 class Joined:
-    """A ROS image and a payload, and an image that is the sum of them."""
+    """A ROS image and a part, and an image that is the sum of them."""
 
     parts: tuple[Part, ...]
     repository: str
@@ -63,17 +63,17 @@ class Joined:
 
 
 @pytest.fixture(scope="module")
-def joined(services: Services, catalogue: Catalogue, registry: Any, published: Callable[[str], Published]) -> Joined:
+def joined(services: Services, image_set: ImageSet, registry: Any, published: Callable[[str], Published]) -> Joined:
     ros = published("bookworm-core")
-    item = building.find(catalogue, "common-cu128-py311")
-    made = building.publish(services, catalogue, item, LOG.info, NAMESPACE)
-    index = registry.manifest(f"{NAMESPACE}/payload", made.digest).content
+    item = building.find(image_set, "common-cu128-py311")
+    made = building.publish(services, image_set, item, LOG.info, NAMESPACE)
+    index = registry.manifest(f"{NAMESPACE}/part", made.digest).content
     wheels = next(
         (it["digest"] for it in index.get("manifests", []) if it["platform"]["architecture"] == NATIVE), made.digest
     )
     parts = (
         Part.of("bookworm-core", ros.reference, True),
-        Part(item.name, services.registry, f"{NAMESPACE}/payload", wheels, False),
+        Part(item.name, services.registry, f"{NAMESPACE}/part", wheels, False),
     )
     repository = f"{NAMESPACE}/joined"
     manifests = [registry.manifest(part.repository, part.digest).content for part in parts]

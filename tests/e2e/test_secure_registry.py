@@ -18,7 +18,7 @@ from machine import network
 from machine import services as setup
 from rosml.machine import regctl as images
 from rosml.machine.services import Services
-from rosml.records.ledger import Ledger
+from rosml.records.store import Records
 from rosml.registry import oci
 from tests.e2e import mini as minis
 from tests.e2e import secure
@@ -157,7 +157,7 @@ def test_everything(company: Company, tmp_path: Path) -> None:
     assert first.code == 0, first.err
     company.check()
     tags = company.tags()
-    assert {"ros:bookworm-core", "ros-tf:bookworm-core-cpu", "payload:tensorflow-cpu-py311"} <= tags.keys()
+    assert {"ros:bookworm-core", "ros-tf:bookworm-core-cpu", "part:tensorflow-cpu-py311"} <= tags.keys()
     status = company.publish("status", *ONLY, "--json")
     assert {item["state"] for item in json.loads(status.out)["images"]} == {"published"}
     company.mark(ros="2")
@@ -170,7 +170,7 @@ def test_everything(company: Company, tmp_path: Path) -> None:
     pruned = company.publish("prune", "--days", "0", "--newest", "0", "--apply")
     assert pruned.code == 0, pruned.err
     script, mine = str(company.folder / "scripts/compose.py"), f"{company.registry}/mine:latest"
-    parts = [f"{company.registry}/payload:{name}-cpu" for name in ("common", "tensorflow-cc", "tensorflow")]
+    parts = [f"{company.registry}/part:{name}-cpu" for name in ("common", "tensorflow-cc", "tensorflow")]
     parts = [part if part.endswith("cc-cpu") else f"{part}-py311" for part in parts]
     composed = run(sys.executable, script, f"{company.registry}/ros:bookworm-core", *parts, "--tag", mine, "--json")
     assert composed.code == 0, composed.err
@@ -276,7 +276,7 @@ def test_a_bundle_for_everything(
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     machine = tmp_path / "machine"
     shutil.copytree(company.folder, machine, symlinks=True)
-    (machine / "components/payload/install-assembler.sh").write_text(NOTHING)  # nothing is tested
+    (machine / "components/part/install-assembler.sh").write_text(NOTHING)  # nothing is tested
     (machine / ".state/regctl/config.json").write_text(setup.regctl_config(services.registry, {}))
     name = f"bundle-{os.getpid()}"
     told = {"builder": name, "builder_kind": "user", "ca_bundle": str(bundle)}
@@ -286,7 +286,7 @@ def test_a_bundle_for_everything(
     with builder(name, tmp_path / name, services, env={"SSL_CERT_FILE": str(bundle)}):
         outcome = company.publish("build", "--only", "bookworm-core", "--json")
     assert outcome.code == 0, outcome.err
-    book = Ledger(oci.Registry(host, ca_bundle=str(bundle)), company.prefix)
+    book = Records(oci.Registry(host, ca_bundle=str(bundle)), company.prefix)
     entry = book.read("bookworm-core", NATIVE)
     assert entry
     layers = images.layers(Services.load(machine), f"{host}/{company.prefix}/ros@{entry.digest}")

@@ -1,4 +1,4 @@
-"""TensorFlow without CUDA: images of two distributions, and payloads that are made again, elsewhere and for another architecture."""
+"""TensorFlow without CUDA: images of two distributions, and parts that are made again, elsewhere and for another architecture."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE
-from tests.e2e.images import Publish, build, push_payload
+from tests.e2e.images import Publish, build, push_part
 
 
 @pytest.mark.parametrize(
@@ -26,8 +26,8 @@ def test_tensorflow_without_cuda(services: Services, published: Publish, target:
     image = published(target)
     assert image.result["failed"] == 0
     assert image.image.budget
-    payloads = regctl.layers(services, image.reference)[-len(image.image.parts) :]
-    assert sum(layer.size for layer in payloads) <= image.image.budget * 1_000_000
+    parts = regctl.layers(services, image.reference)[-len(image.image.parts) :]
+    assert sum(layer.size for layer in parts) <= image.image.budget * 1_000_000
 
 
 @pytest.mark.full(proof="trixie")
@@ -41,18 +41,18 @@ def test_the_cplusplus_part_of_tensorflow_is_the_same_for_every_python(published
 
 
 @pytest.mark.full(proof="arm64")
-def test_a_payload_for_arm64_is_assembled_without_emulation(
-    services: Services, published: Publish, catalogue: Catalogue, tmp_path: Path
+def test_a_part_for_arm64_is_assembled_without_emulation(
+    services: Services, published: Publish, image_set: ImageSet, tmp_path: Path
 ) -> None:
     """Libraries of that architecture and bytecode, looked at on this one."""
     image = published("bookworm-core-tensorflow-cpu")
-    payload = catalogue.payload_by_name["torch-cpu-py311"]
-    push_payload(services, image, payload, variables={"PLATFORM": "linux/arm64"})
+    part = image_set.part_by_name["torch-cpu-py311"]
+    push_part(services, image, part, variables={"PLATFORM": "linux/arm64"})
     (tmp_path / "Dockerfile").write_text(
         textwrap.dedent(f"""\
-            FROM --platform=linux/arm64 {services.registry}/{NAMESPACE}/payload:{payload.name} AS payload
+            FROM --platform=linux/arm64 {services.registry}/{NAMESPACE}/part:{part.name} AS part
             FROM --platform=$BUILDPLATFORM {image.result["reference"]}
-            COPY --from=payload / /arm64/
+            COPY --from=part / /arm64/
             COPY look.sh /
             RUN bash /look.sh
         """)
@@ -81,13 +81,13 @@ def test_a_payload_for_arm64_is_assembled_without_emulation(
     ],
     ids=["common", "tensorflow"],
 )
-def test_a_payload_assembled_again_elsewhere_has_the_same_digest(
-    parts: list[str], published: Publish, services: Services, catalogue: Catalogue, checkout: Path
+def test_a_part_assembled_again_elsewhere_has_the_same_digest(
+    parts: list[str], published: Publish, services: Services, image_set: ImageSet, checkout: Path
 ) -> None:
     """Without any cache, in another folder: the same lock gives the same layer."""
     image = published("bookworm-core-tensorflow-cpu")
     elsewhere = replace(services, root=checkout)
     layers = dict(zip(image.image.parts, image.layers[-len(image.image.parts) :], strict=True))
     for name in parts:
-        again = push_payload(elsewhere, image, catalogue.payload_by_name[name], "*.no-cache=true")
+        again = push_part(elsewhere, image, image_set.part_by_name[name], "*.no-cache=true")
         assert again == [layers[name]], name

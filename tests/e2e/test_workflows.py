@@ -21,7 +21,7 @@ from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
 from rosml.machine.services import Services
-from rosml.records.ledger import Ledger
+from rosml.records.store import Records
 from tests.act import Played, play, workflow
 from tests.e2e import mini as minis
 from tests.e2e.conftest import LOG
@@ -127,7 +127,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     assert mini.tags() == {}
     scanned = first.artifacts / "scan"
     assert {path.name for path in scanned.iterdir()} == {"scan.json", "reports"}
-    book = Ledger(mini.client(), mini.prefix)
+    book = Records(mini.client(), mini.prefix)
     before = book.read("bookworm-base-tensorflow-cpu", NATIVE)
     assert before and before.digest and not before.scanned, "the scan wrote nothing"
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PRODUCT = ("rosml", "scripts", "tools", "components/payload")
+PRODUCT = ("rosml", "scripts", "tools", "components/part")
 TESTS = sorted(file.relative_to(ROOT).as_posix() for file in (ROOT / "tests").rglob("*.py"))
 
 PUBLIC = {"_replace", "_asdict", "_fields", "_make"}

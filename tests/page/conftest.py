@@ -56,7 +56,7 @@ def expect(what: Any) -> Any:
 
 
 def gather(shelf: Shelf) -> Published:
-    return Gatherer(shelf.catalogue, shelf.registry, REGISTRY, "rosml").gather(NOW)
+    return Gatherer(shelf.image_set, shelf.registry, REGISTRY, "rosml").gather(NOW)
 
 
 @pytest.fixture(scope="session")
@@ -76,9 +76,9 @@ def folder(published: Published, tmp_path_factory: pytest.TempPathFactory) -> Pa
 @pytest.fixture(scope="session")
 def thousand(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The same of a matrix with more than 1,000 images, each with two platforms."""
-    catalogue = load.catalogue(source.parse(synthetic.matrix(1000).encode()))
-    shelf = Shelf(catalogue)
-    shelf.night(FIRST, catalogue.matrix.distributions)
+    image_set = load.image_set(source.parse(synthetic.matrix(1000).encode()))
+    shelf = Shelf(image_set)
+    shelf.night(FIRST, image_set.matrix.distributions)
     path = tmp_path_factory.mktemp("page") / "thousand"
     site.write(path, gather(shelf))
     return path

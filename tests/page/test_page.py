@@ -303,7 +303,7 @@ def test_every_tag_that_is_offered_can_be_compared(browser: Any, tmp_path: Path)
     for night in range(12):
         shelf.torch = str(night)
         shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["bookworm"])
-    found = Gatherer(shelf.catalogue, shelf.registry, REGISTRY, "rosml").gather(NOW, [TORCH])
+    found = Gatherer(shelf.image_set, shelf.registry, REGISTRY, "rosml").gather(NOW, [TORCH])
     site.write(tmp_path / "page", found)
     windows = Windows(browser, tmp_path / "page")
     opened = windows()

@@ -18,7 +18,8 @@ set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
 import projects  # noqa: E402
 from stubs import answering_registry  # noqa: E402
 
-from rosml.images import image_set, load, locked  # noqa: E402
+from rosml.images import image_set as sets  # noqa: E402
+from rosml.images import load, locked  # noqa: E402
 from rosml.matrix import (  # noqa: E402
     names,
     source,
@@ -108,7 +109,7 @@ disk:
       torch: {{unpacked: 500, compressed: 50}}
       tensorflow-cc: {{unpacked: 400, compressed: 40}}
       tensorflow: {{unpacked: 100, compressed: 10}}
-rates: {{packages: 10, payloads: 100, test: 5}}
+rates: {{packages: 10, parts: 100, test: 5}}
 archives:
   debian:
     http://debian.test: ["debian/dists/{{suite}}", "debian/dists/{{suite}}-updates", "debian-security/dists/{{suite}}-security"]
@@ -152,22 +153,22 @@ disk:
 )
 """The small matrix and a distribution that comes from wheels, for fewer architectures than its operating system."""
 
-Parse = Callable[[str], image_set.Catalogue]
+Parse = Callable[[str], sets.ImageSet]
 
 
-def parse(text: str) -> image_set.Catalogue:
+def parse(text: str) -> sets.ImageSet:
     """The catalogue of a matrix's text."""
-    return load.catalogue(source.parse(text.encode()))
+    return load.image_set(source.parse(text.encode()))
 
 
-def write_locks(root: Path, catalogue: image_set.Catalogue) -> None:
+def write_locks(root: Path, image_set: sets.ImageSet) -> None:
     """Every lock of a catalogue, as far as it is looked at without a build."""
-    for payload in catalogue.payloads:
-        for architecture, lock in zip(payload.architectures, payload.locks, strict=True):
-            head = names.lock_head(payload.stack, architecture, payload.python, payload.part)
+    for part in image_set.parts:
+        for architecture, lock in zip(part.architectures, part.locks, strict=True):
+            head = names.lock_head(part.stack, architecture, part.python, part.kind)
             (root / lock).parent.mkdir(parents=True, exist_ok=True)
             (root / lock).write_text(f"{head}\n{PINS}")
-    for item in catalogue.wheels:
+    for item in image_set.wheels:
         names_alone = [re.sub(r"\[.*\]", "", pin) for pin in item.requirements]
         pins = "".join(f"{pin} \\\n    --hash=sha256:{'0' * 64}\n" for pin in names_alone)
         for architecture, lock in zip(item.architectures, item.locks, strict=True):
@@ -182,13 +183,13 @@ def changed(old: str, new: str, text: str = SMALL) -> str:
 
 
 @pytest.fixture(scope="session")
-def small() -> image_set.Catalogue:
+def small() -> sets.ImageSet:
     """The catalogue of the small matrix."""
     return parse(SMALL)
 
 
 @pytest.fixture(scope="session")
-def real() -> image_set.Catalogue:
+def real() -> sets.ImageSet:
     """The catalogue of the project's matrix."""
     return load.load(ROOT / "matrix.yaml")
 
@@ -214,7 +215,7 @@ def project(tmp_path: Path, sources: Path) -> Path:
 
 
 @pytest.fixture
-def catalogue(project: Path) -> image_set.Catalogue:
+def image_set(project: Path) -> sets.ImageSet:
     """The catalogue of the smaller matrix, with all locks in the project."""
     found = parse(SMALLER)
     write_locks(project, found)

@@ -17,7 +17,7 @@ from steps import STEPS, do
 from rosml.base.errors import RosmlError
 from rosml.build import package_state
 from rosml.build.maker import Checked, Made, Maker
-from rosml.images.image_set import Catalogue, Image, Payload, repository_of
+from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.images.labels import title
 from rosml.machine import regctl
 from rosml.machine.services import Services
@@ -25,7 +25,7 @@ from rosml.publish import plan, provenance, undo
 from rosml.publish.pipeline import Outcome, Pipeline
 from rosml.publish.plan import Plan
 from rosml.publish.sign import SignerFailed
-from rosml.records import ledger, tag_moves
+from rosml.records import store, tag_moves
 from rosml.registry.oci import Manifest
 
 HOST = "registry.example"
@@ -171,13 +171,13 @@ class MemoryRegistry:
         repository: str,
         subject: Mapping[str, Any],
         artifact_type: str,
-        payload: bytes,
+        part: bytes,
         media_type: str,
         annotations: Mapping[str, str],
     ) -> str:
         if "attach" in self.refuses:
             raise RosmlError("the registry refuses to attach", "ask who runs it")
-        layer = {"mediaType": media_type, "digest": self.put_blob(repository, payload), "size": len(payload)}
+        layer = {"mediaType": media_type, "digest": self.put_blob(repository, part), "size": len(part)}
         content = {
             "artifactType": artifact_type,
             "layers": [layer],
@@ -223,7 +223,7 @@ class Bytes(Maker):
     packages: str = "1"
     odd: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
 
-    def build_part(self, part: Payload, architecture: str) -> Made:
+    def build_part(self, part: Part, architecture: str) -> Made:
         self._require_whole(part.target)
         inputs = self.plan.inputs.digest(part.target, architecture)
         return Made(self._put("build", part, architecture, [f"{part.target} {inputs}".encode()]), base=BASE)
@@ -246,7 +246,7 @@ class Bytes(Maker):
         if target in self.broken:
             raise RosmlError(f"building {target} failed", "mend it")
 
-    def _put(self, step: str, thing: Image | Payload, architecture: str, layers: Sequence[bytes]) -> str:
+    def _put(self, step: str, thing: Image | Part, architecture: str, layers: Sequence[bytes]) -> str:
         self.made.append((step, thing.target, architecture))
         sent = self.registry.uploaded
         labels = {"org.opencontainers.image.title": title(thing), **self.odd.get((thing.target, architecture), {})}
@@ -320,53 +320,53 @@ class Place:
     upstream: dict[str, str] = field(default_factory=lambda: {"alpha": "monday", "omega": "monday"})
     pen: Any = None
 
-    def run(self, catalogue: Catalogue, date: str = DAY, serving: tuple[str, ...] = (), **options: Any) -> Run:
+    def run(self, image_set: ImageSet, date: str = DAY, serving: tuple[str, ...] = (), **options: Any) -> Run:
         """A run for both architectures, unless told otherwise; nothing is done yet."""
         own = {name: options.pop(name) for name in ("poisoned", "broken", "packages", "odd") if name in options}
         architectures = options.pop("architectures", ("amd64", "arm64"))
         found = plan.survey(
-            self.services, catalogue, self.registry, PREFIX, architectures=architectures, date=date, **options
+            self.services, image_set, self.registry, PREFIX, architectures=architectures, date=date, **options
         )
         maker = Bytes(found, self.registry, **own)
         return Run(found, self.registry, HOST, PREFIX, lambda line: None, serving, signer=self.pen, maker=maker)
 
-    def publish(self, catalogue: Catalogue, **options: Any) -> Run:
+    def publish(self, image_set: ImageSet, **options: Any) -> Run:
         """A run with all its steps."""
-        run = self.run(catalogue, **options)
+        run = self.run(image_set, **options)
         for step in STEPS:
             do(run, step)
         return run
 
     def undo(self, run: str = "", date: str = LATER) -> list[Outcome]:
         """Moves tags back to where they were before a run, the last one if empty."""
-        return undo.undo(ledger.Ledger(self.registry, PREFIX), date, run)
+        return undo.undo(store.Records(self.registry, PREFIX), date, run)
 
     def tagged(self, repository: str) -> dict[str, str]:
         """Tags of a repository and where they point."""
         return dict(self.registry.names.get(f"{PREFIX}/{repository}", {}))
 
-    def check(self, catalogue: Catalogue, poisoned: Sequence[str] = ()) -> None:
+    def check(self, image_set: ImageSet, poisoned: Sequence[str] = ()) -> None:
         """What must hold at any time: tags point at whole, tested images, and nothing that is there is in pieces."""
         entries = {}
-        for name in self.registry.tags(f"{PREFIX}/{ledger.REPOSITORY}"):
+        for name in self.registry.tags(f"{PREFIX}/{store.REPOSITORY}"):
             if not name.startswith(tag_moves.UNDO):
                 target, _, architecture = name.rpartition(".")
-                entries[target, architecture] = ledger.Ledger(self.registry, PREFIX).read(target, architecture)
+                entries[target, architecture] = store.Records(self.registry, PREFIX).read(target, architecture)
         passed = {entry.digest for entry in entries.values() if entry and entry.passed and not entry.failures}
         passed |= {old for entry in entries.values() if entry and not entry.failures for old in entry.superseded}
-        for repository in {image.repository for image in catalogue.images}:
+        for repository in {image.repository for image in image_set.images}:
             path = f"{PREFIX}/{repository}"
             for tag, target in self.tagged(repository).items():
                 index = self.registry.manifest(path, target)
                 assert index is not None and index.media_type == INDEX, f"{tag} points at nothing whole"
                 assert not self.pen or f"{HOST}/{path}@{target}" in self.pen.signed, f"{tag} is not signed"
                 image = next(
-                    i for i in catalogue.images if any(tag.startswith(t.split(":")[1]) for t in reversed(i.tags))
+                    i for i in image_set.images if any(tag.startswith(t.split(":")[1]) for t in reversed(i.tags))
                 )
                 members = {item["platform"]["architecture"]: item["digest"] for item in index.content["manifests"]}
                 assert members, f"{tag} ({image.target}) has no architecture"
                 for name in (index.digest, *members.values()):
-                    assert self.registry.referrers(path, name, ledger.ARTIFACT), f"{tag}: no entry is attached"
+                    assert self.registry.referrers(path, name, store.ARTIFACT), f"{tag}: no entry is attached"
                 for name in members.values():
                     assert self.registry.referrers(path, name, provenance.MEDIA_TYPE), f"{tag}: nobody knows whence"
                 for member in members.values():

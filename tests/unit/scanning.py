@@ -215,12 +215,12 @@ class Memory:
         repository: str,
         subject: Mapping[str, Any],
         artifact_type: str,
-        payload: bytes,
+        part: bytes,
         media_type: str,
         annotations: Mapping[str, str],
     ) -> str:
-        blob = f"sha256:{hashlib.sha256(payload).hexdigest()}"
-        self.blobs[blob] = payload
+        blob = f"sha256:{hashlib.sha256(part).hexdigest()}"
+        self.blobs[blob] = part
         content = {"layers": [{"digest": blob}], "annotations": dict(annotations), "subject": dict(subject)}
         name = digest(json.dumps(content))
         self.attached.setdefault((repository, subject["digest"]), []).append(Manifest(content, name, "m", 1))

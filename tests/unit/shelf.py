@@ -1,5 +1,5 @@
 """A registry in memory with any number of published images, for the catalogue: as many layers, tags, records and entries of
-the ledger as nights of publishing leave, and no content."""
+the records as nights of publishing leave, and no content."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from dataclasses import dataclass, field
 
 from memory_registry import IMAGE, INDEX, PREFIX, MemoryRegistry
 
-from rosml.images import image_set
-from rosml.images.image_set import Catalogue, Payload, repository_of
-from rosml.images.labels import of_payload
+from rosml.images import image_set as sets
+from rosml.images.image_set import ImageSet, Part, repository_of
+from rosml.images.labels import of_part
 from rosml.matrix import names
 from rosml.records import tag_moves
-from rosml.records.ledger import ANNOTATION, DATE, Entry, Ledger
-from rosml.records.ledger import INDEX as INDEX_ENTRY
+from rosml.records.store import ANNOTATION, DATE, Entry, Records
+from rosml.records.store import INDEX as INDEX_ENTRY
 
 FIRST = "2026-11-20T03:00:00Z"
 SECOND = "2026-11-21T03:00:00Z"
 THIRD = "2026-11-22T03:00:00Z"
 
-Thing = image_set.Image | Payload
+Thing = sets.Image | Part
 
 
 def layer_digest(text: str) -> str:
@@ -35,31 +35,31 @@ class Shelf:
     """Publishes without building.
 
     Attributes:
-        catalogue: what exists. registry: where it goes.
-        ros: state of ROS's packages, which a night may change. torch: the same of PyTorch's payload.
+        image_set: what exists. registry: where it goes.
+        ros: state of ROS's packages, which a night may change. torch: the same of PyTorch's part.
     """
 
-    catalogue: Catalogue
+    image_set: ImageSet
     registry: MemoryRegistry = field(default_factory=MemoryRegistry)
     ros: str = "1"
     torch: str = "1"
 
     def night(self, date: str, distributions: Collection[str], architectures: tuple[str, ...] = ()) -> None:
         """Publishes all images of some distributions that can be built; moves tags where something changed."""
-        images = [i for i in self.catalogue.images if i.distribution in distributions and i.locked]
+        images = [i for i in self.image_set.images if i.distribution in distributions and i.locked]
         names = {name for image in images for name in image.parts}
-        payloads = [payload for payload in self.catalogue.payloads if payload.name in names]
+        parts = [part for part in self.image_set.parts if part.name in names]
         moves: list[tag_moves.Move] = []
-        things: list[Thing] = [*payloads, *images]
+        things: list[Thing] = [*parts, *images]
         for thing in things:
             kept = tuple(a for a in thing.architectures if not architectures or a in architectures)
             if kept:
                 moves += self._publish(thing, date, kept)
         text = json.dumps({"date": date, "moves": [move.to_json() for move in moves]})
-        Ledger(self.registry, PREFIX).artifact(tag_moves.record_name(date), text.encode(), {ANNOTATION: "{}"})
+        Records(self.registry, PREFIX).artifact(tag_moves.record_name(date), text.encode(), {ANNOTATION: "{}"})
 
     def _publish(self, thing: Thing, date: str, architectures: tuple[str, ...]) -> list[tag_moves.Move]:
-        book, repository = Ledger(self.registry, PREFIX), f"{PREFIX}/{repository_of(thing)}"
+        book, repository = Records(self.registry, PREFIX), f"{PREFIX}/{repository_of(thing)}"
         members = {architecture: self._manifest(thing, architecture) for architecture in architectures}
         platforms = [
             {
@@ -70,13 +70,13 @@ class Shelf:
             }
             for architecture, digest in members.items()
         ]
-        main = thing.name if isinstance(thing, Payload) else thing.tags[0].split(":")[1]
+        main = thing.name if isinstance(thing, Part) else thing.tags[0].split(":")[1]
         before = book.read(thing.target, INDEX_ENTRY)
         if before and before.parts == members:
             return []
         content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": platforms, "annotations": {DATE: date}}
         digest = self.registry.put_manifest(repository, "", content, INDEX)
-        tags = [main] if isinstance(thing, Payload) else [tag.split(":")[1] for tag in thing.tags]
+        tags = [main] if isinstance(thing, Part) else [tag.split(":")[1] for tag in thing.tags]
         old = self.registry.head(repository, main)
         for tag in (*tags, names.dated(main, date)):
             self.registry.names.setdefault(repository, {})[tag] = digest
@@ -90,15 +90,15 @@ class Shelf:
 
     def _layers(self, thing: Thing, architecture: str) -> list[tuple[str, int]]:
         """Digests and sizes, lowest first; sizes are the matrix's forecast."""
-        if isinstance(thing, Payload):
-            state = self.torch if thing.part == "torch" else "1"
+        if isinstance(thing, Part):
+            state = self.torch if thing.kind == "torch" else "1"
             size = thing.disk.compressed * 1_000_000 + zlib.crc32(thing.name.encode()) % 1_000_000
             return [(layer_digest(f"{thing.name} {architecture} {state}"), size)]
         if thing.stack:
-            parts = [self.catalogue.payload_by_name[name] for name in thing.parts]
-            below = self._layers(self.catalogue.by_target[thing.parent], architecture)
+            parts = [self.image_set.part_by_name[name] for name in thing.parts]
+            below = self._layers(self.image_set.by_target[thing.parent], architecture)
             return [*below, *(layer for part in parts for layer in self._layers(part, architecture))]
-        parent = self.catalogue.by_target.get(thing.parent)
+        parent = self.image_set.by_target.get(thing.parent)
         below = (
             self._layers(parent, architecture)
             if parent
@@ -107,17 +107,17 @@ class Shelf:
                 for number, size in enumerate((48_000_000, 1_200_000))
             ]
         )
-        size = self.catalogue.matrix.disk.components[thing.component].compressed * 1_000_000 + 10_000 * int(self.ros)
+        size = self.image_set.matrix.disk.components[thing.component].compressed * 1_000_000 + 10_000 * int(self.ros)
         return [*below, (layer_digest(f"{thing.target} {architecture} {self.ros}"), size)]
 
     def _manifest(self, thing: Thing, architecture: str) -> str:
         repository = f"{PREFIX}/{repository_of(thing)}"
-        if isinstance(thing, Payload):
-            labels = of_payload(self.catalogue.matrix.part[thing.part], thing.stack, thing.python, (), {})
+        if isinstance(thing, Part):
+            labels = of_part(self.image_set.matrix.part[thing.kind], thing.stack, thing.python, (), {})
         else:
             labels = {f"io.rosml.{name}": version for name, version in thing.versions.items()}
             labels |= {"io.rosml.distribution": thing.distribution, "io.rosml.python": thing.python}
-            if self.catalogue.matrix.distributions[thing.distribution].apt:
+            if self.image_set.matrix.distributions[thing.distribution].apt:
                 labels["io.rosml.ros.sync"] = f"2026-11-{10 + int(self.ros)}T00:00:00Z"
         config = json.dumps({"os": "linux", "architecture": architecture, "config": {"Labels": labels}})
         layers = [{"digest": digest, "size": size} for digest, size in self._layers(thing, architecture)]
@@ -135,7 +135,7 @@ class Shelf:
             upstream=f"lists-{self.ros}",
             size=sum(size for _, size in self._layers(thing, architecture)),
         )
-        if isinstance(thing, Payload):
+        if isinstance(thing, Part):
             return facts
         found = {
             "image-os": thing.os,
@@ -146,7 +146,7 @@ class Shelf:
             **thing.versions,
         }
         unpacked = sum(
-            part.disk.unpacked for part in (self.catalogue.payload_by_name[name] for name in thing.parts)
+            part.disk.unpacked for part in (self.image_set.part_by_name[name] for name in thing.parts)
         ) + self._ros_unpacked(thing)
         findings = {"high": 2, "medium": 7} if thing.stack else {"medium": 3}
         scan = {"updated": "2026-11-22T00:10:00Z", "packages": 525, "findings": findings, "failing": []}
@@ -162,14 +162,14 @@ class Shelf:
             }
         )
 
-    def _ros_unpacked(self, image: image_set.Image) -> int:
-        ros = self.catalogue.by_target[image.parent] if image.stack else image
+    def _ros_unpacked(self, image: sets.Image) -> int:
+        ros = self.image_set.by_target[image.parent] if image.stack else image
         return ros.disk.unpacked
 
 
-def shown(catalogue: Catalogue) -> Shelf:
+def shown(image_set: ImageSet) -> Shelf:
     """Three nights of two distributions: after the first, ROS's packages move; after the second, PyTorch."""
-    shelf = Shelf(catalogue)
+    shelf = Shelf(image_set)
     everything = ("bookworm", "trixie")
     shelf.night(FIRST, everything)
     shelf.ros = "2"

@@ -1,4 +1,4 @@
-"""What is attached to promoted images: their entries of the ledger, and where they came from."""
+"""What is attached to promoted images: their entries of the records, and where they came from."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from steps import do
 from stubs import services
 
 from rosml.base.errors import RosmlError
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.labels import REVISION, SOURCE
 from rosml.publish import provenance
 from rosml.publish.provenance import MEDIA_TYPE
 from rosml.publish.prune import Pruner
-from rosml.records import ledger
-from rosml.records.ledger import ARTIFACT, INDEX, Ledger
+from rosml.records import store
+from rosml.records.store import ARTIFACT, INDEX, Records
 
 ONLY = ["alpha-core", "alpha-core-torch-cu1"]
 TARGET = "alpha-core-torch-cu1"
@@ -43,56 +43,56 @@ def attached(here: Place, run: Run, key: tuple[str, str], kind: str) -> list[dic
     return found
 
 
-def pruner(here: Place, found: Catalogue) -> Pruner:
+def pruner(here: Place, found: ImageSet) -> Pruner:
     return Pruner(here.registry, PREFIX, found, date(2026, 11, 24))
 
 
 # ---- Entries ---------------------------------------------------------------------------------------------------------
 
 
-def test_a_promoted_image_carries_its_entry(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, only=ONLY)
-    book = Ledger(registry.registry, PREFIX)
+def test_a_promoted_image_carries_its_entry(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, only=ONLY)
+    book = Records(registry.registry, PREFIX)
     for item in run.plan.items:
         entry = run.plan.known[item.key]
         (said,) = attached(registry, run, item.key, ARTIFACT)
         assert said["inputs"] == run.plan.inputs.of(*item.key)
-        assert ledger.parse(said["entry"]) == entry
+        assert store.parse(said["entry"]) == entry
         found = book.attached(item.repository, entry.digest)
         assert found and found[0] == entry and found[1] == run.plan.inputs.of(*item.key)
         index = book.attached(item.repository, run.plan.known[item.target, INDEX].digest)
         assert index and index[0].parts[item.architecture] == entry.digest
 
 
-def test_what_has_not_passed_carries_none(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, only=ONLY, poisoned={TARGET})
+def test_what_has_not_passed_carries_none(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, only=ONLY, poisoned={TARGET})
     assert attached(registry, run, (TARGET, "amd64"), ARTIFACT) == []
     assert attached(registry, run, ("alpha-core", "amd64"), ARTIFACT) != []
 
 
 def test_an_entry_is_attached_anew_when_what_it_says_lasts(
     registry: Place,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     project: Path,
 ) -> None:
-    registry.publish(catalogue, only=ONLY)
+    registry.publish(image_set, only=ONLY)
     tags = registry.tagged("ros-torch")
     test = project / "tests/structure/torch.yaml"
     test.write_text(test.read_text() + "# another\n")
-    run = registry.publish(catalogue, only=ONLY, date=NEXT)
+    run = registry.publish(image_set, only=ONLY, date=NEXT)
     assert registry.tagged("ros-torch") == tags
     assert [outcome.target for outcome in run.outcomes if outcome.step == "promote"] == ONLY
     said = attached(registry, run, (TARGET, "amd64"), ARTIFACT)
     assert {item["entry"]["changed"] for item in said} == {DAY, NEXT}
-    payload = next(item for item in run.plan.items if item.kind == "payload")
-    assert len(attached(registry, run, payload.key, ARTIFACT)) == 1, "nothing new is to be said of it"
-    newest = Ledger(registry.registry, PREFIX).attached("ros-torch", run.plan.known[TARGET, "amd64"].digest)
+    part = next(item for item in run.plan.items if item.kind == "part")
+    assert len(attached(registry, run, part.key, ARTIFACT)) == 1, "nothing new is to be said of it"
+    newest = Records(registry.registry, PREFIX).attached("ros-torch", run.plan.known[TARGET, "amd64"].digest)
     assert newest and newest[0].changed == NEXT
     before = registry.registry.writes
-    registry.publish(catalogue, only=ONLY, date=LATER)
+    registry.publish(image_set, only=ONLY, date=LATER)
     assert registry.registry.writes == before, "something is uploaded although nothing changed"
 
-    here = pruner(registry, catalogue)
+    here = pruner(registry, image_set)
     found = here.find()
     assert found.manifests == []
     images = {run.plan.known[target, name].digest for target, name in run.plan.by_key if target in ONLY}
@@ -100,25 +100,25 @@ def test_an_entry_is_attached_anew_when_what_it_says_lasts(
     list(here.remove(found))
     assert [item["entry"]["changed"] for item in attached(registry, run, (TARGET, "amd64"), ARTIFACT)] == [NEXT]
     assert here.find().superseded == []
-    registry.check(catalogue)
-    assert registry.publish(catalogue, only=ONLY, date=LATER).outcomes == []
+    registry.check(image_set)
+    assert registry.publish(image_set, only=ONLY, date=LATER).outcomes == []
 
 
-def test_a_scan_with_another_database_is_no_reason(registry: Place, catalogue: Catalogue) -> None:
+def test_a_scan_with_another_database_is_no_reason(registry: Place, image_set: ImageSet) -> None:
     """Every night has one."""
-    run = registry.publish(catalogue, only=ONLY)
+    run = registry.publish(image_set, only=ONLY)
     entry = run.plan.known[TARGET, "amd64"]
     facts = set()
     for night, outcome in (("1", "clean"), ("2", "clean"), ("2", "policy failed")):
         scan = {"policy": "sha256:1", "database": night}
-        found = ledger.parse(entry.to_json() | {"scanned": outcome, "scan": scan, "changed": night})
+        found = store.parse(entry.to_json() | {"scanned": outcome, "scan": scan, "changed": night})
         assert found
         facts.add(found.facts)
     assert len(facts) == 2 and entry.facts not in facts
 
 
-def test_what_others_attach_stays(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, only=ONLY)
+def test_what_others_attach_stays(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, only=ONLY)
     entry = run.plan.known["alpha-core", "amd64"]
     path = f"{PREFIX}/ros"
     there = registry.registry.manifests[path][entry.digest]
@@ -126,67 +126,67 @@ def test_what_others_attach_stays(registry: Place, catalogue: Catalogue) -> None
     for number in range(2):
         for kind in (MEDIA_TYPE, "application/vnd.dev.sigstore.bundle.v0.3+json"):
             registry.registry.attach(path, subject, kind, str(number).encode(), kind, {})
-    found = pruner(registry, catalogue).find()
+    found = pruner(registry, image_set).find()
     assert (found.superseded, found.manifests) == ([], [])
 
 
-def test_what_is_attached_goes_with_its_image(registry: Place, catalogue: Catalogue) -> None:
-    first = registry.publish(catalogue, only=ONLY, date="2026-01-01T03:00:00Z")
+def test_what_is_attached_goes_with_its_image(registry: Place, image_set: ImageSet) -> None:
+    first = registry.publish(image_set, only=ONLY, date="2026-01-01T03:00:00Z")
     registry.upstream["alpha"] = "tuesday"
-    registry.publish(catalogue, only=ONLY, date=DAY, packages="2")
+    registry.publish(image_set, only=ONLY, date=DAY, packages="2")
     old = first.plan.known["alpha-core", "amd64"].digest
     path = f"{PREFIX}/ros"
     there = {item["digest"] for item in registry.registry.referrers(path, old)}
     assert len(there) == 2
-    here = Pruner(registry.registry, PREFIX, catalogue, date(2027, 6, 1), 10, 0)
+    here = Pruner(registry.registry, PREFIX, image_set, date(2027, 6, 1), 10, 0)
     list(here.remove(here.find()))
     assert not there & registry.registry.manifests[path].keys() and old not in registry.registry.manifests[path]
 
 
-def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.run(catalogue, only=ONLY)
+def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, image_set: ImageSet) -> None:
+    run = registry.run(image_set, only=ONLY)
     for step in ("build", "compose", "test", "index"):
         do(run, step)
     registry.registry.refuses.add("attach")
     do(run, "promote")
     assert run.failed and registry.tagged("ros") == {}
     registry.registry.refuses.clear()
-    assert not registry.publish(catalogue, only=ONLY).failed
-    registry.check(catalogue)
+    assert not registry.publish(image_set, only=ONLY).failed
+    registry.check(image_set)
 
 
-# ---- A ledger that was lost ------------------------------------------------------------------------------------------
+# ---- A records that was lost ------------------------------------------------------------------------------------------
 
 
-def test_a_ledger_that_was_lost_is_made_anew(registry: Place, catalogue: Catalogue) -> None:
+def test_a_records_that_was_lost_is_made_anew(registry: Place, image_set: ImageSet) -> None:
     """It costs a night of builds; tags stay where they were meanwhile, and the same images come of it."""
-    first = registry.publish(catalogue)
+    first = registry.publish(image_set)
     for holder in (registry.registry.manifests, registry.registry.names, registry.registry.blobs):
-        holder.pop(f"{PREFIX}/ledger")
-    run = registry.publish(catalogue, date=NEXT)
+        holder.pop(f"{PREFIX}/records")
+    run = registry.publish(image_set, date=NEXT)
     assert not run.failed and len(run.made) == len(first.made)
     digests = {key: entry.digest for key, entry in first.plan.known.items() if key[1] != INDEX}
     assert {key: entry.digest for key, entry in run.plan.known.items() if key[1] != INDEX} == digests
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
 @pytest.mark.parametrize("members", [None, [], [{}], [{"digest": "sha256:1"}]])
-def test_a_tag_of_somebody_else_is_no_trouble(registry: Place, catalogue: Catalogue, members: object) -> None:
+def test_a_tag_of_somebody_else_is_no_trouble(registry: Place, image_set: ImageSet, members: object) -> None:
     content = {"manifests": members}
     registry.registry.put_manifest(f"{PREFIX}/ros", "alpha-core", content, "application/json")
-    run = registry.run(catalogue, only=ONLY)
+    run = registry.run(image_set, only=ONLY)
     assert run.plan.known == {}
 
 
-def test_an_entry_of_another_image_is_not_believed(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, only=ONLY)
-    book = Ledger(registry.registry, PREFIX)
+def test_an_entry_of_another_image_is_not_believed(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, only=ONLY)
+    book = Records(registry.registry, PREFIX)
     entry = run.plan.known["alpha-core", "amd64"]
     path = f"{PREFIX}/ros"
     there = registry.registry.manifests[path][entry.digest]
     subject = {"mediaType": there.media_type, "digest": entry.digest, "size": there.size}
     other = {"entry": run.plan.known["alpha-core", "arm64"].to_json(), "inputs": {}}
-    for newer in ({ledger.CREATED: LATER, ledger.FACTS: "1"}, {ledger.CREATED: LATER}, {}):
+    for newer in ({store.CREATED: LATER, store.FACTS: "1"}, {store.CREATED: LATER}, {}):
         registry.registry.attach(path, subject, ARTIFACT, json.dumps(other).encode(), "application/json", newer)
         found = book.attached("ros", entry.digest)
         assert found and found[0].architecture == "amd64"
@@ -195,8 +195,8 @@ def test_an_entry_of_another_image_is_not_believed(registry: Place, catalogue: C
 # ---- Where images came from ------------------------------------------------------------------------------------------
 
 
-def test_every_image_says_what_it_was_made_from(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, only=ONLY)
+def test_every_image_says_what_it_was_made_from(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, only=ONLY)
     known = run.plan.known
     (core,) = attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)
     assert core["_type"] == "https://in-toto.io/Statement/v1"
@@ -222,24 +222,24 @@ def test_every_image_says_what_it_was_made_from(registry: Place, catalogue: Cata
     assert found["alpha-core"]["uri"].startswith("pkg:oci/ros@sha256%3A")
     assert f"repository_url={HOST}%2F{PREFIX}%2Fros" in found["alpha-core"]["uri"]
 
-    payload = next(item for item in run.plan.items if item.kind == "payload" and item.thing.locks)
-    (said,) = attached(registry, run, payload.key, MEDIA_TYPE)
+    part = next(item for item in run.plan.items if item.kind == "part" and item.thing.locks)
+    (said,) = attached(registry, run, part.key, MEDIA_TYPE)
     found = {item["name"]: item for item in said["predicate"]["buildDefinition"]["resolvedDependencies"]}
     (lock,) = [name for name in found if name.startswith("locks/")]
-    assert f"/{payload.architecture}/" in lock
-    assert {lock: found[lock]["digest"]["sha256"]}.items() <= run.plan.inputs.of(*payload.key).items()
+    assert f"/{part.architecture}/" in lock
+    assert {lock: found[lock]["digest"]["sha256"]}.items() <= run.plan.inputs.of(*part.key).items()
 
 
 def test_an_index_says_of_which_revision_it_is_and_images_do_not(
     project: Path,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Of a checkout as it was committed; in any other, the digest of the inputs tells what it was made from."""
 
     def said() -> tuple[dict[str, str], set[str]]:
         here = place(project, services(project), monkeypatch)
-        known = here.publish(catalogue, only=ONLY).plan.known
+        known = here.publish(image_set, only=ONLY).plan.known
         index = here.registry.manifest(f"{PREFIX}/ros", known["alpha-core", INDEX].digest)
         assert index
         found = {name: text for name, text in index.content["annotations"].items() if name in (REVISION, SOURCE)}
@@ -260,7 +260,7 @@ def test_an_index_says_of_which_revision_it_is_and_images_do_not(
 
 def test_manifests_do_not_know_of_it(
     project: Path,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Another day, another machine: other statements, the same bytes of images."""
@@ -271,7 +271,7 @@ def test_manifests_do_not_know_of_it(
         monkeypatch.setenv("GITHUB_WORKFLOW_REF", "me/rosml/.github/workflows/nightly.yml@refs/heads/main")
         monkeypatch.setenv("GITHUB_RUN_ID", run_id)
         here = place(project, services(project), monkeypatch)
-        run = here.publish(catalogue, only=ONLY, date=day)
+        run = here.publish(image_set, only=ONLY, date=day)
         images = {key: entry.digest for key, entry in run.plan.known.items() if key[1] != INDEX}
         builders = {
             attached(here, run, key, MEDIA_TYPE)[0]["predicate"]["runDetails"]["builder"]["id"] for key in images
@@ -288,16 +288,16 @@ def test_nothing_is_said_of_a_manifest_that_is_gone(registry: Place) -> None:
         provenance.attach(registry.registry, "ros", "sha256:2", made, provenance.Machine("me", "1"), DAY, NEXT)
 
 
-def test_the_same_way_is_said_once(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, only=ONLY)
-    registry.publish(catalogue, only=ONLY, date=NEXT, force=True)
+def test_the_same_way_is_said_once(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, only=ONLY)
+    registry.publish(image_set, only=ONLY, date=NEXT, force=True)
     assert len(attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)) == 1
     registry.upstream["alpha"] = "tuesday"  # the same packages after all, in another state of the repository
-    registry.publish(catalogue, only=ONLY, date=LATER)
+    registry.publish(image_set, only=ONLY, date=LATER)
     said = attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)
     states = [item["predicate"]["buildDefinition"]["resolvedDependencies"][-1]["annotations"]["state"] for item in said]
     assert sorted(states) == ["monday", "tuesday"]
     assert len(attached(registry, run, (TARGET, "amd64"), MEDIA_TYPE)) == 1
-    here = pruner(registry, catalogue)
+    here = pruner(registry, image_set)
     list(here.remove(here.find()))
     assert len(attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)) == 1

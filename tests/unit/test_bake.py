@@ -21,7 +21,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli import generate as generate_bake
 from rosml.images import apt_source, expand, labels, load
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.matrix import model, schema, source
 
 SCRIPT = ROOT / "scripts/generate_bake.py"
@@ -67,7 +67,7 @@ def test_block() -> None:
 # ---- The committed file ----------------------------------------------------------------------------------------------
 
 
-def test_committed_files_are_up_to_date(real: Catalogue) -> None:
+def test_committed_files_are_up_to_date(real: ImageSet) -> None:
     assert files.difference(ROOT / "docker-bake.hcl", bake_file.render(real)) == ""
     assert files.difference(ROOT / "matrix.schema.json", schema.render()) == ""
 
@@ -90,7 +90,7 @@ def test_same_input_same_bytes() -> None:
     assert len(outputs) == 1
 
 
-def test_no_day_but_those_of_the_matrix(real: Catalogue) -> None:
+def test_no_day_but_those_of_the_matrix(real: ImageSet) -> None:
     assert re.findall(r"\b20\d\d-\d\d-\d\d\b", bake_file.render(real)) == []
 
 
@@ -103,7 +103,7 @@ def dockerfile() -> str:
     return (ROOT / "Dockerfile").read_text()
 
 
-def test_every_argument_is_declared(real: Catalogue) -> None:
+def test_every_argument_is_declared(real: ImageSet) -> None:
     texts = [dockerfile(), *{target.join.dockerfile() for target in targets.of(real).values() if target.join}]
     lines = [line for text in texts for line in re.findall(r"^ARG (.+)$", text, re.M)]
     declared = {name.split("=")[0] for line in lines for name in line.split()}
@@ -111,11 +111,11 @@ def test_every_argument_is_declared(real: Catalogue) -> None:
     assert passed - declared - BUILTIN == set()
 
 
-def test_every_stage_and_context_is_there(real: Catalogue) -> None:
+def test_every_stage_and_context_is_there(real: ImageSet) -> None:
     stages = set(re.findall(r"^FROM .* AS ([a-z-]+)$", dockerfile(), re.M))
     used = {target.stage for target in targets.of(real).values() if not target.join}
     assert used - stages == set()
-    assert {"base", "ros", "payload-files", "payload", "test"} <= used
+    assert {"base", "ros", "part-files", "part", "test"} <= used
 
 
 # ---- The command -----------------------------------------------------------------------------------------------------
@@ -171,7 +171,7 @@ def test_output_that_cannot_be_written(small_file: Path) -> None:
     assert "x.hcl: cannot be" in done.stderr
 
 
-def test_list_json(real: Catalogue) -> None:
+def test_list_json(real: ImageSet) -> None:
     done = generate("--list", "--json")
     listed = json.loads(done.stdout)
     assert [image["target"] for image in listed] == [image.target for image in real.images]
@@ -181,14 +181,14 @@ def test_list_json(real: Catalogue) -> None:
     assert len({image["inputs"]["amd64"] for image in listed}) == len(listed)
 
 
-def test_explain_json(small: Catalogue, small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """What a tag, a test, a payload or a group is, and whether there is one; the reasons are what people read."""
+def test_explain_json(small: ImageSet, small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What a tag, a test, a part or a group is, and whether there is one; the reasons are what people read."""
     image = small.image("alpha-core-torch-cu1")
     for name, target, exists in (
         (image.target, image.target, True),
         (image.tags[0], image.target, True),
         (f"{image.target}-test", image.target, True),
-        ("payload-torch-cu1-py312", "torch-cu1-py312", True),
+        ("part-torch-cu1-py312", "torch-cu1-py312", True),
         ("alpha", "alpha", True),
         ("alpha-robot", "alpha-robot", False),
         ("alpha-core-torch", "alpha-core-torch", False),
@@ -204,13 +204,13 @@ def test_explain_json(small: Catalogue, small_file: Path, capsys: pytest.Capture
         assert found["reasons"] == (reasons[1:] or reasons)
 
 
-def test_list_is_one_line_for_each_image(small: Catalogue, small_file: Path) -> None:
+def test_list_is_one_line_for_each_image(small: ImageSet, small_file: Path) -> None:
     """The project has locks for few images of the small matrix, if for any."""
     lines = generate("--list", "--matrix", small_file).stdout.splitlines()
     unlocked = [image.target for image in load.load(small_file).images if not image.locked]
     assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in small.images]
     assert [line.split()[0] for line in lines[:-2] if " missing " in line] == unlocked
-    assert lines[-2] == f"{len(small.images)} images, {len(small.payloads)} payloads"
+    assert lines[-2] == f"{len(small.images)} images, {len(small.parts)} parts"
     assert lines[-1].startswith(f"{len(unlocked)} without a lock, which cannot be built yet: run 'make locks'")
 
 
@@ -272,7 +272,7 @@ def test_closed_pipe() -> None:
 
 
 def test_work_for_an_image_is_bounded() -> None:
-    small = load.catalogue(source.parse(SMALL.encode())).matrix
+    small = load.image_set(source.parse(SMALL.encode())).matrix
     rows = {f"d{n}": small.distributions["alpha"] for n in range(112)}
     big = model.Matrix.model_construct(**{**dict(small), "distributions": rows})
     assert len(expand.expand(big).images) == 2_016
@@ -283,19 +283,19 @@ def test_work_for_an_image_is_bounded() -> None:
 
 
 @pytest.fixture
-def small_bake(small: Catalogue, tmp_path: Path) -> Path:
+def small_bake(small: ImageSet, tmp_path: Path) -> Path:
     """The bake file of the small matrix, with every lock."""
     file = tmp_path / "small.hcl"
     file.write_text(bake_file.render(small))
     return file
 
 
-def test_a_payload_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
+def test_a_part_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
     """Who has the registry alone can put it together with others."""
-    names = ("payload-cuda-cu1", "payload-common-cpu-py312", "payload-torch-cu1-py312", "payload-tensorflow-cc-cu1")
+    names = ("part-cuda-cu1", "part-common-cpu-py312", "part-torch-cu1-py312", "part-tensorflow-cc-cu1")
     found = {name: target["labels"] for name, target in printed(*names, file=small_bake).items()}
     both = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow-cc*,tensorflow"
-    assert found["payload-torch-cu1-py312"] == {
+    assert found["part-torch-cu1-py312"] == {
         "org.opencontainers.image.title": "torch-cu1-py312",
         "org.opencontainers.image.description": "part torch of stack cu1, for Python 3.12",
         "io.rosml.part": "torch",
@@ -306,24 +306,24 @@ def test_a_payload_says_what_it_is_and_what_takes_it(small_bake: Path) -> None:
         "io.rosml.release": "torch",
         "io.rosml.frameworks": both,
     }
-    cuda = found["payload-cuda-cu1"]
+    cuda = found["part-cuda-cu1"]
     assert (cuda["io.rosml.python"], cuda["io.rosml.cuda"], cuda["io.rosml.frameworks"]) == (
         "any",
         "12.8.90",
         f"cuda=cuda* {both}",
     )
-    assert found["payload-common-cpu-py312"].keys().isdisjoint({"io.rosml.torch", "io.rosml.tensorflow"})
-    assert found["payload-tensorflow-cc-cu1"]["io.rosml.tensorflow"] == "2.20.0"
+    assert found["part-common-cpu-py312"].keys().isdisjoint({"io.rosml.torch", "io.rosml.tensorflow"})
+    assert found["part-tensorflow-cc-cu1"]["io.rosml.tensorflow"] == "2.20.0"
     assert cuda["io.rosml.brings"] == "cuda:cuda:CUDA cudnn::" and "io.rosml.release" not in cuda
     parts = ("cuda", "common", "torch", "tensorflow-cc", "tensorflow")
     assert labels.frameworks(both) == {"torch": ("cuda", "common", "torch"), "ml": parts}
     assert [part for part in parts if labels.any_python(both, part)] == ["cuda", "tensorflow-cc"]
 
 
-def test_frameworks_that_do_not_go_together_are_not_named(real: Catalogue) -> None:
+def test_frameworks_that_do_not_go_together_are_not_named(real: ImageSet) -> None:
     found = targets.of(real)
-    assert "ml=" in str(found["payload-common-cpu-py311"].labels["io.rosml.frameworks"])
-    apart = found["payload-common-cpu38-py38"].labels["io.rosml.frameworks"]
+    assert "ml=" in str(found["part-common-cpu-py311"].labels["io.rosml.frameworks"])
+    apart = found["part-common-cpu38-py38"].labels["io.rosml.frameworks"]
     assert apart == "torch=common,torch tensorflow=common,tensorflow-cc*,tensorflow"
 
 
@@ -346,7 +346,7 @@ def test_dependencies_are_taken_from_the_registry(small_bake: Path) -> None:
     digests = json.dumps({"cuda-cu1": "sha256:aa", "alpha-core": "sha256:bb"})
     found = printed("alpha-core-torch-cu1", file=small_bake, REGISTRY="registry:1/x", DIGESTS=digests)
     target = found["alpha-core-torch-cu1"]
-    assert target["contexts"]["part-cuda"] == "docker-image://registry:1/x/payload@sha256:aa"
+    assert target["contexts"]["part-cuda"] == "docker-image://registry:1/x/part@sha256:aa"
     assert target["contexts"]["ros"] == "docker-image://registry:1/x/ros@sha256:bb"
     assert target["contexts"]["part-torch"] == "target:_files-torch-cu1-py312"
     assert target["args"]["CUDA_ROOT"] == "/"
@@ -359,13 +359,13 @@ def test_broken_digests_fail(small_bake: Path) -> None:
         printed("alpha-base", file=small_bake, DIGESTS='{"alpha-core": ')
 
 
-def test_an_excerpt_prints_as_the_whole(real: Catalogue, tmp_path: Path) -> None:
+def test_an_excerpt_prints_as_the_whole(real: ImageSet, tmp_path: Path) -> None:
     """With all that an image and its test stand on."""
     image = real.image(real.matrix.default.target)
-    payload = real.payload_by_name[image.parts[0]].target
+    part = real.part_by_name[image.parts[0]].target
     file = tmp_path / "excerpt.hcl"
-    file.write_text(bake_file.excerpt(real, (image.target, image.test_target, payload)))
-    roots = (image.target, image.test_target, payload, targets.FILE_LIST)
+    file.write_text(bake_file.excerpt(real, (image.target, image.test_target, part)))
+    roots = (image.target, image.test_target, part, targets.FILE_LIST)
     assert printed(*roots, file=file) == printed(*roots)
 
 
@@ -428,8 +428,8 @@ def test_another_channel_for_once(small_bake: Path) -> None:
 
 def test_more_rmw_implementations() -> None:
     """They come with the lowest component, and the tests are told."""
-    catalogue = parse(changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp]"))
-    found = targets.of(catalogue)
+    image_set = parse(changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp]"))
+    found = targets.of(image_set)
     assert str(found["alpha-core"].arguments["ROS_TOOLS"]).endswith(" ros-alpha-rmw-cyclonedds-cpp")
     assert "ROS_TOOLS" not in found["alpha-base"].arguments
     assert " rmw=rmw_cyclonedds_cpp " in str(found["alpha-base-test"].arguments["EXPECT"])
@@ -443,14 +443,14 @@ def test_a_mirror_is_a_secret(small_bake: Path) -> None:
     assert both["secret"][1:] == [{"id": "os-apt-mirror", "env": "OS_APT_MIRROR"}] and "http://m:2" not in str(both)
 
 
-def test_a_matrix_with_every_axis_prints(small: Catalogue, small_bake: Path) -> None:
-    found = printed("all", "payloads", "tests", file=small_bake)
+def test_a_matrix_with_every_axis_prints(small: ImageSet, small_bake: Path) -> None:
+    found = printed("all", "parts", "tests", file=small_bake)
     assert {image.target for image in small.images} <= found.keys()
     assert found["omega-core"]["args"]["ROS_SNAPSHOT"] == "2026-11-01"
     assert "--from=part-cuda" in found["alpha-core-cuda-cu1"]["dockerfile-inline"]
 
 
-def test_where_packages_come_from(real: Catalogue) -> None:
+def test_where_packages_come_from(real: ImageSet) -> None:
     """Every row with an apt source names its suite; the live ones the pinned package."""
     found = targets.of(real)
     for name, distribution in real.matrix.distributions.items():

@@ -46,7 +46,7 @@ def test_no_foreign_architecture_without_docker_hub(tmp_path: Path, monkeypatch:
 
 
 def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The image has both: payloads are assembled on the machine's own architecture."""
+    """The image has both: parts are assembled on the machine's own architecture."""
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     monkeypatch.setattr(base_images, "BINFMT", tmp_path)
     (tmp_path / "qemu-aarch64").touch()

@@ -17,7 +17,7 @@ from bench.second_image import NAMESPACE, Comparison, Side
 from rosml.base.errors import RosmlError
 from rosml.build import package_state
 from rosml.build.maker import Checked, Made, Maker
-from rosml.images.image_set import Catalogue, Image, Payload, repository_of
+from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.machine import base_images
 from rosml.registry import oci
 from rosml.registry.repositories import repository_path
@@ -41,8 +41,8 @@ class Builder(Maker):
 
     registry: oci.Registry
 
-    def build_part(self, part: Payload, architecture: str) -> Made:
-        tiny = parts.payload(part.part, part.stack, "3.12", {"cuda": "12.8.90", "torch": "2.10.0"})
+    def build_part(self, part: Part, architecture: str) -> Made:
+        tiny = parts.part(part.kind, part.stack, "3.12", {"cuda": "12.8.90", "torch": "2.10.0"})
         return Made(tiny.put_manifest(self.registry, repository_path(NAMESPACE, repository_of(part)))[0])
 
     def build_image(self, image: Image, architecture: str, below: Mapping[str, str], moment: str) -> Made:
@@ -69,11 +69,11 @@ def registry() -> Iterator[StandIn]:
 
 
 @pytest.fixture
-def here(registry: StandIn, catalogue: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Here:
+def here(registry: StandIn, image_set: ImageSet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Here:
     monkeypatch.setattr(package_state, "state", lambda *_: "monday")
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     found = services(tmp_path / "project", registry.address)
-    return Here(found, catalogue, lambda _: None, NAMESPACE, "amd64")
+    return Here(found, image_set, lambda _: None, NAMESPACE, "amd64")
 
 
 def left(registry: StandIn, *words: str) -> Mapping[str, object]:
@@ -110,16 +110,16 @@ def test_what_fails_leaves_nothing_behind_either(here: Here, registry: StandIn) 
 # ---- A second run ----------------------------------------------------------------------------------------------------
 
 
-def test_a_second_run_finds_nothing_to_do(here: Here, catalogue: Catalogue, registry: StandIn) -> None:
-    found = idle_run.measure(here.services, catalogue, "bench/night", DAY, lambda _: None)
-    things: list[Image | Payload] = [*catalogue.images, *catalogue.payloads]
+def test_a_second_run_finds_nothing_to_do(here: Here, image_set: ImageSet, registry: StandIn) -> None:
+    found = idle_run.measure(here.services, image_set, "bench/night", DAY, lambda _: None)
+    things: list[Image | Part] = [*image_set.images, *image_set.parts]
     architectures = [name for thing in things for name in thing.architectures]
     assert found.items == len(architectures)
     assert (found.uploaded, found.steps) == (0, 0) and found.seconds > 0
     asked = [line for line in registry.requests if "/manifests/" in line]
     written = max(number for number, line in enumerate(asked) if line.startswith("PUT"))
     after = asked[written + 1 :]
-    for image in catalogue.images:  # everything was there, and was asked for
+    for image in image_set.images:  # everything was there, and was asked for
         for tag in image.tags:
             repository, _, name = tag.partition(":")
             assert f"HEAD /v2/bench/night/{repository}/manifests/{name}" in after
@@ -127,19 +127,19 @@ def test_a_second_run_finds_nothing_to_do(here: Here, catalogue: Catalogue, regi
 
 
 def test_a_run_that_would_do_something_is_no_measurement(
-    here: Here, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch, registry: StandIn
+    here: Here, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, registry: StandIn
 ) -> None:
     """The packages move while it is measured: nothing is built for that."""
     days = iter(["monday"] * 2)  # one for each distribution
     monkeypatch.setattr(package_state, "state", lambda *_: next(days, "tuesday"))
     with pytest.raises(RosmlError, match="alpha-core because packages moved from monday to tuesday"):
-        idle_run.measure(here.services, catalogue, "bench/night", DAY, lambda _: None)
+        idle_run.measure(here.services, image_set, "bench/night", DAY, lambda _: None)
     assert left(registry, "night") == {}
 
 
-def test_a_place_that_cannot_be_filled_is_empty_again(here: Here, catalogue: Catalogue, registry: StandIn) -> None:
+def test_a_place_that_cannot_be_filled_is_empty_again(here: Here, image_set: ImageSet, registry: StandIn) -> None:
     registry.fault("PUT", "/v2/bench/night/ros/manifests/alpha-base", 403)
     with pytest.raises(RosmlError, match="403"):
-        idle_run.measure(here.services, catalogue, "bench/night", DAY, lambda _: None)
-    assert registry.count("^PUT /v2/bench/night/ledger/manifests/") > 20
+        idle_run.measure(here.services, image_set, "bench/night", DAY, lambda _: None)
+    assert registry.count("^PUT /v2/bench/night/records/manifests/") > 20
     assert left(registry, "night") == {}

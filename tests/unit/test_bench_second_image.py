@@ -21,7 +21,7 @@ from bench.second_image import Comparison, Side
 from rosml.base.errors import RosmlError
 from rosml.build.push import COMPRESSION
 from rosml.cli import command
-from rosml.images import image_set
+from rosml.images import image_set as sets
 
 TARGET = "alpha-base-torch-cu1"
 REPOSITORY = "/bench/ros-torch@sha256:"
@@ -51,9 +51,9 @@ esac
 PUSHED = {
     "ros-yesterday": {"os": 100, "change 1": 5},
     "ros-today": {"os": 100, "change 2": 6},
-    "ours-yesterday": {"os": 100, "change 1": 5, "payload": 1_000},
+    "ours-yesterday": {"os": 100, "change 1": 5, "part": 1_000},
     "usual-yesterday": {"os": 100, "change 1": 5, "pip 1": 1_100},
-    "ours-today": {"os": 100, "change 2": 6, "payload": 1_000},
+    "ours-today": {"os": 100, "change 2": 6, "part": 1_000},
     "usual-today": {"os": 100, "change 2": 6, "pip 2": 1_101},
 }
 """Layers of the images in the order in which they are pushed, with their sizes."""
@@ -70,8 +70,8 @@ def step(name: str, **facts: Any) -> str:
 class Stage:
     """A checkout with stand-ins."""
 
-    def __init__(self, folder: Path, registry: str, catalogue: image_set.Catalogue) -> None:
-        self.folder, self.catalogue, self.said = folder, catalogue, list[str]()
+    def __init__(self, folder: Path, registry: str, image_set: sets.ImageSet) -> None:
+        self.folder, self.image_set, self.said = folder, image_set, list[str]()
         for number, layers in enumerate(PUSHED.values(), 1):
             entries = [{"digest": name, "size": size} for name, size in layers.items()]
             config = {"digest": f"config {number}", "size": CONFIG}
@@ -79,10 +79,10 @@ class Stage:
         self.write("progress", step("[bench x 2/2] RUN pip install y"))
         for number, seconds in enumerate((4.0, 2.0)):
             self.imports(number, seconds)
-        write_locks(folder, catalogue)
+        write_locks(folder, image_set)
         regctl = executable(folder / "regctl", REGCTL.format(folder=folder))
         found = services(folder, registry, buildx=buildx(folder, BAKE), regctl=regctl)
-        self.here = Here(found, catalogue, self.said.append, second_image.NAMESPACE)
+        self.here = Here(found, image_set, self.said.append, second_image.NAMESPACE)
 
     def write(self, name: str, text: str) -> None:
         (self.folder / name).write_text(text)
@@ -114,7 +114,7 @@ class Stage:
 
 
 @pytest.fixture
-def stage(tmp_path: Path, registry: str, small: image_set.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
+def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pytest.MonkeyPatch) -> Stage:
     free(monkeypatch, 1_000_000)
     return Stage(tmp_path, registry, small)
 
@@ -148,10 +148,8 @@ def test_seconds(stage: Stage) -> None:
     assert found.assembling_seconds == 0
 
 
-def test_assembling_payloads_is_told_apart(stage: Stage) -> None:
-    run = (
-        "[_files-torch payload-files 2/2] RUN --mount=type=bind,source=x,target=/y /run/components/payload/assemble.sh"
-    )
+def test_assembling_parts_is_told_apart(stage: Stage) -> None:
+    run = "[_files-torch part-files 2/2] RUN --mount=type=bind,source=x,target=/y /run/components/part/assemble.sh"
     stage.write("progress", step(run))
     found = stage.compare()
     assert found.assembling_seconds == pytest.approx(3.0)
@@ -172,7 +170,7 @@ def test_both_ways_are_built_alike(stage: Stage) -> None:
         assert on_it[0] == TARGET
         assert on_it[1].endswith(f"-usual-{day}")
     text = (stage.folder / f".state/bake/bench-{TARGET}.hcl").read_text()
-    locks = (stage.catalogue.payload_by_name[name].locks[0] for name in stage.catalogue.image(TARGET).parts)
+    locks = (stage.image_set.part_by_name[name].locks[0] for name in stage.image_set.image(TARGET).parts)
     assert text.count(" ".join(f"--requirement /{lock}" for lock in locks)) == 2
 
 
@@ -242,11 +240,11 @@ def test_a_push_without_a_digest(stage: Stage) -> None:
 
 def test_no_room(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     """torch, cuda and common: 3,300 MB unpacked and 330 MB compressed; the usual image twice, its wheels, and ours."""
-    image = stage.catalogue.image(TARGET)
+    image = stage.image_set.image(TARGET)
     ours = 2 * 3_300 + 2 * 330
-    alone = second_image.needed_mb(stage.catalogue, image, {image.target, *image.parts})
+    alone = second_image.needed_mb(stage.image_set, image, {image.target, *image.parts})
     assert alone == 2 * (3_300 + 2 * 330) + 330
-    assert second_image.needed_mb(stage.catalogue, image, {image.target}) == alone + ours
+    assert second_image.needed_mb(stage.image_set, image, {image.target}) == alone + ours
     free(monkeypatch, alone)
     with pytest.raises(RosmlError, match=f"not enough disk space to build {TARGET} in both ways"):
         stage.compare()
@@ -262,15 +260,15 @@ def test_nothing_to_compare(stage: Stage, target: str) -> None:
 
 
 def test_a_lock_for_another_index(stage: Stage) -> None:
-    payload = stage.catalogue.payload_by_name[stage.catalogue.image(TARGET).parts[-1]]
-    lock = stage.folder / payload.locks[0]
+    part = stage.image_set.part_by_name[stage.image_set.image(TARGET).parts[-1]]
+    lock = stage.folder / part.locks[0]
     lock.write_text(lock.read_text().replace("torch==2.10.0", "torch==2.10.0+cpu"))
     with pytest.raises(RosmlError, match=r"torch 2\.10\.0\+cpu is on PyTorch's own index alone") as caught:
         stage.compare()
     assert caught.value.exit_code == 2
 
 
-def test_services_that_are_down(tmp_path: Path, small: image_set.Catalogue) -> None:
+def test_services_that_are_down(tmp_path: Path, small: sets.ImageSet) -> None:
     write_locks(tmp_path, small)
     here = Here(services(tmp_path), small, print, second_image.NAMESPACE)
     with pytest.raises(RosmlError, match=r"the local registry at .* does not answer"):
@@ -336,9 +334,8 @@ def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pyte
     assert "192 images" in out
     assert "RUN pip install" in out
     assert re.search(r"10 +2\.5 s +70\.0 kB +10 min 0 s +10\.00 GB +0\.25 s", out)
-    assert (
-        "nothing changed: 843 images and payloads on their architectures, 2967 tags, 6.5 s, 0 B uploaded"
-        in " ".join(out.split())
+    assert "nothing changed: 843 images and parts on their architectures, 2967 tags, 6.5 s, 0 B uploaded" in " ".join(
+        out.split()
     )
     (stage.folder / "pushed").unlink()
     assert command.run(cli.main, arguments=["--json"]) == 0

@@ -23,17 +23,17 @@ from rosml.catalogue.model import Tests as Ran
 from rosml.catalogue.read import Gatherer
 from rosml.cli import catalogue as command
 from rosml.images import locked
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.matrix import schema
-from rosml.records import ledger, tag_moves
+from rosml.records import store, tag_moves
 from rosml.registry import oci
 
 NOW = "2026-11-22T06:00:00Z"
 TORCH = "bookworm-base-torch-cu128"
 
 
-def gather(registry: MemoryRegistry, catalogue: Catalogue, *only: str, history: int = 10) -> Published:
-    return Gatherer(catalogue, registry, f"ghcr.io/me/{PREFIX}", PREFIX, history).gather(NOW, only)
+def gather(registry: MemoryRegistry, image_set: ImageSet, *only: str, history: int = 10) -> Published:
+    return Gatherer(image_set, registry, f"ghcr.io/me/{PREFIX}", PREFIX, history).gather(NOW, only)
 
 
 def image(found: Published, target: str) -> Image:
@@ -41,33 +41,33 @@ def image(found: Published, target: str) -> Image:
 
 
 @pytest.fixture(scope="module")
-def shelf(real: Catalogue) -> Shelf:
+def shelf(real: ImageSet) -> Shelf:
     return shown(real)
 
 
 @pytest.fixture(scope="module")
 def found(shelf: Shelf) -> Published:
-    return gather(shelf.registry, shelf.catalogue)
+    return gather(shelf.registry, shelf.image_set)
 
 
 # ---- What a publishing run left --------------------------------------------------------------------------------------
 
 
 @pytest.fixture
-def published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Place, Catalogue]:
+def published(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[Place, ImageSet]:
     """A small matrix that was published by the real steps, but for builds."""
     project = copy(tmp_path / "project")
-    catalogue = parse(SMALL.replace("components: [core, base, desktop]", "components: [core, base]"))
-    write_locks(project, catalogue)
-    catalogue = locked.with_locks(catalogue, locked.current_locks(catalogue, project))
+    image_set = parse(SMALL.replace("components: [core, base, desktop]", "components: [core, base]"))
+    write_locks(project, image_set)
+    image_set = locked.with_locks(image_set, locked.current_locks(image_set, project))
     where = place(project, services(project), monkeypatch)
-    where.publish(catalogue)
-    return where, catalogue
+    where.publish(image_set)
+    return where, image_set
 
 
-def test_what_a_run_published(published: tuple[Place, Catalogue]) -> None:
-    where, catalogue = published
-    item = image(gather(where.registry, catalogue), "alpha-base-torch-cu1")
+def test_what_a_run_published(published: tuple[Place, ImageSet]) -> None:
+    where, image_set = published
+    item = image(gather(where.registry, image_set), "alpha-base-torch-cu1")
     assert (item.status, item.reason) == ("built", "")
     tags = {tag.name: (tag.kind, tag.digest) for tag in item.tags}
     there = where.tagged("ros-torch")
@@ -80,7 +80,7 @@ def test_what_a_run_published(published: tuple[Place, Catalogue]) -> None:
     }
     (build,) = item.builds
     assert (build.digest, build.created) == (there["alpha-base-cu1"], DAY)
-    entries = {a: ledger.Ledger(where.registry, PREFIX).read(item.target, a) for a in ("amd64", "arm64")}
+    entries = {a: store.Records(where.registry, PREFIX).read(item.target, a) for a in ("amd64", "arm64")}
     for platform in build.platforms:
         entry = entries[platform.platform.removeprefix("linux/")]
         assert entry is not None
@@ -91,15 +91,15 @@ def test_what_a_run_published(published: tuple[Place, Catalogue]) -> None:
     assert [(move.run, move.old) for move in item.moves] == [(DAY, "")]
 
 
-def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Place, Catalogue]) -> None:
-    """The ledger knows the newer image; the catalogue describes what the tag points at, with what was known of it."""
-    where, catalogue = published
+def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Place, ImageSet]) -> None:
+    """The records know the newer image; the catalogue describes what the tag points at, with what was known of it."""
+    where, image_set = published
     before = where.tagged("ros")["alpha-base"]
-    where.publish(catalogue, date=NEXT, packages="2", force=True)
+    where.publish(image_set, date=NEXT, packages="2", force=True)
     newer = where.tagged("ros")["alpha-base"]
     assert newer != before
     where.undo(date="2026-11-25T03:00:00Z")
-    item = image(gather(where.registry, catalogue), "alpha-base")
+    item = image(gather(where.registry, image_set), "alpha-base")
     assert [build.digest for build in item.builds] == [before, newer]
     assert item.builds[0].created == DAY
     tests = item.builds[0].platforms[0].tests
@@ -109,7 +109,7 @@ def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Place, Cata
 # ---- History, parts and layers ---------------------------------------------------------------------------------------
 
 
-def test_every_image_of_the_matrix_is_there(found: Published, real: Catalogue) -> None:
+def test_every_image_of_the_matrix_is_there(found: Published, real: ImageSet) -> None:
     assert [item.target for item in found.images] == [item.target for item in real.images]
     published = {item.target for item in found.images if item.status == "built"}
     assert published == {i.target for i in real.images if i.distribution in ("bookworm", "trixie") and i.locked}
@@ -132,24 +132,24 @@ def test_history(found: Published) -> None:
     assert [build.platforms[0].ros_sync for build in item.builds] == ["lists-2", "lists-2", "lists-1"]
 
 
-def test_history_of_what_has_no_tag_ends_somewhere(real: Catalogue) -> None:
+def test_history_of_what_has_no_tag_ends_somewhere(real: ImageSet) -> None:
     shelf = shown(real)
     names = shelf.registry.names[f"{PREFIX}/ros-torch"]
     for day in (20261121, 20261120):
         del names[f"bookworm-base-cu128-{day}"]
-    item = image(gather(shelf.registry, shelf.catalogue, TORCH, history=1), TORCH)
+    item = image(gather(shelf.registry, shelf.image_set, TORCH, history=1), TORCH)
     assert [build.created for build in item.builds] == [THIRD, SECOND]
     assert [bool(build.tags) for build in item.builds] == [True, False]
 
 
-def test_whatever_a_tag_points_at_is_described(real: Catalogue) -> None:
-    """Twelve nights leave twelve dated tags, more than the limit for what has none; of payloads as well."""
+def test_whatever_a_tag_points_at_is_described(real: ImageSet) -> None:
+    """Twelve nights leave twelve dated tags, more than the limit for what has none; of parts as well."""
     shelf = Shelf(real)
     for night in range(12):
         shelf.torch = str(night)
         shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["bookworm"])
-    found = gather(shelf.registry, shelf.catalogue, TORCH)
-    torch = next(payload for payload in found.payloads if payload.name == "torch-cu128-py311")
+    found = gather(shelf.registry, shelf.image_set, TORCH)
+    torch = next(part for part in found.parts if part.name == "torch-cu128-py311")
     for item in (image(found, TORCH), torch):
         assert len([tag for tag in item.tags if tag.kind == "dated"]) == 12
         assert {tag.digest for tag in item.tags} == {build.digest for build in item.builds}
@@ -172,9 +172,9 @@ def test_layers_are_those_of_the_part_that_brought_them(found: Published) -> Non
     assert [found.layers[position].part for position in old.layers] == parts, "of builds before as well"
 
 
-def test_unpacked_sizes_are_measured_or_not_told(found: Published, real: Catalogue) -> None:
+def test_unpacked_sizes_are_measured_or_not_told(found: Published, real: ImageSet) -> None:
     parts = image(found, TORCH).builds[0].platforms[0].parts
-    disk = {payload.name: payload.disk.unpacked * 1_000_000 for payload in real.payloads}
+    disk = {part.name: part.disk.unpacked * 1_000_000 for part in real.parts}
     assert parts["cuda-cu128"].unpacked == disk["cuda-cu128"], "what the image with CUDA alone has more than ROS"
     assert parts["bookworm-base"].unpacked == real.matrix.disk.components["base"].unpacked * 1_000_000
     assert parts["torch-cu128-py311"].unpacked is None, "never without the common part, which nobody measured alone"
@@ -194,25 +194,25 @@ def test_sharing_is_counted(found: Published) -> None:
 
 
 def test_only_some(shelf: Shelf) -> None:
-    some = gather(shelf.registry, shelf.catalogue, TORCH)
+    some = gather(shelf.registry, shelf.image_set, TORCH)
     assert [item.target for item in some.images] == [TORCH]
-    assert {payload.name for payload in some.payloads} == {"cuda-cu128", "common-cu128-py311", "torch-cu128-py311"}
+    assert {part.name for part in some.parts} == {"cuda-cu128", "common-cu128-py311", "torch-cu128-py311"}
     assert "bookworm-core" in some.images[0].builds[0].platforms[0].parts, "though it was not asked for"
     with pytest.raises(RosmlError, match="no image"):
-        gather(shelf.registry, shelf.catalogue, "bookworm-cor")
+        gather(shelf.registry, shelf.image_set, "bookworm-cor")
 
 
 # ---- What is not as it should be -------------------------------------------------------------------------------------
 
 
-def test_an_empty_registry(real: Catalogue) -> None:
+def test_an_empty_registry(real: ImageSet) -> None:
     found = gather(MemoryRegistry(), real)
     assert {item.status for item in found.images} == {"not built"}
     assert all(item.reason and not item.builds and not item.tags for item in found.images)
     assert (found.sharing.images, found.sharing.apart, found.layers) == (0, 0, ())
 
 
-def test_one_damaged_image_hides_no_other(real: Catalogue) -> None:
+def test_one_damaged_image_hides_no_other(real: ImageSet) -> None:
     shelf = Shelf(real)
     shelf.night(FIRST, ["bookworm"])
     path = f"{PREFIX}/ros"
@@ -228,7 +228,7 @@ def test_one_damaged_image_hides_no_other(real: Catalogue) -> None:
     assert image(found, "bookworm-base").status == "built"
 
 
-def test_a_registry_that_goes_away_is_no_damaged_image(real: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_registry_that_goes_away_is_no_damaged_image(real: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
     """A page that lacks half of the images, and nobody is told, would be worse than none."""
     shelf = Shelf(real)
     shelf.night(FIRST, ["bookworm"])
@@ -236,7 +236,7 @@ def test_a_registry_that_goes_away_is_no_damaged_image(real: Catalogue, monkeypa
     gone: list[str] = []
 
     def read(repository: str, name: str) -> bytes:
-        if repository.endswith("ledger") or not repository.endswith("ros"):
+        if repository.endswith("records") or not repository.endswith("ros"):
             return blob(repository, name)
         gone.append(name)
         raise RosmlError("registry.example does not answer", "check the network")
@@ -253,10 +253,10 @@ def test_a_registry_that_goes_away_is_no_damaged_image(real: Catalogue, monkeypa
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"moves": [{"fly": 1}]}'])
-def test_a_damaged_record_is_told(real: Catalogue, text: str) -> None:
+def test_a_damaged_record_is_told(real: ImageSet, text: str) -> None:
     shelf = Shelf(real)
     shelf.night(FIRST, ["bookworm"])
-    book = ledger.Ledger(shelf.registry, PREFIX)
+    book = store.Records(shelf.registry, PREFIX)
     book.artifact(tag_moves.record_name(SECOND), text.encode(), {})
     gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
     assert [move.run for move in image(gatherer.gather(NOW), TORCH).moves] == [FIRST]
@@ -272,8 +272,8 @@ def without_what_is_attached(registry: MemoryRegistry) -> MemoryRegistry:
     return MemoryRegistry(manifests=images, blobs=registry.blobs)
 
 
-def test_an_image_without_a_run(real: Catalogue) -> None:
-    """As `make image` publishes it: no entry in the ledger, no date; a manifest may stand without an index."""
+def test_an_image_without_a_run(real: ImageSet) -> None:
+    """As `make image` publishes it: no entry in the records, no date; a manifest may stand without an index."""
     shelf = Shelf(real)
     shelf.night(FIRST, ["bookworm"])
     ros = f"{PREFIX}/ros"
@@ -289,7 +289,7 @@ def test_an_image_without_a_run(real: Catalogue) -> None:
     assert (platform.versions, platform.found_inside) == ({"python": "3.11"}, False)
 
 
-def test_an_image_that_was_published_by_itself(real: Catalogue) -> None:
+def test_an_image_that_was_published_by_itself(real: ImageSet) -> None:
     """What `make image` found out is attached to the image, once."""
     shelf = Shelf(real)
     shelf.night(FIRST, ["bookworm"])
@@ -300,10 +300,10 @@ def test_an_image_that_was_published_by_itself(real: Catalogue) -> None:
     bare = without_what_is_attached(shelf.registry)
     content = {name: value for name, value in index.content.items() if name != "annotations"}
     bare.names[ros] = {"bookworm-core": bare.put_manifest(ros, "", content, index.media_type)}
-    entry = ledger.Entry(
+    entry = store.Entry(
         "bookworm-core", "amd64", repository="ros", digest=member, passed=21, versions={"ros-distro": "x"}, date=FIRST
     )
-    book = ledger.Ledger(bare, PREFIX)
+    book = store.Records(bare, PREFIX)
     assert book.attach(entry, {})
     assert not book.attach(dataclasses.replace(entry, date=SECOND), {})
     build = image(gather(bare, real), "bookworm-core").builds[0]
@@ -313,7 +313,7 @@ def test_an_image_that_was_published_by_itself(real: Catalogue) -> None:
         book.attach(dataclasses.replace(entry, digest=f"sha256:{'0' * 64}"), {})
 
 
-def test_status(real: Catalogue) -> None:
+def test_status(real: ImageSet) -> None:
     assert status(real.image("jazzy-base"), True) == ("built", "")
     assert status(real.image("jazzy-base"), False) == ("not built", "nobody has built it yet")
     lacking = ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
@@ -360,7 +360,7 @@ def test_the_schema_is_that_of_the_model_and_open_to_later_fields() -> None:
 
 def test_the_same_facts_give_the_same_text(shelf: Shelf, found: Published) -> None:
     text = site.text(found)
-    assert text == site.text(gather(shelf.registry, shelf.catalogue))
+    assert text == site.text(gather(shelf.registry, shelf.image_set))
     assert Published.model_validate_json(text) == found
 
 

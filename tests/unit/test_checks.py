@@ -20,7 +20,7 @@ from stubs import executable
 STRUCTURE = ROOT / "tests/structure"
 SITE = "usr/local/lib/python3.11/dist-packages"
 DEBIAN = "usr/lib/python3/dist-packages"
-PAYLOAD_TIME = 1767225600  # 2026-01-01, the time of every file of a payload
+PART_TIME = 1767225600  # 2026-01-01, the time of every file of a part
 
 
 @dataclass
@@ -42,7 +42,7 @@ class Root:
         link = self.folder / path
         link.parent.mkdir(parents=True, exist_ok=True)
         link.symlink_to(target)
-        os.utime(link, (PAYLOAD_TIME, PAYLOAD_TIME), follow_symlinks=False)
+        os.utime(link, (PART_TIME, PART_TIME), follow_symlinks=False)
 
     def program(self, name: str, text: str) -> None:
         executable(self.programs / name, text)
@@ -92,7 +92,7 @@ def language(root: Root) -> None:
 def links(root: Root) -> None:
     root.file("usr/local/lib/rosml/torch/libtorch.so")
     root.link("usr/lib/x86_64-linux-gnu/libtorch.so", "../../local/lib/rosml/torch/libtorch.so")
-    (root.folder / "usr/lib/x86_64-linux-gnu/a-debian-link").symlink_to("nowhere")  # of another time: not a payload's
+    (root.folder / "usr/lib/x86_64-linux-gnu/a-debian-link").symlink_to("nowhere")  # of another time: not a part's
 
 
 def clean(root: Root) -> None:
@@ -131,7 +131,7 @@ def python(root: Root) -> None:
     root.program("python3", "echo 3.11")
 
 
-def payload(root: Root) -> None:
+def part(root: Root) -> None:
     root.file(f"{SITE}/torch-2.10.0.dist-info/RECORD")
     root.file(f"{SITE}/torch/__init__.py")
     root.file(f"{SITE}/numpy/__init__.py")
@@ -198,10 +198,10 @@ GOOD: dict[str, Callable[[Root], None]] = {
     "locale.sh": language,
     "no_traces.sh": clean,
     "packages.sh desktop-full": debian_packages,
-    "payload_files.py": recorded_files,
+    "part_files.py": recorded_files,
     "pip_check.py": pip,
     "python.sh": python,
-    "replaces_nothing.py": payload,
+    "replaces_nothing.py": part,
     "rmw.sh": middlewares,
     "ros_distro.sh": distribution,
     "ros_wheels.py": wheels,
@@ -298,27 +298,27 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         variable(EXPECT_PACKAGES_DESKTOP_FULL="ros-core,ros-viz"),
         "ros-viz: dpkg-query: no packages found",
     ),
-    "a file missing": ("payload_files.py", gone(f"{SITE}/torch/7.py"), "torch/7.py is missing"),
+    "a file missing": ("part_files.py", gone(f"{SITE}/torch/7.py"), "torch/7.py is missing"),
     "a file of another size": (
-        "payload_files.py",
+        "part_files.py",
         text(f"{SITE}/torch/7.py", "x = 1\n"),
         "torch/7.py has 6 bytes, 5 are on record",
     ),
     "a part for another wheel": (
-        "payload_files.py",
+        "part_files.py",
         text("usr/local/share/rosml/expected.d/tensorflow-cc", "0" * 64),
         "tensorflow-cc is not what the parts on top of it were assembled for",
     ),
-    "no payload on record": ("payload_files.py", text(f"{SITE}/torch-2.dist-info/RECORD"), "no payload is here"),
-    "a requirement of the payload": (
+    "no part on record": ("part_files.py", text(f"{SITE}/torch-2.dist-info/RECORD"), "no part is here"),
+    "a requirement of the part": (
         "pip_check.py",
         says("pip", "echo 'torch 2.10.0 requires nvidia-cudnn-cu12, which is not installed.'; exit 1"),
-        "1 complaints about payload packages",
+        "1 complaints about part packages",
     ),
     "a requirement under another spelling": (
         "pip_check.py",
         says("pip", "echo 'x 1 has requirement nvidia_cudnn.cu12>=10, but you have 9.10.'; exit 1"),
-        "1 complaints about payload packages",
+        "1 complaints about part packages",
     ),
     "another Python": ("python.sh", says("python3", "echo 3.12"), "Python 3.12, expected 3.11"),
     "what ROS's tools import": ("replaces_nothing.py", text(f"{SITE}/setuptools/x.py"), "never: ['setuptools']"),

@@ -22,7 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import locks as lock
 from rosml.cli import publish, report
 from rosml.images import locked
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.locks.resolve import Move
 from rosml.machine import revision
 from rosml.publish import plan_file
@@ -64,13 +64,13 @@ def test_an_output_sets_no_other_one(told: Path) -> None:
 # ---- Plan ------------------------------------------------------------------------------------------------------------
 
 
-def content(registry: Place, catalogue: Catalogue, **options: Any) -> tuple[dict[str, Any], str]:
-    text = report.plan_json(registry.run(catalogue, **options), 4, why=False)
+def content(registry: Place, image_set: ImageSet, **options: Any) -> tuple[dict[str, Any], str]:
+    text = report.plan_json(registry.run(image_set, **options), 4, why=False)
     return json.loads(text), text
 
 
-def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Place, catalogue: Catalogue, told: Path) -> None:
-    plan, text = content(registry, catalogue)
+def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Place, image_set: ImageSet, told: Path) -> None:
+    plan, text = content(registry, image_set)
     report.tell(text)
     name, _, value = (told / ci.OUTPUT).read_text().partition("=")
     assert name == "shards"
@@ -84,14 +84,14 @@ def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Place, catalogue:
 
 
 def test_a_plan_names_what_changed_when_asked(
-    registry: Place, catalogue: Catalogue, project: Path, capsys: pytest.CaptureFixture[str]
+    registry: Place, image_set: ImageSet, project: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    registry.publish(catalogue)
+    registry.publish(image_set)
     script = project / "components/torch/files.sh"
     script.write_text(script.read_text() + "# a change\n")
-    run = registry.run(catalogue, date=NEXT)
+    run = registry.run(image_set, date=NEXT)
     named = {task["target"]: task.get("inputs") for task in json.loads(report.plan_json(run, 4, why=True))["tasks"]}
-    assert named["payload-torch-cu1-py312"] == ["components/torch/files.sh"]
+    assert named["part-torch-cu1-py312"] == ["components/torch/files.sh"]
     assert named["alpha-core-torch-cu1"], "what it reaches is named as well"
     assert not any("inputs" in task for task in json.loads(report.plan_json(run, 4, why=False))["tasks"])
     for why in (True, False):
@@ -102,59 +102,57 @@ def test_a_plan_names_what_changed_when_asked(
         assert said.endswith(counts) and "its inputs changed" in said
 
 
-def test_where_nothing_is_to_be_done_no_job_builds(registry: Place, catalogue: Catalogue, told: Path) -> None:
-    registry.publish(catalogue)
-    report.tell(content(registry, catalogue, date=NEXT)[1])
+def test_where_nothing_is_to_be_done_no_job_builds(registry: Place, image_set: ImageSet, told: Path) -> None:
+    registry.publish(image_set)
+    report.tell(content(registry, image_set, date=NEXT)[1])
     assert (told / ci.OUTPUT).read_text() == "shards=[]\n"
     assert "- nothing to do" in (told / ci.SUMMARY).read_text()
 
 
-def test_what_is_only_to_be_tested_has_a_machine(registry: Place, catalogue: Catalogue, project: Path) -> None:
-    registry.publish(catalogue)
+def test_what_is_only_to_be_tested_has_a_machine(registry: Place, image_set: ImageSet, project: Path) -> None:
+    registry.publish(image_set)
     test = project / "tests/structure/torch.yaml"
     test.write_text(test.read_text() + "# another\n")
-    plan, _ = content(registry, catalogue, date=NEXT)
+    plan, _ = content(registry, image_set, date=NEXT)
     assert {step for task in plan["tasks"] for step in task["steps"]} == {"test"}
     assert {shard["architecture"] for shard in plan["shards"]} == {"amd64", "arm64"}
     tested = {task["target"] for task in plan["tasks"]}
     assert tested <= {target for shard in plan["shards"] for target in shard["targets"]}
 
 
-def test_all_machines_build_what_is_served(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.run(catalogue, architectures=("amd64",), serving=("amd64",))
+def test_all_machines_build_what_is_served(registry: Place, image_set: ImageSet) -> None:
+    run = registry.run(image_set, architectures=("amd64",), serving=("amd64",))
     shards = json.loads(report.plan_json(run, 2, why=False))["shards"]
     assert [shard["name"] for shard in shards] == ["amd64-1", "amd64-2"]
 
 
-def test_estimates_count_what_is_built_and_tested(registry: Place, catalogue: Catalogue, project: Path) -> None:
-    """One part changed: its payloads, and tests of the images that have it; no ROS image, no other payload."""
-    registry.publish(catalogue)
+def test_estimates_count_what_is_built_and_tested(registry: Place, image_set: ImageSet, project: Path) -> None:
+    """One part changed: its parts, and tests of the images that have it; no ROS image, no other part."""
+    registry.publish(image_set)
     script = project / "components/torch/files.sh"
     script.write_text(script.read_text() + "# a change\n")
-    plan, _ = content(registry, catalogue, date=NEXT)
-    rates = catalogue.matrix.rates
+    plan, _ = content(registry, image_set, date=NEXT)
+    rates = image_set.matrix.rates
     assert rates and plan["shards"]
     for shard in plan["shards"]:
         tasks = [task for task in plan["tasks"] if task["architecture"] == shard["architecture"]]
         tested = [task for task in tasks if "test" in task["steps"] and task["target"] in shard["targets"]]
-        built = [task["target"].removeprefix("payload-") for task in tasks if "build" in task["steps"]]
-        sizes = [catalogue.payload_by_name[name].disk.unpacked for name in built if name in shard["payloads"]]
+        built = [task["target"].removeprefix("part-") for task in tasks if "build" in task["steps"]]
+        sizes = [image_set.part_by_name[name].disk.unpacked for name in built if name in shard["parts"]]
         assert tested and sizes
-        seconds = sum(-(-size // rates.payloads) for size in sizes) + rates.test * len(tested)
+        seconds = sum(-(-size // rates.parts) for size in sizes) + rates.test * len(tested)
         assert shard["estimates"]["seconds"] == seconds
 
 
-def test_what_is_only_to_be_scanned_needs_none(registry: Place, catalogue: Catalogue) -> None:
-    registry.publish(catalogue)
-    plan, _ = content(registry, catalogue, date=NEXT, scanning="sha256:1")
+def test_what_is_only_to_be_scanned_needs_none(registry: Place, image_set: ImageSet) -> None:
+    registry.publish(image_set)
+    plan, _ = content(registry, image_set, date=NEXT, scanning="sha256:1")
     assert {step for task in plan["tasks"] for step in task["steps"]} == {"scan"}
     assert plan["shards"] == []
 
 
-def test_steps_take_from_the_plan_what_it_was_called_with(
-    registry: Place, catalogue: Catalogue, tmp_path: Path
-) -> None:
-    _, text = content(registry, catalogue, force=True, serving=("amd64",))
+def test_steps_take_from_the_plan_what_it_was_called_with(registry: Place, image_set: ImageSet, tmp_path: Path) -> None:
+    _, text = content(registry, image_set, force=True, serving=("amd64",))
     (tmp_path / "plan.json").write_text(text)
     planned = plan_file.read_plan(tmp_path / "plan.json", "arm64-1")
     assert (planned.date, planned.registry, planned.force) == (DAY, f"{HOST}/{PREFIX}", True)
@@ -178,9 +176,9 @@ def test_steps_take_from_the_plan_what_it_was_called_with(
         {"shards": [{"name": []}]},
     ],
 )
-def test_a_plan_that_is_none(registry: Place, catalogue: Catalogue, tmp_path: Path, change: dict[str, object]) -> None:
+def test_a_plan_that_is_none(registry: Place, image_set: ImageSet, tmp_path: Path, change: dict[str, object]) -> None:
     """Above all: one that names nothing does not stand for everything."""
-    plan, _ = content(registry, catalogue)
+    plan, _ = content(registry, image_set)
     (tmp_path / "plan.json").write_text(json.dumps(plan | change))
     with pytest.raises(RosmlError) as caught:
         plan_file.read_plan(tmp_path / "plan.json")
@@ -190,12 +188,12 @@ def test_a_plan_that_is_none(registry: Place, catalogue: Catalogue, tmp_path: Pa
         plan_file.read_plan(tmp_path / "plan.json")
 
 
-def test_force_makes_everything_anew_once_on_several_machines(registry: Place, catalogue: Catalogue) -> None:
+def test_force_makes_everything_anew_once_on_several_machines(registry: Place, image_set: ImageSet) -> None:
     """Each step in a process of its own, as jobs in CI run it."""
-    first = registry.publish(catalogue)
+    first = registry.publish(image_set)
     made = []
     for step in ("build", "compose", "test", "index", "promote"):
-        run = registry.run(catalogue, date=NEXT, force=True)
+        run = registry.run(image_set, date=NEXT, force=True)
         do(run, step)
         made += run.made
         assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
@@ -236,7 +234,7 @@ def test_fields_may_be_empty_or_hold_several(
 # ---- Pull requests ---------------------------------------------------------------------------------------------------
 
 
-def reached(project: Path, file: str) -> tuple[Catalogue, differences.Difference]:
+def reached(project: Path, file: str) -> tuple[ImageSet, differences.Difference]:
     old = Inputs(copy(project.parent / "old"), parse(SMALL))
     path = project / file
     path.write_text(path.read_text() + "# a change\n")
@@ -246,24 +244,24 @@ def reached(project: Path, file: str) -> tuple[Catalogue, differences.Difference
 
 
 def test_few_images_have_all_that_changed(project: Path) -> None:
-    catalogue, found = reached(project, "components/torch/files.sh")
-    choice = pull_request.choose(catalogue, found, ("amd64",), 3)
+    image_set, found = reached(project, "components/torch/files.sh")
+    choice = pull_request.choose(image_set, found, ("amd64",), 3)
     assert len(choice.built) == 3
-    assert all("torch" in catalogue.by_target[target].versions for target in choice.built)
+    assert all("torch" in image_set.by_target[target].versions for target in choice.built)
     assert not set(choice.built) & set(choice.left)
-    images = [catalogue.by_target[target] for target in choice.built]
+    images = [image_set.by_target[target] for target in choice.built]
     assert len({image.distribution for image in images}) > 1
-    one = pull_request.choose(catalogue, found, ("amd64",), 1)
+    one = pull_request.choose(image_set, found, ("amd64",), 1)
     assert one.built == choice.built[:1]
     assert f"; left out, {len(one.left)} of {len(one.left) + 1}: " in str(one)
 
 
 def test_of_alike_ones_the_smallest(project: Path) -> None:
-    catalogue, found = reached(project, "components/ros/install.sh")
-    best = catalogue.by_target[pull_request.choose(catalogue, found, ("amd64",), 1).built[0]]
+    image_set, found = reached(project, "components/ros/install.sh")
+    best = image_set.by_target[pull_request.choose(image_set, found, ("amd64",), 1).built[0]]
     alike = [
         image
-        for image in catalogue.images
+        for image in image_set.images
         if image.target in found.changed
         and set(found.changed[image.target]) == set(found.changed[best.target])
         and len(image.groups) == len(best.groups)
@@ -272,12 +270,12 @@ def test_of_alike_ones_the_smallest(project: Path) -> None:
 
 
 def test_what_cannot_be_built_here_is_counted(project: Path) -> None:
-    catalogue, found = reached(project, "components/ros/install.sh")
-    nowhere = pull_request.choose(catalogue, found, ("riscv64",), 3)
+    image_set, found = reached(project, "components/ros/install.sh")
+    nowhere = pull_request.choose(image_set, found, ("riscv64",), 3)
     assert (nowhere.built, nowhere.left) == ((), ())
     assert str(nowhere) == f"0 images changed; {len(found.changed)} more for other architectures"
-    unlocked = pull_request.choose(locked.with_locks(catalogue, frozenset()), found, ("amd64",), 99)
-    assert {catalogue.by_target[target].stack for target in unlocked.built} == {None}
+    unlocked = pull_request.choose(locked.with_locks(image_set, frozenset()), found, ("amd64",), 99)
+    assert {image_set.by_target[target].stack for target in unlocked.built} == {None}
     assert unlocked.unlocked
 
 
@@ -320,10 +318,10 @@ def test_versions_that_moved_are_the_text_of_a_pull_request() -> None:
 
 
 def test_a_run_says_what_it_uploaded(
-    registry: Place, catalogue: Catalogue, capsys: pytest.CaptureFixture[str], told: Path
+    registry: Place, image_set: ImageSet, capsys: pytest.CaptureFixture[str], told: Path
 ) -> None:
     """Layers that the builder pushed, without those of the image below, and what the publisher itself wrote."""
-    run = registry.publish(catalogue, only=["alpha-base"], architectures=("amd64",), serving=("amd64",))
+    run = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",))
     said = report.as_data(run)
     built = {item["target"]: item["uploaded"] for item in said["outcomes"] if item["step"] == "build"}
     own = len("alpha-base 1 amd64")
@@ -334,20 +332,18 @@ def test_a_run_says_what_it_uploaded(
     text = f"{units.size(said['uploaded'])} uploaded, "
     assert text in capsys.readouterr().out and f"- {text}" in (told / ci.SUMMARY).read_text()
     registry.registry.uploaded = 0
-    nothing = registry.publish(catalogue, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
+    nothing = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
     report.show(nothing, as_json=False)
     assert "everything is as it should be\n0 B uploaded, " in capsys.readouterr().out
     registry.upstream["alpha"] = "tuesday"
-    same = registry.publish(catalogue, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
+    same = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",), date=NEXT)
     assert steps(same, "build") and same.pushed == 0, "the same layers were counted again"
 
 
-def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
-    registry: Place, catalogue: Catalogue, told: Path
-) -> None:
+def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(registry: Place, image_set: ImageSet, told: Path) -> None:
     """Step, image, architecture, state, time, size, digest; what failed with why, what was left alone as a count."""
-    registry.publish(catalogue, only=["omega-core"])
-    run = registry.publish(catalogue, only=["*-core", "alpha-base"], date=NEXT, broken={"alpha-base"})
+    registry.publish(image_set, only=["omega-core"])
+    run = registry.publish(image_set, only=["*-core", "alpha-base"], date=NEXT, broken={"alpha-base"})
     report.show(run, as_json=False)
     text = (told / ci.SUMMARY).read_text()
     rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.splitlines() if line.startswith("| ")]

@@ -25,7 +25,7 @@ from rosml.join.file_lists import Files
 from rosml.registry import oci
 from rosml.registry.oci import Reference, Registry
 from tests.e2e import parts
-from tests.e2e.parts import PARTS, Tiny, payload, ros
+from tests.e2e.parts import PARTS, Tiny, part, ros
 
 BOTH = ("linux/amd64", "linux/arm64")
 TORCH: tuple[str, ...] = ("cuda", "common", "torch")
@@ -44,10 +44,10 @@ class Place:
         return ros(**facts).put(self.registry, "me/ros", tag, platforms)
 
     def stack(self, wanted: Sequence[str] = TORCH, name: str = "cu128", **facts: Any) -> list[str]:
-        return parts.stack(self.registry, "me/payload", wanted, name, **facts)
+        return parts.stack(self.registry, "me/part", wanted, name, **facts)
 
     def put(self, image: Tiny, tag: str, platforms: Sequence[str] = BOTH[:1]) -> str:
-        return image.put(self.registry, "me/payload", tag, platforms)
+        return image.put(self.registry, "me/part", tag, platforms)
 
     def compose(
         self,
@@ -112,7 +112,7 @@ def test_an_image(place: Place) -> None:
     assert len(config["rootfs"]["diff_ids"]) == len(config["history"]) == 4
     assert config["history"][-1] == {
         "created": parts.CREATED,
-        "created_by": "COPY --link --from=payload:torch-cu128-py311 / /",
+        "created_by": "COPY --link --from=part:torch-cu128-py311 / /",
         "comment": "joined in the registry",
     }
     assert config["config"]["Env"] == [
@@ -155,12 +155,12 @@ def test_an_image(place: Place) -> None:
 )  # fmt: skip
 def test_frameworks(place: Place, wanted: tuple[str, ...], stack: str, framework: str) -> None:
     """Layers in the order of the Dockerfile, whatever the order of the arguments."""
-    base, payloads = place.ros(), place.stack(wanted, stack)
-    found = place.compose(base, *reversed(payloads))
+    base, own = place.ros(), place.stack(wanted, stack)
+    found = place.compose(base, *reversed(own))
     manifest, config = place.image(found.manifests["linux/amd64"])
     assert config["config"]["Labels"]["io.rosml.framework"] == framework
     there = [layer["digest"] for layer in manifest["layers"]]
-    assert there == [d for image in (base, *payloads) for d in place.layers(image)]
+    assert there == [d for image in (base, *own) for d in place.layers(image)]
 
 
 @given(data=st.data())
@@ -169,12 +169,12 @@ def test_same_parts_same_bytes(place: Place, data: st.DataObject) -> None:
     """In any order, by whatever names, from another repository, in another registry: the same digest."""
     wanted = data.draw(st.sampled_from([TORCH, PARTS, ("cuda",)]))
     first = place.compose(place.ros(), *place.stack(wanted), tag="first")
-    payloads = data.draw(st.permutations(place.stack(wanted)))
+    own = data.draw(st.permutations(place.stack(wanted)))
     if data.draw(st.booleans()):  # as a digest
-        payloads = [_by_digest(place, name) for name in payloads]
+        own = [_by_digest(place, name) for name in own]
     if data.draw(st.booleans()):
-        payloads = [payload(part).put(place.registry, "elsewhere", part) for part in wanted]
-    assert place.compose(place.ros(), *payloads, tag="second").digest == first.digest
+        own = [part(kind).put(place.registry, "elsewhere", kind) for kind in wanted]
+    assert place.compose(place.ros(), *own, tag="second").digest == first.digest
 
 
 def _by_digest(place: Place, name: str) -> str:
@@ -193,7 +193,7 @@ def test_a_second_call_moves_nothing_but_the_tag(place: Place) -> None:
 
 
 def test_every_platform_that_all_have(place: Place) -> None:
-    images = [place.ros(platforms=BOTH), *(place.put(payload(part), part, BOTH) for part in TORCH)]
+    images = [place.ros(platforms=BOTH), *(place.put(part(kind), kind, BOTH) for kind in TORCH)]
     found = place.compose(*images)
     assert list(found.manifests) == list(BOTH)
     index = place.registry.manifest("me/mine", "mine")
@@ -242,7 +242,7 @@ def test_for_a_publishing_run(place: Place) -> None:
     def put(image: Tiny, repository: str) -> Reference:
         return Reference(place.server.address, repository, image.put_manifest(place.registry, repository)[0])
 
-    images = [put(ros(), "me/ros"), *(put(payload(part), "me/payload") for part in TORCH)]
+    images = [put(ros(), "me/ros"), *(put(part(kind), "me/part") for kind in TORCH)]
     with Composer(place.others.__getitem__, place.cache) as composer:
         found = composer.manifest(images[0], images[1:], place.server.address, "me/mine")
     assert place.registry.tags("me/mine") == []
@@ -265,10 +265,10 @@ def test_layers_are_copied_where_mounts_are_refused(place: Place) -> None:
 def test_layers_are_copied_from_another_registry(place: Place) -> None:
     with standing_in() as far:
         place.others[far.address] = Registry(far.address)
-        payloads = [payload(part).put(place.others[far.address], "x/payload", part) for part in TORCH]
+        own = [part(kind).put(place.others[far.address], "x/part", kind) for kind in TORCH]
         far.fault("GET", "/blobs/", DROP, 2)
         before = place.registry.uploaded
-        found = place.compose(place.ros(), *payloads)
+        found = place.compose(place.ros(), *own)
         assert (found.mounted, found.copied) == (1, 3)
         assert found.uploaded <= place.registry.uploaded - before
         assert not any(line.startswith(("PUT", "POST")) for line in far.requests[-40:] if "/me/" in line)
@@ -338,18 +338,18 @@ def test_another_python(place: Place) -> None:
     error = place.refused(place.ros(python="3.13"), *place.stack())
     assert "common-cu128 is for Python 3.11, and" in error.message
     assert "has Python 3.13" in error.message
-    assert error.remedy == "take the payload common-cu128-py313"
+    assert error.remedy == "take the part common-cu128-py313"
     assert error.exit_code == 2
     (cuda,) = place.stack(("cuda",))
     assert place.compose(place.ros(python="3.13"), cuda).layers == 2, "what is for any Python fits all"
 
 
 def test_another_platform(place: Place) -> None:
-    payloads = [place.put(payload(part), part, ["linux/arm64"]) for part in TORCH]
-    error = place.refused(place.ros(), *payloads)
+    own = [place.put(part(kind), kind, ["linux/arm64"]) for kind in TORCH]
+    error = place.refused(place.ros(), *own)
     assert "no platform in common" in error.message
     assert "bookworm-core is for linux/amd64" in error.message
-    error = place.refused(place.ros(platforms=BOTH), *payloads, platforms=["linux/amd64"])
+    error = place.refused(place.ros(platforms=BOTH), *own, platforms=["linux/amd64"])
     assert "for linux/arm64, not for linux/amd64" in error.message
 
 
@@ -362,7 +362,7 @@ def test_two_stacks(place: Place) -> None:
 
 
 def test_a_part_twice(place: Place) -> None:
-    another = place.put(payload("torch", salt="2"), "another")
+    another = place.put(part("torch", salt="2"), "another")
     error = place.refused(place.ros(), *place.stack(), another)
     assert "part torch is there twice" in error.message
     assert "another" in error.message and "torch-cu128" in error.message
@@ -400,26 +400,26 @@ def test_frameworks_that_do_not_go_together(place: Place) -> None:
     assert "no framework of stack cpu38 takes common, tensorflow, tensorflow-cc and torch together" in error.message
 
 
-def test_payloads_of_different_releases(place: Place) -> None:
-    payloads = place.stack(TENSORFLOW, "cpu")
-    newer = place.put(payload("tensorflow", "cpu", versions={"tensorflow": "2.21.0"}), "newer")
-    error = place.refused(place.ros(), *payloads[:2], newer)
+def test_parts_of_different_releases(place: Place) -> None:
+    own = place.stack(TENSORFLOW, "cpu")
+    newer = place.put(part("tensorflow", "cpu", versions={"tensorflow": "2.21.0"}), "newer")
+    error = place.refused(place.ros(), *own[:2], newer)
     assert "has tensorflow 2.20.0, and" in error.message and "has 2.21.0" in error.message
     more = {**parts.FRAMEWORKS, "tensorflow": ("common", "jax", "tensorflow-cc", "tensorflow")}
-    other = place.put(payload("tensorflow", "cpu", frameworks=more), "other")
-    assert "do not agree on the parts" in place.refused(place.ros(), *payloads[:2], other).message
+    other = place.put(part("tensorflow", "cpu", frameworks=more), "other")
+    assert "do not agree on the parts" in place.refused(place.ros(), *own[:2], other).message
 
 
 def test_what_is_no_ros_image(place: Place) -> None:
-    payloads = place.stack()
+    own = place.stack()
     strange = Tiny({"maintainer": "somebody"}).put(place.registry, "me/strange", "x")
-    assert "is no ROS image of this project" in place.refused(strange, *payloads).message
-    assert "is a payload" in place.refused(payloads[0], *payloads).message
-    assert "is a ROS image" in place.refused(place.ros(), *payloads, place.ros()).message
-    assert "is no payload: it has no label io.rosml.part" in place.refused(place.ros(), *payloads, strange).message
+    assert "is no ROS image of this project" in place.refused(strange, *own).message
+    assert "is a part" in place.refused(own[0], *own).message
+    assert "is a ROS image" in place.refused(place.ros(), *own, place.ros()).message
+    assert "is no part: it has no label io.rosml.part" in place.refused(place.ros(), *own, strange).message
     assert "nothing is to be joined" in place.refused(place.ros()).message
     for name in (f"{place.server.address}/me/ros:none", f"{place.server.address}/none:x"):
-        assert f"{name} is not there" in place.refused(name, *payloads).message
+        assert f"{name} is not there" in place.refused(name, *own).message
 
 
 def test_what_is_no_image(place: Place) -> None:
@@ -434,19 +434,19 @@ def test_what_is_no_image(place: Place) -> None:
 def test_an_image_in_pieces(place: Place) -> None:
     broken = ros(config={"rootfs": {"type": "layers", "diff_ids": []}}).put(place.registry, "me/ros", "broken")
     assert "is no whole image" in place.refused(broken, *place.stack()).message
-    damaged = payload("cuda")
+    damaged = part("cuda")
     damaged = replace(damaged, labels={**damaged.labels, "io.rosml.frameworks": "torch"})
     assert "io.rosml.frameworks is damaged" in place.refused(place.ros(), place.put(damaged, "damaged")).message
 
 
 def test_the_order_of_the_arguments_does_not_count_for_errors(place: Place) -> None:
-    payloads = [
+    own = [
         *place.stack(("torch", "common")),
         *place.stack(("torch",), "cpu"),
-        place.put(payload("common"), "again"),
+        place.put(part("common"), "again"),
     ]
     base = place.ros()
-    said = {place.refused(base, *order).message for order in itertools.permutations(payloads)}
+    said = {place.refused(base, *order).message for order in itertools.permutations(own)}
     assert len(said) == 1, said
 
 
@@ -482,26 +482,26 @@ def test_the_same_file(one: list[str], other: list[str], named: str) -> None:
 
 
 def test_two_parts_that_carry_the_same_file(place: Place) -> None:
-    payloads = place.stack(("cuda", "common"))
-    torch = place.put(payload("torch", files=("usr/local/share/common", "x")), "torch")
-    error = place.refused(place.ros(), *payloads, torch)
+    own = place.stack(("cuda", "common"))
+    torch = place.put(part("torch", files=("usr/local/share/common", "x")), "torch")
+    error = place.refused(place.ros(), *own, torch)
     assert "both carry /usr/local/share/common: one would hide the other's" in error.message
-    (cuda,) = [place.put(payload("cuda", files=("bin/env",)), "c")]
+    (cuda,) = [place.put(part("cuda", files=("bin/env",)), "c")]
     error = place.refused(place.ros(), cuda)
     assert "both carry /bin" in error.message, "a folder over the link would hide all that is behind it"
 
 
 def test_without_a_list(place: Place) -> None:
-    payloads = [*place.stack(("cuda", "common")), place.put(payload("torch", unlisted=True), "torch")]
-    error = place.refused(place.ros(), *payloads)
-    assert "payload:torch has no list of its files" in error.message
+    own = [*place.stack(("cuda", "common")), place.put(part("torch", unlisted=True), "torch")]
+    error = place.refused(place.ros(), *own)
+    assert "part:torch has no list of its files" in error.message
     assert "--allow-unlisted" in error.remedy
-    found = place.compose(place.ros(), *payloads, allow=True)
-    assert found.unlisted == [payloads[2]]
+    found = place.compose(place.ros(), *own, allow=True)
+    assert found.unlisted == [own[2]]
     assert any("no list of its files" in line for line in place.said)
-    clashing = place.put(payload("common", files=("usr/bin/env",)), "common")
+    clashing = place.put(part("common", files=("usr/bin/env",)), "common")
     with pytest.raises(RosmlError, match="both carry /usr/bin/env"):
-        place.compose(place.ros(), payloads[0], clashing, payloads[2], allow=True)
+        place.compose(place.ros(), own[0], clashing, own[2], allow=True)
 
 
 def test_lists_are_downloaded_once(place: Place) -> None:

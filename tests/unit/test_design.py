@@ -9,10 +9,10 @@ from conftest import ROOT
 
 from rosml.images import locked
 from rosml.images.explain import why_not
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 
 
-def test_every_axis(real: Catalogue) -> None:
+def test_every_axis(real: ImageSet) -> None:
     """The axes of the design, and as many images as it asks for."""
     ubuntu = ["noetic", "foxy", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling"]
     assert list(real.matrix.distributions) == [*ubuntu, "bookworm", "trixie", "jazzy-wheels"]
@@ -24,7 +24,7 @@ def test_every_axis(real: Catalogue) -> None:
     assert len([tag for image in both for tag in image.tags]) > 300
 
 
-def test_every_distribution_has_every_framework_that_its_facts_allow(real: Catalogue) -> None:
+def test_every_distribution_has_every_framework_that_its_facts_allow(real: ImageSet) -> None:
     kinds: dict[str, set[str]] = {}
     for image in real.images:
         kinds.setdefault(image.distribution, set()).add("-".join(filter(None, [image.framework, image.stack])))
@@ -39,7 +39,7 @@ def test_every_distribution_has_every_framework_that_its_facts_allow(real: Catal
         assert kinds[name] == cuda | {"torch-cu121", "torch-cpu38", "tensorflow-cpu38"}
 
 
-def test_latest_is_the_newest_long_term_release(real: Catalogue) -> None:
+def test_latest_is_the_newest_long_term_release(real: ImageSet) -> None:
     latest = {tag: image.target for image in real.images for tag in image.tags if tag.endswith(":latest")}
     assert latest == {
         "ros:latest": "lyrical-base",
@@ -48,7 +48,7 @@ def test_latest_is_the_newest_long_term_release(real: Catalogue) -> None:
     }
 
 
-def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catalogue) -> None:
+def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: ImageSet) -> None:
     assert {lock for lock in real.locks if not (ROOT / lock).is_file()} == {
         "locks/cpu/amd64/3.11/torch.txt",
         "locks/cpu/amd64/3.14/common.txt",
@@ -57,11 +57,11 @@ def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: Catal
     }
 
 
-def test_every_lock_is_used(real: Catalogue) -> None:
+def test_every_lock_is_used(real: ImageSet) -> None:
     assert locked.locks(ROOT) - real.locks == set()
 
 
-def test_what_is_experimental(real: Catalogue) -> None:
+def test_what_is_experimental(real: ImageSet) -> None:
     """ROS 2 from wheels: one component, for the one architecture that they are for."""
     rows = real.matrix.distributions.items()
     assert (
@@ -75,7 +75,7 @@ def test_what_is_experimental(real: Catalogue) -> None:
     assert real.image("jazzy-wheels-core").tags == ("ros:jazzy-wheels-core",)
 
 
-def test_distributions_past_their_end_of_life_come_from_the_last_snapshot(real: Catalogue) -> None:
+def test_distributions_past_their_end_of_life_come_from_the_last_snapshot(real: ImageSet) -> None:
     rows = real.matrix.distributions.items()
     assert [name for name, row in rows if row.apt and row.apt.channel == "final"] == ["noetic", "foxy", "iron"]
     # Its last packages are published some weeks after that day, and the snapshot of them is made.
@@ -84,7 +84,7 @@ def test_distributions_past_their_end_of_life_come_from_the_last_snapshot(real: 
     assert live == [], "past their end of life: apt: {channel: final} in matrix.yaml, then make generate"
 
 
-def test_every_framework_of_every_stack_has_a_budget(real: Catalogue) -> None:
+def test_every_framework_of_every_stack_has_a_budget(real: ImageSet) -> None:
     assert {(image.framework, image.stack) for image in real.images if image.stack and not image.budget} == set()
 
 
@@ -100,13 +100,13 @@ REAL_REASONS = {
 
 
 @pytest.mark.parametrize("name", REAL_REASONS)
-def test_reasons_of_the_real_matrix(real: Catalogue, name: str) -> None:
+def test_reasons_of_the_real_matrix(real: ImageSet, name: str) -> None:
     assert why_not(real, name) == f"{name} does not exist: {REAL_REASONS[name]}."
 
 
-def test_payloads_are_assembled_for_the_architectures_that_locks_are_made_for(real: Catalogue) -> None:
+def test_parts_are_assembled_for_the_architectures_that_locks_are_made_for(real: ImageSet) -> None:
     """assemble.sh runs where matrix.yaml is not at hand."""
-    script = (ROOT / "components/payload/assemble.sh").read_text()
+    script = (ROOT / "components/part/assemble.sh").read_text()
     for name, facts in real.matrix.architectures.items():
         machine = facts.wheels.partition("-")[0]
         assert f"  {name}) platform={facts.wheels} TRIPLET={machine}-linux-gnu ;;" in script
@@ -116,7 +116,7 @@ GLIBC = {"bookworm": 36, "trixie": 41, "ubuntu-20.04": 31, "ubuntu-22.04": 35, "
 """The second number of the glibc 2.x that an operating system has, at least."""
 
 
-def test_every_operating_system_takes_every_payload_for_its_python(real: Catalogue) -> None:
+def test_every_operating_system_takes_every_part_for_its_python(real: ImageSet) -> None:
     """Of Debian's family, with a glibc as new as the wheels ask for: so compose need not tell systems apart."""
     asked = {int(facts.wheels.rpartition("_")[2]) for facts in real.matrix.architectures.values()}
     for name, system in real.matrix.operating_systems.items():
@@ -125,7 +125,7 @@ def test_every_operating_system_takes_every_payload_for_its_python(real: Catalog
         assert GLIBC[name] >= max(asked), f"{name} has glibc 2.{GLIBC[name]}, and wheels ask for 2.{max(asked)}"
 
 
-def test_a_workspace_is_built_with_every_framework_of_every_stack(real: Catalogue) -> None:
+def test_a_workspace_is_built_with_every_framework_of_every_stack(real: ImageSet) -> None:
     """In images with both, where such can be built; cu130 has PyTorch alone, and the wheel tensorflow-cpu is in no image
     with both on bookworm as long as PyTorch's for the CPU of amd64 has no lock."""
     has = {image.target for image in real.images if "ros1-workspace" in image.tests}

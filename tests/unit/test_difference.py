@@ -50,7 +50,7 @@ def test_nothing_differs(repository: Path) -> None:
     assert found(repository, "HEAD") == nothing | {"same": count}
     (repository / "matrix.yaml").write_text(f"# A comment.\n{SMALL}")
     (repository / "README.md").write_text("")
-    cache = repository / "components/payload/__pycache__"
+    cache = repository / "components/part/__pycache__"
     cache.mkdir()
     (cache / "x.pyc").touch()
     done = diff(repository, "HEAD")
@@ -234,7 +234,7 @@ def test_another_parent_is_told_once_for_both_architectures() -> None:
     assert rest == []
 
 
-def test_another_system_and_its_payloads() -> None:
+def test_another_system_and_its_parts() -> None:
     """Alpha moves to omega's system, and so to another Python."""
     text = changed("  alpha:\n    os: ubuntu-24.04", "  alpha:\n    os: ubuntu-26.04")
     text = changed("    apt: {channel: live}", "    apt: {channel: final}", text)
@@ -248,7 +248,7 @@ def test_images_that_cannot_be_built(capsys: pytest.CaptureFixture[str]) -> None
     """Two rows of components more, and only some locks; what changed comes first, what is added next."""
     text = changed("components: [core, base]\n", "components: [core, base, desktop]\n")
     text = changed("digest: sha256:" + "2" * 64, "digest: sha256:" + "3" * 64, text)
-    locks = {lock for payload in parse(text).payloads for lock in payload.locks if "/3.14/" not in lock}
+    locks = {lock for part in parse(text).parts for lock in part.locks if "/3.14/" not in lock}
     result = differences.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, with_locks(parse(text), locks)))
     added = [f"omega-desktop-torch-{stack}" for stack in ("cu1", "cpu")]
     assert set(added) < set(result.unbuildable) <= {*result.added, *result.changed}

@@ -18,7 +18,7 @@ from conftest import ROOT
 from rosml.base.errors import RosmlError
 from rosml.catalogue import readme
 from rosml.images import locked
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from scripts import docs
 from tests import map as test_map
 from tests.documented import Block, blocks, pages
@@ -185,7 +185,7 @@ def test_the_readme_fits_on_two_screens_before_its_tables() -> None:
     assert head.count("\n") <= 100
 
 
-def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: Catalogue, small: Catalogue) -> None:
+def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: ImageSet, small: ImageSet) -> None:
     """Right below the table that people choose from, and by what is locked now; nothing where all of them are."""
     page = readme.render((ROOT / "README.md").read_text(), real)
     text = page.partition(readme.BEGIN)[2].partition("\n| distribution |")[0]
@@ -199,14 +199,14 @@ def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: Catalogue, 
     assert "cannot be built" not in readme.tables(whole)
 
 
-def test_the_readme_counts_the_images(real: Catalogue) -> None:
+def test_the_readme_counts_the_images(real: ImageSet) -> None:
     rows = f"\n{readme.tables(real)}".partition("\n| distribution |")[2].partition("\n\n")[0].splitlines()[2:]
     assert [int(row.rstrip("| ").rpartition("| ")[2]) for row in rows] == [
         sum(image.distribution == name for image in real.images) for name in real.matrix.distributions
     ]
 
 
-def test_the_readme_says_which_distributions_lack_an_image(real: Catalogue) -> None:
+def test_the_readme_says_which_distributions_lack_an_image(real: ImageSet) -> None:
     """Its table of frameworks is for all distributions but those that the sentence below it names."""
     table, _, rest = (ROOT / "README.md").read_text().partition("\nNot for every `<d>`: ")
     said = rest.partition("\n\n")[0]
@@ -229,7 +229,7 @@ def titled(name: str) -> Iterator[Block]:
 
 
 @pytest.mark.parametrize("name", [".github/workflows/test.yml", ".gitlab-ci.yml", "compose.yaml"])
-def test_yaml_of_the_documentation_is_yaml(name: str, real: Catalogue) -> None:
+def test_yaml_of_the_documentation_is_yaml(name: str, real: ImageSet) -> None:
     [block] = titled(name)
     content = yaml.safe_load(block.text)
     assert isinstance(content, dict)
@@ -251,11 +251,11 @@ def test_a_dev_container_is_json() -> None:
     assert json.loads(block.text)["workspaceFolder"].startswith("/docker-ros/ws")
 
 
-def tags(catalogue: Catalogue) -> set[str]:
-    return {tag for image in catalogue.images for tag in image.tags}
+def tags(image_set: ImageSet) -> set[str]:
+    return {tag for image in image_set.images for tag in image.tags}
 
 
-def test_every_image_that_a_page_builds_on_is_one_that_there_is(real: Catalogue) -> None:
+def test_every_image_that_a_page_builds_on_is_one_that_there_is(real: ImageSet) -> None:
     found = [
         (block.page, image)
         for page in PAGES
@@ -266,7 +266,7 @@ def test_every_image_that_a_page_builds_on_is_one_that_there_is(real: Catalogue)
     assert [item for item in found if item[1] not in tags(real)] == []
 
 
-def test_old_tags_lead_to_tags_that_there_are(real: Catalogue) -> None:
+def test_old_tags_lead_to_tags_that_there_are(real: ImageSet) -> None:
     """The right columns of the page about moving from other images."""
     rows = re.findall(r"^\| (`.*?) \| (.*) \|$", (ROOT / "docs/migrate.md").read_text(), re.MULTILINE)
     assert len(rows) > 15

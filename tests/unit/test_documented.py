@@ -22,7 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import join as compose
 from rosml.cli import publish
 from rosml.images.explain import explain
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.selection import members
 from tests.calls import lacking
 from tests.documented import blocks, commands, documented, pages
@@ -156,7 +156,7 @@ def test_the_proof_is_there(command: str) -> None:
         ("make up", "tests/e2e/test_ros.py::test_a_base_image_is_the_same_wherever_it_is_made", "never skipped"),
         (
             "uv run scripts/publish.py prune --apply",
-            "tests/unit/test_payloads.py::test_results_for_machines",
+            "tests/unit/test_parts.py::test_results_for_machines",
             "prune",
         ),
         ("publish.py undo --json", "tests/e2e/test_publisher.py::test_status_says_how_things_stand", "undo"),
@@ -251,7 +251,7 @@ def test_uv_that_make_installed(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("command", "page"), CALLS)
-def test_parsers_accept_it(command: str, page: str, real: Catalogue) -> None:
+def test_parsers_accept_it(command: str, page: str, real: ImageSet) -> None:
     parsed(words(command), real, examples=page == EXTEND)
 
 
@@ -263,10 +263,10 @@ def words(command: str) -> list[str]:
     return found
 
 
-def parsed(argv: list[str], catalogue: Catalogue, examples: bool) -> None:
+def parsed(argv: list[str], image_set: ImageSet, examples: bool) -> None:
     """Has a command's own parser read it; commands that are not ours are left to the tests that run them."""
     if argv[0] == "make":
-        made(argv[1:], catalogue, examples)
+        made(argv[1:], image_set, examples)
     elif argv[:2] == ["uv", "run"]:
         ran(argv[2:])
     elif argv[0] in ("publish.py", "scripts/publish.py"):
@@ -275,7 +275,7 @@ def parsed(argv: list[str], catalogue: Catalogue, examples: bool) -> None:
         assert (ROOT / argv[1]).is_file(), argv[1]
 
 
-def made(given: list[str], catalogue: Catalogue, examples: bool) -> None:
+def made(given: list[str], image_set: ImageSet, examples: bool) -> None:
     """A call of make: targets that people are told of, variables that it has, values that mean something."""
     targets = {line.split(":")[0] for line in MAKEFILE.splitlines() if re.match(r"[a-z0-9-]+:.* ## ", line)}
     for word in given:
@@ -285,19 +285,19 @@ def made(given: list[str], catalogue: Catalogue, examples: bool) -> None:
             continue
         assert re.search(rf"^{name} [?:]=|\$\({name}\)", MAKEFILE, re.MULTILINE), f"make has no variable {name}"
         if value and not examples:
-            known(name, value, catalogue)
+            known(name, value, image_set)
 
 
-def known(variable: str, value: str, catalogue: Catalogue) -> None:
+def known(variable: str, value: str, image_set: ImageSet) -> None:
     """Fails where a value names nothing that there is."""
     if variable == "TARGET":
-        explain(catalogue, value, {})
+        explain(image_set, value, {})
     elif variable == "GROUP":
-        assert members(catalogue, value.split())
+        assert members(image_set, value.split())
     elif variable == "STACK":
-        assert value in catalogue.matrix.stacks
+        assert value in image_set.matrix.stacks
     elif variable == "ONLY":
-        assert [image for image in catalogue.images if Path(image.target).match(value)]
+        assert [image for image in image_set.images if Path(image.target).match(value)]
 
 
 def ran(given: list[str]) -> None:
@@ -337,6 +337,6 @@ def ran(given: list[str]) -> None:
         "uv run python -m tests.nothing",
     ],
 )
-def test_what_there_is_not_is_found(command: str, real: Catalogue) -> None:
+def test_what_there_is_not_is_found(command: str, real: ImageSet) -> None:
     with pytest.raises((AssertionError, click.UsageError, RosmlError)):
         parsed(shlex.split(command), real, examples=False)

@@ -1,4 +1,4 @@
-"""Images and payloads that follow from the facts, and the reasons for those that do not."""
+"""Images and parts that follow from the facts, and the reasons for those that do not."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from rosml.images.expand import combinations
 from rosml.images.explain import explain, why_not
 from rosml.images.explain import image as image_of
 from rosml.images.facts import facts
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.load import load
 from rosml.images.locked import with_locks
 from rosml.matrix import names, rules
 
 
-def test_image_facts(small: Catalogue) -> None:
+def test_image_facts(small: ImageSet) -> None:
     assert facts(small.image("alpha-base-ml-cu1")) == {
         "target": "alpha-base-ml-cu1",
         "distribution": "alpha",
@@ -78,15 +78,15 @@ CHANNELS = {
 
 @pytest.mark.parametrize("channel", CHANNELS)
 def test_where_packages_come_from(channel: str) -> None:
-    catalogue = parse(changed("apt: {channel: live}", f"apt: {{channel: {channel}}}"))
-    assert CHANNELS[channel] in explain(catalogue, "alpha-core")
+    image_set = parse(changed("apt: {channel: live}", f"apt: {{channel: {channel}}}"))
+    assert CHANNELS[channel] in explain(image_set, "alpha-core")
 
 
 DAY = {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2026-08-07"}
 
 
 @pytest.mark.parametrize("target", ["jazzy-core", "jazzy-base-torch-cu128"])
-def test_where_packages_come_from_this_time(real: Catalogue, target: str) -> None:
+def test_where_packages_come_from_this_time(real: ImageSet, target: str) -> None:
     told = (
         "this time, packages come from ROS's apt snapshot: of 2026-08-07; "
         "without CHANNEL and SNAPSHOT, from ROS's live apt repository, set up by ros2-apt-source 1.2.0"
@@ -94,16 +94,16 @@ def test_where_packages_come_from_this_time(real: Catalogue, target: str) -> Non
     assert f"\n  - {told}\n" in explain(real, target, DAY)
 
 
-def test_a_live_repository_that_is_not_pinned(real: Catalogue) -> None:
+def test_a_live_repository_that_is_not_pinned(real: ImageSet) -> None:
     assert "live apt repository, whose setup is not pinned here" in explain(real, "foxy-core", {"ROS_CHANNEL": "live"})
 
 
-def test_what_no_channel_can_change(real: Catalogue) -> None:
+def test_what_no_channel_can_change(real: ImageSet) -> None:
     with pytest.raises(RosmlError, match="the ROS packages of bookworm are bookworm's own"):
         explain(real, "bookworm-core", DAY)
 
 
-def test_chain_skips_components_that_a_distribution_lacks(small: Catalogue) -> None:
+def test_chain_skips_components_that_a_distribution_lacks(small: ImageSet) -> None:
     image = small.image("alpha-desktop")  # desktop builds on robot, which ROS 2 does not have
     assert image.parent == "alpha-base"
     assert image.tests == (
@@ -120,26 +120,26 @@ def test_chain_skips_components_that_a_distribution_lacks(small: Catalogue) -> N
     assert small.image("alpha-core").parent == "_os-ubuntu-24-04"
 
 
-def test_an_index_lists_only_architectures_with_the_same_content(small: Catalogue) -> None:
+def test_an_index_lists_only_architectures_with_the_same_content(small: ImageSet) -> None:
     assert small.image("alpha-core").platforms == ("linux/amd64", "linux/arm64")
     assert small.image("alpha-core-torch-cu1").platforms == ("linux/amd64",)
     assert small.image("alpha-core-torch-cpu").platforms == ("linux/arm64",)
     assert small.image("alpha-core-ml-cpu").platforms == ("linux/arm64",)
 
 
-def test_payloads_are_made_for_every_architecture_that_needs_them(small: Catalogue) -> None:
-    payload = small.payload_by_name["tensorflow-cpu-py312"]
-    assert payload.architectures == ("arm64",)  # ml is the only framework with TensorFlow, and torch is for arm64 only
-    payload = parse(changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64, arm64], cpu: [arm64]}"))\
-        .payload_by_name["cuda-cu1"]  # fmt: skip
-    assert payload.architectures == ("amd64", "arm64")
-    assert payload.locks == ("locks/cu1/amd64/any/cuda.txt", "locks/cu1/arm64/any/cuda.txt")
-    assert payload.os == "ubuntu-24.04"
-    assert small.payload_by_name["torch-cu1-py314"].os == "ubuntu-26.04"
-    assert [name for name in small.payload_by_name if name.startswith("cuda")] == ["cuda-cu1"]
+def test_parts_are_made_for_every_architecture_that_needs_them(small: ImageSet) -> None:
+    part = small.part_by_name["tensorflow-cpu-py312"]
+    assert part.architectures == ("arm64",)  # ml is the only framework with TensorFlow, and torch is for arm64 only
+    part = parse(changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64, arm64], cpu: [arm64]}"))\
+        .part_by_name["cuda-cu1"]  # fmt: skip
+    assert part.architectures == ("amd64", "arm64")
+    assert part.locks == ("locks/cu1/amd64/any/cuda.txt", "locks/cu1/arm64/any/cuda.txt")
+    assert part.os == "ubuntu-24.04"
+    assert small.part_by_name["torch-cu1-py314"].os == "ubuntu-26.04"
+    assert [name for name in small.part_by_name if name.startswith("cuda")] == ["cuda-cu1"]
 
 
-def test_floating_tags(small: Catalogue) -> None:
+def test_floating_tags(small: ImageSet) -> None:
     assert small.image("alpha-base").tags == ("ros:alpha-base", "ros:alpha", "ros:latest")
     assert small.image("alpha-core").tags == ("ros:alpha-core",)
     assert small.image("alpha-base-torch-cpu").tags[-1] == "ros-torch:alpha-base-cpu-torch2.10.0"
@@ -158,8 +158,8 @@ def test_latest_is_of_a_distribution_that_has_the_component_of_the_short_tags() 
     assert [image.target for image in newer.images if "ros:latest" in image.tags] == ["alpha-base"]
 
 
-def test_a_group_without_a_lock_is_explained(small: Catalogue) -> None:
-    locks = {lock for payload in small.payloads if payload.stack != "cpu" for lock in payload.locks}
+def test_a_group_without_a_lock_is_explained(small: ImageSet) -> None:
+    locks = {lock for part in small.parts if part.stack != "cpu" for lock in part.locks}
     said = explain(with_locks(small, locks), "cpu")
     assert said.startswith("cpu: a group of no targets: none of its images has a lock; run 'make locks'")
 
@@ -176,7 +176,7 @@ def test_a_group_without_a_lock_is_explained(small: Catalogue) -> None:
     ],
 )
 def test_a_lock_with_another_cuda_than_the_stack_promises_is_none(
-    package: str, current: bool, small: Catalogue, tmp_path: Path
+    package: str, current: bool, small: ImageSet, tmp_path: Path
 ) -> None:
     (tmp_path / "matrix.yaml").write_text(SMALL)
     write_locks(tmp_path, small)
@@ -187,9 +187,9 @@ def test_a_lock_with_another_cuda_than_the_stack_promises_is_none(
 
 
 def test_a_framework_that_takes_nothing_of_a_stack_is_not_there() -> None:
-    catalogue = parse(changed("parts: [cuda], accelerators: [cuda]}", "parts: [cuda]}"))
-    assert "alpha-core-cuda-cu1" in catalogue.by_target
-    assert why_not(catalogue, "alpha-core-cuda-cpu") == (
+    image_set = parse(changed("parts: [cuda], accelerators: [cuda]}", "parts: [cuda]}"))
+    assert "alpha-core-cuda-cu1" in image_set.by_target
+    assert why_not(image_set, "alpha-core-cuda-cpu") == (
         "alpha-core-cuda-cpu does not exist: stack cpu has nothing that framework cuda takes."
     )
 
@@ -201,7 +201,7 @@ def test_locks_that_cannot_be_read_are_not_taken_for_missing(tmp_path: Path) -> 
         locked.locks(tmp_path)
 
 
-def test_an_image_named_like_a_payload() -> None:
+def test_an_image_named_like_a_part() -> None:
     """Both are keys of DIGESTS."""
     text = (
         SMALL.replace("  cu1:", "  a-b:")
@@ -212,7 +212,7 @@ def test_an_image_named_like_a_payload() -> None:
     text = changed("  robot: {builds_on: base}", "  robot: {builds_on: base}\n  b-py312: {builds_on: base}", text)
     text = changed("    robot: {unp", "    b-py312: {unpacked: 1, compressed: 1}\n    robot: {unp", text)
     with pytest.raises(
-        RosmlError, match=r"stacks\.a-b: common-a-b-py312 is the name of a payload and of an image; rename one"
+        RosmlError, match=r"stacks\.a-b: common-a-b-py312 is the name of a part and of an image; rename one"
     ):
         parse(changed("components: [core, base, desktop]", "components: [core, base, b-py312, desktop]", text))
 
@@ -222,67 +222,67 @@ def test_a_group_named_like_a_target() -> None:
         parse(SMALL.replace("  omega:", "  alpha-core:"))
 
 
-def test_systems_with_one_python_agree_on_what_payloads_depend_on() -> None:
-    with pytest.raises(RosmlError, match=r"ubuntu-26.04 and ubuntu-24.04 have Python 3.12 and so the same payloads"):
+def test_systems_with_one_python_agree_on_what_parts_depend_on() -> None:
+    with pytest.raises(RosmlError, match=r"ubuntu-26.04 and ubuntu-24.04 have Python 3.12 and so the same parts"):
         parse(SMALL.replace('python: "3.14"\n', 'python: "3.12"\n'))
 
 
-def test_names_and_tags_are_unique(real: Catalogue) -> None:
+def test_names_and_tags_are_unique(real: ImageSet) -> None:
     tags = [tag for image in real.images for tag in image.tags]
     assert len(tags) == len(set(tags))
     assert all(len(tag.split(":")[1]) <= 128 for tag in tags)
 
 
-def test_every_test_has_a_file(real: Catalogue) -> None:
+def test_every_test_has_a_file(real: ImageSet) -> None:
     wanted = {test for image in real.images for test in image.tests}
     assert {test for test in wanted if not (ROOT / "tests/structure" / f"{test}.yaml").is_file()} == set()
 
 
-def test_images_without_a_lock_are_in_no_group(small: Catalogue) -> None:
-    locks = {lock for payload in small.payloads for lock in payload.locks}
+def test_images_without_a_lock_are_in_no_group(small: ImageSet) -> None:
+    locks = {lock for part in small.parts for lock in part.locks}
     torch = "locks/cu1/amd64/3.12/torch.txt"
-    catalogue = with_locks(small, locks - {torch})
-    unlocked = [image for image in catalogue.images if not image.locked]
+    image_set = with_locks(small, locks - {torch})
+    unlocked = [image for image in image_set.images if not image.locked]
     assert {image.target for image in unlocked} == {
         f"alpha-{component}-{framework}-cu1"
         for component in ("core", "base", "desktop")
         for framework in ("torch", "ml")
     }
     assert all(image.unlocked == (torch,) for image in unlocked)
-    grouped = {target for targets in catalogue.groups.values() for target in targets}
+    grouped = {target for targets in image_set.groups.values() for target in targets}
     assert not grouped & {name for image in unlocked for name in (image.target, image.test_target)}
-    assert "payload-torch-cu1-py312" not in grouped
-    assert "payload-torch-cu1-py314" in grouped
-    said = explain(catalogue, "alpha-core-torch-cu1")
+    assert "part-torch-cu1-py312" not in grouped
+    assert "part-torch-cu1-py314" in grouped
+    said = explain(image_set, "alpha-core-torch-cu1")
     assert said.startswith("alpha-core-torch-cu1 exists, but cannot be built yet:\n")
     assert said.endswith(f"\n  - {torch} is missing; run 'make locks'")
     assert with_locks(small, locks) == small
 
 
-def test_what_takes_long_is_tested_where_it_can_be_built(small: Catalogue) -> None:
+def test_what_takes_long_is_tested_where_it_can_be_built(small: ImageSet) -> None:
     """In an image with both frameworks, unless that one has no lock, or is not for all architectures."""
-    locks = {lock for payload in small.payloads for lock in payload.locks}
+    locks = {lock for part in small.parts for lock in part.locks}
     long = {"ros2-workspace", "ros2-components", "pip"}
 
-    def tested(catalogue: Catalogue, target: str) -> bool:
-        found = long.intersection(catalogue.image(target).tests)
+    def tested(image_set: ImageSet, target: str) -> bool:
+        found = long.intersection(image_set.image(target).tests)
         assert found in (set(), long)
         return bool(found)
 
     without = with_locks(small, locks - {"locks/cu1/amd64/any/tensorflow-cc.txt"})
-    for catalogue, alone in ((small, False), (with_locks(small, locks), False), (without, True)):
-        assert tested(catalogue, "alpha-core-ml-cu1")
-        assert tested(catalogue, "alpha-core-torch-cu1") == alone
+    for image_set, alone in ((small, False), (with_locks(small, locks), False), (without, True)):
+        assert tested(image_set, "alpha-core-ml-cu1")
+        assert tested(image_set, "alpha-core-torch-cu1") == alone
     torch_alone = changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")
     tensorflow = '["3.12"], wheels: {cu1: [amd64], cpu: [amd64, arm64]}'
     assert tensorflow in torch_alone
     wider = parse(torch_alone.replace(tensorflow, '["3.12"], wheels: {cu1: [amd64], cpu: [arm64]}'))
-    for catalogue, alone in ((small, False), (wider, True)):
-        assert catalogue.image("alpha-core-ml-cpu").architectures == ("arm64",)
-        assert tested(catalogue, "alpha-core-torch-cpu") == alone
+    for image_set, alone in ((small, False), (wider, True)):
+        assert image_set.image("alpha-core-ml-cpu").architectures == ("arm64",)
+        assert tested(image_set, "alpha-core-torch-cpu") == alone
 
 
-def test_a_lock_of_another_release_is_none(small: Catalogue, tmp_path: Path) -> None:
+def test_a_lock_of_another_release_is_none(small: ImageSet, tmp_path: Path) -> None:
     (tmp_path / "matrix.yaml").write_text(SMALL)
     write_locks(tmp_path, small)
     assert all(image.locked for image in load(tmp_path / "matrix.yaml", tmp_path).images)
@@ -323,16 +323,16 @@ def test_a_default_stack_that_nothing_has() -> None:
         parse(SMALL.replace("architectures: [amd64, arm64]", "architectures: [amd64]"))
 
 
-def test_the_default_group_can_be_built(real: Catalogue) -> None:
+def test_the_default_group_can_be_built(real: ImageSet) -> None:
     assert all(real.image(target).locked for target in (real.matrix.default.target, *real.matrix.default.group))
 
 
-def test_every_combination_exists_or_has_a_reason(small: Catalogue, real: Catalogue) -> None:
-    for catalogue in (small, real):
-        for wanted in combinations(catalogue.matrix):
+def test_every_combination_exists_or_has_a_reason(small: ImageSet, real: ImageSet) -> None:
+    for image_set in (small, real):
+        for wanted in combinations(image_set.matrix):
             target = names.image_target(*wanted)
-            reason = why_not(catalogue, target)
-            assert (target in catalogue.by_target) == (reason is None)
+            reason = why_not(image_set, target)
+            assert (target in image_set.by_target) == (reason is None)
             assert reason is None or (reason.startswith(f"{target} does not exist: ") and reason.count("\n") == 0)
 
 
@@ -363,7 +363,7 @@ REASONS = {
     "alpha-base-none": "alpha-base-none is called alpha-base.",
     "cu1": "cu1: a group of 13 targets; see them with: make list GROUP=cu1",
     "default": "default: a group of 1 target; see them with: make list GROUP=default",
-    "payloads": "payloads: a group of 13 targets; see them with: make list",
+    "parts": "parts: a group of 13 targets; see them with: make list",
     "ros-ml:omega-base-cpu": "ros-ml:omega-base-cpu does not exist: no release of tensorflow has a wheel for "
     "Python 3.14, the Python of ubuntu-26.04.",
     "x.org:5000/y/ros-ml:omega": "x.org:5000/y/ros-ml:omega does not exist on any stack: no release of tensorflow has a "
@@ -376,12 +376,12 @@ REASONS = {
     "alpha-torch-cpu": "alpha-torch-cpu is called alpha-base-torch-cpu.",
     "ros-torch:alpha-cpu": "there is no tag ros-torch:alpha-cpu: short ones are for stack cu1 alone; "
     "take ros-torch:alpha-base-cpu.",
-    "payload-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
+    "part-cuda-cu1": "cuda-cu1: cuda of stack cu1, assembled from locks/cu1/amd64/any/cuda.txt, in 13 images",
 }
 
 
 @pytest.mark.parametrize("name", REASONS)
-def test_reasons(small: Catalogue, name: str) -> None:
+def test_reasons(small: ImageSet, name: str) -> None:
     assert explain(small, name) == REASONS[name]
 
 
@@ -415,14 +415,14 @@ def test_older_releases_that_would_do() -> None:
     assert (why_not(small, "omega-core-ml-cu1") or "").endswith("ubuntu-26.04 (2.8.0 and 2.9.0 have).")
 
 
-def test_why_an_image_exists(small: Catalogue) -> None:
+def test_why_an_image_exists(small: ImageSet) -> None:
     text = explain(small, "alpha-core-torch-cu1")
     assert "not for arm64: torch 2.10.0 has cu1 wheels for amd64 only" in text
     assert "it is alpha-core joined with cuda-cu1, common-cu1-py312 and torch-cu1-py312" in text
     assert explain(small, "alpha-core-torch-cu1-test") == text
 
 
-def test_unknown_names(small: Catalogue) -> None:
+def test_unknown_names(small: ImageSet) -> None:
     for ask in (lambda: explain(small, "alfa-core"), lambda: small.image("alfa-core")):
         with pytest.raises(RosmlError, match="no image named 'alfa-core'; did you mean 'alpha-core'") as caught:
             ask()
@@ -431,11 +431,11 @@ def test_unknown_names(small: Catalogue) -> None:
 
 
 @pytest.mark.parametrize("name", ["ros:alpha-base", "localhost:5000/ros:alpha", "https://x.org/y/ros:latest"])
-def test_a_tag_is_a_name_as_well(small: Catalogue, name: str) -> None:
+def test_a_tag_is_a_name_as_well(small: ImageSet, name: str) -> None:
     assert small.image(name).target == "alpha-base"
 
 
-def test_a_tag_of_an_unknown_stack_names_near_tags(small: Catalogue) -> None:
+def test_a_tag_of_an_unknown_stack_names_near_tags(small: ImageSet) -> None:
     with pytest.raises(RosmlError) as caught:
         explain(small, "ros-torch:alpha-core-cu9")
     assert caught.value.message == (
@@ -444,17 +444,17 @@ def test_a_tag_of_an_unknown_stack_names_near_tags(small: Catalogue) -> None:
     )
 
 
-def test_a_tag_that_nothing_has(small: Catalogue) -> None:
+def test_a_tag_that_nothing_has(small: ImageSet) -> None:
     with pytest.raises(RosmlError, match="no image named 'ros:beta'"):
         small.image("ros:beta")
 
 
-def test_asking_for_what_cannot_be_gives_the_reason(small: Catalogue) -> None:
+def test_asking_for_what_cannot_be_gives_the_reason(small: ImageSet) -> None:
     with pytest.raises(RosmlError, match="has no robot metapackage"):
         image_of(small, "alpha-robot")
 
 
-def test_architecture_reasons(small: Catalogue) -> None:
+def test_architecture_reasons(small: ImageSet) -> None:
     matrix = small.matrix
     assert rules.architecture_reason(matrix, "alpha", "torch", "cu1", "amd64") is None
     assert rules.architecture_reason(matrix, "alpha", "torch", "cu1", "s390x") == (

@@ -13,7 +13,7 @@ from projects import copy_for_generator
 
 from rosml.bake import targets
 from rosml.images import load
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from tests import fork, walk
 from tests.walk import follow, insert, section
 
@@ -23,7 +23,7 @@ def project(tmp_path: Path) -> Path:
     return copy_for_generator(tmp_path)
 
 
-def test_a_distribution(project: Path, real: Catalogue) -> None:
+def test_a_distribution(project: Path, real: ImageSet) -> None:
     [entry] = [block for block in section("A distribution") if block.title]
     assert entry.text.count("\n") <= 10
     said = follow(project, "A distribution")
@@ -42,7 +42,7 @@ def test_a_distribution(project: Path, real: Catalogue) -> None:
     assert all(image.locked for image in made.images if image.target in new and not image.target.endswith("-cpu"))
 
 
-def test_a_release_and_a_stack(project: Path, real: Catalogue) -> None:
+def test_a_release_and_a_stack(project: Path, real: ImageSet) -> None:
     insert(project, next(section("A release of PyTorch or TensorFlow")))
     said = follow(project, "A stack")
     assert "jazzy-base-torch-cu126 exists, but cannot be built yet:" in said
@@ -93,7 +93,7 @@ def test_what_a_fork_skips_is_there() -> None:
         assert not function or f"\ndef {function}(" in (ROOT / "tests" / file).read_text(), name
 
 
-def test_a_part(project: Path, real: Catalogue) -> None:
+def test_a_part(project: Path, real: ImageSet) -> None:
     """A part is data: its entries, a folder, a file of tests. No code is touched."""
     for block in section("A part, a framework"):
         if block.title.startswith("matrix.yaml"):

@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from rosml.base.errors import RosmlError
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.machine import disk
 
-# A ROS image counts unpacked + 2 * compressed, a payload 2 * unpacked + 2 * compressed.
+# A ROS image counts unpacked + 2 * compressed, a part 2 * unpacked + 2 * compressed.
 OS, COMPONENT = 100 + 2 * 10, 20 + 2 * 2
 CUDA, COMMON, TORCH = 2 * 1000 + 2 * 100, 2 * 300 + 2 * 30, 2 * 2000 + 2 * 200
 
@@ -29,7 +29,7 @@ CUDA, COMMON, TORCH = 2 * 1000 + 2 * 100, 2 * 300 + 2 * 30, 2 * 2000 + 2 * 200
         ("omega-core-torch-cu1", ["cuda-cu1", "common-cu1-py312", "torch-cu1-py312"], OS + COMPONENT + COMMON + TORCH),
     ],
 )
-def test_needed(small: Catalogue, target: str, built: list[str], needed: int) -> None:
+def test_needed(small: ImageSet, target: str, built: list[str], needed: int) -> None:
     found = disk.needed_mb(small, small.image(target), built)
     assert found == needed
 
@@ -43,7 +43,7 @@ def test_needed(small: Catalogue, target: str, built: list[str], needed: int) ->
         ("alpha-base-torch-cu1", ["alpha-core", "cuda-cu1", "common-cu1-py312", "torch-cu1-py312"], COMPONENT),
     ],
 )
-def test_what_lies_below_is_not_the_image(small: Catalogue, target: str, built: list[str], needed: int) -> None:
+def test_what_lies_below_is_not_the_image(small: ImageSet, target: str, built: list[str], needed: int) -> None:
     """The component below is there; the component itself still has to be installed."""
     found = disk.needed_mb(small, small.image(target), built)
     assert found == needed

@@ -16,9 +16,9 @@ from stubs import services
 
 from rosml.base.errors import RosmlError
 from rosml.images import locked
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.publish import scan_results
-from rosml.records import ledger
+from rosml.records import store
 from rosml.scan.sbom import Sbom, Shelf
 
 CORE = ("alpha-core", "amd64")
@@ -43,7 +43,7 @@ class Shelved(Memory):
 
 
 @pytest.fixture
-def catalogue(tmp_path: Path) -> Catalogue:
+def image_set(tmp_path: Path) -> ImageSet:
     project = copy(tmp_path / "project")
     found = parse(SMALLER.replace("components: [core, base]", "components: [core]"))
     write_locks(project, found)
@@ -51,15 +51,15 @@ def catalogue(tmp_path: Path) -> Catalogue:
 
 
 @pytest.fixture
-def registry(catalogue: Catalogue, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
+def registry(image_set: ImageSet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     found = place(tmp_path / "project", services(tmp_path / "project"), monkeypatch)
-    found.publish(catalogue, only=["alpha-core"])
+    found.publish(image_set, only=["alpha-core"])
     return found
 
 
 @pytest.fixture
-def run(registry: Place, catalogue: Catalogue) -> Callable[[], Run]:
-    return lambda: registry.run(catalogue, date=NEXT, only=["alpha-core"])
+def run(registry: Place, image_set: ImageSet) -> Callable[[], Run]:
+    return lambda: registry.run(image_set, date=NEXT, only=["alpha-core"])
 
 
 def sbom(digest: str) -> Sbom:
@@ -74,9 +74,9 @@ def scan(found: Run, file: Path, outcome: str = "clean") -> str:
     found.registry = reader
     entry = found.plan.known[CORE]
     Shelf(reader, "trivy 1").store(f"{PREFIX}/ros", entry.digest, sbom(entry.digest))
-    changed = ledger.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
+    changed = store.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
     assert changed
-    found.ledger.write(changed, found.plan.inputs.of(*CORE))
+    found.records.write(changed, found.plan.inputs.of(*CORE))
     reader.write(file, found.plan.date)
     return entry.digest
 
@@ -121,12 +121,12 @@ def test_a_scan_does_nothing_else(run: Callable[[], Run], work: str) -> None:
 
 def test_a_scan_puts_no_manifest_but_entries(run: Callable[[], Run]) -> None:
     reader = scan_results.Reader(run().registry)
-    with pytest.raises(RosmlError, match="only entries of the ledger"):
+    with pytest.raises(RosmlError, match="only entries of the records"):
         reader.put_manifest(f"{PREFIX}/ros", "latest", {"annotations": {}}, "m")
 
 
 class Meanwhile:
-    """A registry in which another publisher does something right after the first look at a tag of the ledger."""
+    """A registry in which another publisher does something right after the first look at a tag of the records."""
 
     def __init__(self, registry: Any, work: Callable[[], object]) -> None:
         self.registry, self.work = registry, [work]
@@ -136,7 +136,7 @@ class Meanwhile:
 
     def head(self, repository: str, reference: str) -> str:
         found = str(self.registry.head(repository, reference))
-        if self.work and repository == f"{PREFIX}/{ledger.REPOSITORY}":
+        if self.work and repository == f"{PREFIX}/{store.REPOSITORY}":
             self.work.pop()()
         return found
 
@@ -145,12 +145,12 @@ def test_another_run_may_write_the_entry_meanwhile(run: Callable[[], Run]) -> No
     """What it wrote stays, and what it replaced is not the scan's to remove."""
     here = run()
     entry = here.plan.known[CORE]
-    book = ledger.Ledger(here.registry, PREFIX)
-    other = ledger.parse(entry.to_json() | {"passed": 77})
-    found = ledger.parse(entry.to_json() | {"scanned": "clean"})
+    book = store.Records(here.registry, PREFIX)
+    other = store.parse(entry.to_json() | {"passed": 77})
+    found = store.parse(entry.to_json() | {"scanned": "clean"})
     assert other and found
     reader = scan_results.Reader(Meanwhile(here.registry, lambda: book.write(other)))
-    ledger.Ledger(reader, PREFIX).write(found)
+    store.Records(reader, PREFIX).write(found)
     assert [item["scanned"] for item in reader.entries] == ["clean"]
     assert book.read(*CORE) == other
 

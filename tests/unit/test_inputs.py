@@ -18,7 +18,7 @@ from rosml.bake import dockerfile, targets
 from rosml.bake.inputs import MISSING, TARGET, Inputs
 from rosml.base.errors import RosmlError
 from rosml.images import expand, load, locked
-from rosml.images.image_set import Catalogue, Image, Payload
+from rosml.images.image_set import Image, ImageSet, Part
 from rosml.matrix import model, source
 
 PARTS = {"cuda", "common", "torch", "tensorflow-cc", "tensorflow"}
@@ -29,18 +29,18 @@ def project(tmp_path: Path) -> Path:
     return copy(tmp_path / "project")
 
 
-def items(catalogue: Catalogue) -> Iterator[Image | Payload]:
-    yield from catalogue.images
-    yield from catalogue.payloads
+def items(image_set: ImageSet) -> Iterator[Image | Part]:
+    yield from image_set.images
+    yield from image_set.parts
 
 
 def digests(root: Path, text: str = SMALL) -> dict[tuple[str, str], str]:
-    """The digests of all images and payloads by target and architecture; `all` stands for all architectures."""
+    """The digests of all images and parts by target and architecture; `all` stands for all architectures."""
     inputs = Inputs(root, parse(text))
     found = {
-        (item.target, name): value for item in items(inputs.catalogue) for name, value in inputs.digests(item).items()
+        (item.target, name): value for item in items(inputs.image_set) for name, value in inputs.digests(item).items()
     }
-    return found | {(item.target, "all"): inputs.together(item) for item in items(inputs.catalogue)}
+    return found | {(item.target, "all"): inputs.together(item) for item in items(inputs.image_set)}
 
 
 def differing(before: dict[tuple[str, str], str], after: dict[tuple[str, str], str]) -> set[tuple[str, str]]:
@@ -48,11 +48,11 @@ def differing(before: dict[tuple[str, str], str], after: dict[tuple[str, str], s
     return {key for key in before if before[key] != after[key]}
 
 
-def reached(catalogue: Catalogue, images: bool, parts: set[str]) -> set[tuple[str, str]]:
-    """Payloads of the parts and the images that have them, or all images."""
-    payloads = {payload.name for payload in catalogue.payloads if payload.part in parts}
-    targets: list[Image | Payload] = [image for image in catalogue.images if images or payloads & set(image.parts)]
-    targets += [catalogue.payload_by_name[name] for name in payloads]
+def reached(image_set: ImageSet, images: bool, parts: set[str]) -> set[tuple[str, str]]:
+    """Parts of the parts and the images that have them, or all images."""
+    parts = {part.name for part in image_set.parts if part.kind in parts}
+    targets: list[Image | Part] = [image for image in image_set.images if images or parts & set(image.parts)]
+    targets += [image_set.part_by_name[name] for name in parts]
     return {(item.target, name) for item in targets for name in (*item.architectures, "all")}
 
 
@@ -74,9 +74,9 @@ FILES: dict[str, tuple[bool, set[str]]] = {
     "components/tensorflow-cc/keep.txt": (False, {"tensorflow-cc"}),
     "components/cuda/files.sh": (False, {"cuda"}),
     "components/cuda/prune.txt": (False, {"cuda"}),
-    "components/payload/records.py": (False, PARTS),
-    "components/payload/bytecode.sh": (False, PARTS),
-    "components/payload/install-assembler.sh": (False, PARTS),
+    "components/part/records.py": (False, PARTS),
+    "components/part/bytecode.sh": (False, PARTS),
+    "components/part/install-assembler.sh": (False, PARTS),
     "tools/requirements.txt": (False, PARTS),
     "tools/structure-test.txt": (False, set()),
     "tests/structure/run.sh": (False, set()),
@@ -84,11 +84,11 @@ FILES: dict[str, tuple[bool, set[str]]] = {
     "rosml/bake/targets.py": (False, set()),
     "components/torch/__pycache__/x.pyc": (False, set()),
 }
-"""A file, whether it reaches all images, and the payload parts that it reaches."""
+"""A file, whether it reaches all images, and the parts that it reaches."""
 
 
 @pytest.mark.parametrize("file", FILES)
-def test_a_file_changes_what_uses_it(file: str, project: Path, small: Catalogue) -> None:
+def test_a_file_changes_what_uses_it(file: str, project: Path, small: ImageSet) -> None:
     before = digests(project)
     (project / file).parent.mkdir(parents=True, exist_ok=True)
     with (project / file).open("a") as stream:
@@ -96,7 +96,7 @@ def test_a_file_changes_what_uses_it(file: str, project: Path, small: Catalogue)
     assert differing(before, digests(project)) == reached(small, *FILES[file])
 
 
-def test_the_executable_bit_counts(project: Path, small: Catalogue) -> None:
+def test_the_executable_bit_counts(project: Path, small: ImageSet) -> None:
     before = digests(project)
     (project / "components/ros/install.sh").chmod(0o644)
     assert differing(before, digests(project)) == reached(small, True, set())
@@ -104,20 +104,20 @@ def test_the_executable_bit_counts(project: Path, small: Catalogue) -> None:
 
 @pytest.mark.parametrize("change", [lambda lock: lock.write_text("torch==2.10.1\n"), Path.unlink])
 def test_a_lock_changes_one_stack_python_architecture_and_part(
-    change: Callable[[Path], object], project: Path, small: Catalogue
+    change: Callable[[Path], object], project: Path, small: ImageSet
 ) -> None:
     before = digests(project)
     change(project / LOCK)
     users = [image.target for image in small.images if "torch-cu1-py312" in image.parts]
     assert {"alpha-core-torch-cu1", "alpha-desktop-ml-cu1"} <= set(users)
-    wanted = {(target, name) for target in [*users, "payload-torch-cu1-py312"] for name in ("amd64", "all")}
+    wanted = {(target, name) for target in [*users, "part-torch-cu1-py312"] for name in ("amd64", "all")}
     assert differing(before, digests(project)) == wanted
 
 
-def test_a_missing_lock_is_an_input(project: Path, small: Catalogue) -> None:
+def test_a_missing_lock_is_an_input(project: Path, small: ImageSet) -> None:
     inputs = Inputs(project, small)
-    assert inputs.of("payload-cuda-cu1", "amd64")["locks/cu1/amd64/any/cuda.txt"] == MISSING
-    assert inputs.of("payload-torch-cu1-py312", "amd64")[LOCK] != MISSING
+    assert inputs.of("part-cuda-cu1", "amd64")["locks/cu1/amd64/any/cuda.txt"] == MISSING
+    assert inputs.of("part-torch-cu1-py312", "amd64")[LOCK] != MISSING
 
 
 def test_the_same_everywhere(project: Path, tmp_path: Path) -> None:
@@ -128,10 +128,10 @@ def test_the_same_everywhere(project: Path, tmp_path: Path) -> None:
     assert digests(project) == digests(other)
 
 
-def used(catalogue: Catalogue) -> set[str]:
-    """The names of all inputs of all images and payloads, with the project's own files."""
-    inputs = Inputs(ROOT, catalogue)
-    todo = {(item.target, architecture) for item in items(catalogue) for architecture in item.architectures}
+def used(image_set: ImageSet) -> set[str]:
+    """The names of all inputs of all images and parts, with the project's own files."""
+    inputs = Inputs(ROOT, image_set)
+    todo = {(item.target, architecture) for item in items(image_set) for architecture in item.architectures}
     seen: set[tuple[str, str]] = set()
     names: set[str] = set()
     while todo:
@@ -143,7 +143,7 @@ def used(catalogue: Catalogue) -> set[str]:
     return names
 
 
-def test_every_file_that_reaches_the_builder_is_an_input(small: Catalogue, real: Catalogue) -> None:
+def test_every_file_that_reaches_the_builder_is_an_input(small: ImageSet, real: ImageSet) -> None:
     """Also a warning of a component's file that nothing uses; test_design.py looks for locks that nothing uses. The small
     matrix has every part, whatever the real one holds."""
     files = {path for path in (ROOT / "components").rglob("*") if path.is_file()}
@@ -205,13 +205,13 @@ def test_the_order_of_the_matrix_does_not_count(order: Callable[[Any], Any], tex
     assert digests(project, text) == digests(project, yaml.safe_dump(order(yaml.safe_load(text)), sort_keys=False))
 
 
-def test_the_order_of_the_projects_own_matrix_does_not_count(real: Catalogue) -> None:
-    """For images, for payloads, and for what images are tested with."""
+def test_the_order_of_the_projects_own_matrix_does_not_count(real: ImageSet) -> None:
+    """For images, for parts, and for what images are tested with."""
 
-    def found(catalogue: Catalogue) -> dict[tuple[str, str], str]:
-        inputs = Inputs(ROOT, catalogue)
-        targets = [(item.target, item.architectures) for item in items(catalogue)]
-        targets += [(image.test_target, image.architectures) for image in catalogue.images]
+    def found(image_set: ImageSet) -> dict[tuple[str, str], str]:
+        inputs = Inputs(ROOT, image_set)
+        targets = [(item.target, item.architectures) for item in items(image_set)]
+        targets += [(image.test_target, image.architectures) for image in image_set.images]
         return {(target, name): inputs.digest(target, name) for target, names in targets for name in names}
 
     data = yaml.safe_load((ROOT / "matrix.yaml").read_text())
@@ -221,31 +221,31 @@ def test_the_order_of_the_projects_own_matrix_does_not_count(real: Catalogue) ->
         assert found(again) == found(real), order.__name__
 
 
-def test_what_assembles_is_said_and_counts(project: Path, small: Catalogue) -> None:
+def test_what_assembles_is_said_and_counts(project: Path, small: ImageSet) -> None:
     """Another operating system for what is the same for every Python is another input of that, and of nothing else."""
-    assert {payload.os for payload in small.payloads if payload.part == "cuda"} == {"ubuntu-24.04"}
+    assert {part.os for part in small.parts if part.kind == "cuda"} == {"ubuntu-24.04"}
     other = parse(changed("assembler: ubuntu-24.04", "assembler: ubuntu-26.04"))
-    assert {payload.os for payload in other.payloads if payload.part == "cuda"} == {"ubuntu-26.04"}
+    assert {part.os for part in other.parts if part.kind == "cuda"} == {"ubuntu-26.04"}
     before, after = digests(project), digests(project, changed("assembler: ubuntu-24.04", "assembler: ubuntu-26.04"))
     assert differing(before, after) == reached(small, False, {"cuda"})
 
 
-def on(system: str) -> Callable[[Catalogue], set[str]]:
-    """All that stands on an operating system, or has a payload that was assembled on it."""
+def on(system: str) -> Callable[[ImageSet], set[str]]:
+    """All that stands on an operating system, or has a part that was assembled on it."""
 
-    def wanted(catalogue: Catalogue) -> set[str]:
-        payloads = {payload.name: payload.target for payload in catalogue.payloads if payload.os == system}
-        images = {item.target for item in catalogue.images if item.os == system or payloads.keys() & set(item.parts)}
-        return images | set(payloads.values())
+    def wanted(image_set: ImageSet) -> set[str]:
+        parts = {part.name: part.target for part in image_set.parts if part.os == system}
+        images = {item.target for item in image_set.images if item.os == system or parts.keys() & set(item.parts)}
+        return images | set(parts.values())
 
     return wanted
 
 
-def named(start: str) -> Callable[[Catalogue], set[str]]:
-    return lambda catalogue: {item.target for item in items(catalogue) if item.target.startswith(start)}
+def named(start: str) -> Callable[[ImageSet], set[str]]:
+    return lambda image_set: {item.target for item in items(image_set) if item.target.startswith(start)}
 
 
-DECISIVE: dict[str, tuple[str, str, Callable[[Catalogue], set[str]]]] = {
+DECISIVE: dict[str, tuple[str, str, Callable[[ImageSet], set[str]]]] = {
     "digest of a system": (f"digest: sha256:{'2' * 64}", f"digest: sha256:{'3' * 64}", on("ubuntu-26.04")),
     "digest of the first system": (f"digest: sha256:{'1' * 64}", f"digest: sha256:{'3' * 64}", on("ubuntu-24.04")),
     "what pip keeps numpy to": (
@@ -274,13 +274,13 @@ DECISIVE: dict[str, tuple[str, str, Callable[[Catalogue], set[str]]]] = {
     "version": (
         "cudnn: 9.10.2.21",
         "cudnn: 9.10.2.22",
-        lambda c: {i.target for i in c.images if "cuda-cu1" in i.parts} | {"payload-cuda-cu1"},
+        lambda c: {i.target for i in c.images if "cuda-cu1" in i.parts} | {"part-cuda-cu1"},
     ),
 }
 
 
 @pytest.mark.parametrize("name", DECISIVE)
-def test_a_fact_changes_what_it_reaches(name: str, project: Path, small: Catalogue) -> None:
+def test_a_fact_changes_what_it_reaches(name: str, project: Path, small: ImageSet) -> None:
     old, new, wanted = DECISIVE[name]
     found = differing(digests(project), digests(project, changed(old, new)))
     assert {target for target, _ in found} == wanted(small) != set()
@@ -296,7 +296,7 @@ class Unknown:
 
 @pytest.mark.parametrize("where", ["arguments", "labels", "contexts"])
 def test_a_value_that_nobody_declared_is_an_error(
-    where: str, project: Path, small: Catalogue, monkeypatch: pytest.MonkeyPatch
+    where: str, project: Path, small: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It may hold a fact of the matrix, and an image that it decides would not be built anew."""
     every = targets.of(small)
@@ -335,7 +335,7 @@ STAGES: dict[str, tuple[str, str, bool, set[str]]] = {
 
 
 @pytest.mark.parametrize("name", STAGES)
-def test_a_stage_changes_what_is_built_with_it(name: str, project: Path, small: Catalogue) -> None:
+def test_a_stage_changes_what_is_built_with_it(name: str, project: Path, small: ImageSet) -> None:
     old, new, images, parts = STAGES[name]
     before = digests(project)
     file = project / "Dockerfile"
@@ -345,33 +345,33 @@ def test_a_stage_changes_what_is_built_with_it(name: str, project: Path, small: 
     assert found == reached(small, images, parts)
 
 
-def test_a_file_counts_as_soon_as_the_dockerfile_uses_it(project: Path, small: Catalogue) -> None:
+def test_a_file_counts_as_soon_as_the_dockerfile_uses_it(project: Path, small: ImageSet) -> None:
     text = (project / "Dockerfile").read_text()
     (project / "Dockerfile").write_text(
         text.replace("FROM assembler AS part-assembler\n", "FROM assembler AS part-assembler\nCOPY ${PART}* /\n")
     )
     before = digests(project)
-    assert Inputs(project, small).of("payload-torch-cu1-py312", "amd64")["torch*"] == MISSING
+    assert Inputs(project, small).of("part-torch-cu1-py312", "amd64")["torch*"] == MISSING
     (project / "torch1").write_text("")
     found = {target for target, _ in differing(before, digests(project))}
     assert found == {target for target, _ in reached(small, False, {"torch"})}
 
 
 @pytest.mark.parametrize("source", ["components/${NOWHERE}/x", "."])
-def test_what_cannot_be_followed_is_an_error(source: str, project: Path, small: Catalogue) -> None:
+def test_what_cannot_be_followed_is_an_error(source: str, project: Path, small: ImageSet) -> None:
     with (project / "Dockerfile").open("a") as stream:
         stream.write(f"FROM os AS base\nCOPY {source} /x\n")
     with pytest.raises(RosmlError, match="Dockerfile"):
         Inputs(project, small).digest("alpha-core", "amd64")
 
 
-def test_a_component_without_structure_tests_is_an_error(project: Path, small: Catalogue) -> None:
+def test_a_component_without_structure_tests_is_an_error(project: Path, small: ImageSet) -> None:
     (project / "tests/structure/ros2-desktop.yaml").unlink()
     with pytest.raises(RosmlError, match=r"tests/structure has no ros2-desktop\.yaml"):
         Inputs(project, small).check()
 
 
-def test_the_dockerfile_can_build_ours(real: Catalogue, small: Catalogue, project: Path) -> None:
+def test_the_dockerfile_can_build_ours(real: ImageSet, small: ImageSet, project: Path) -> None:
     Inputs(ROOT, real).check()
     Inputs(project, small).check()
 
@@ -386,7 +386,7 @@ def test_rules_of_dockerignore_count_and_its_comments_do_not(project: Path) -> N
     assert differing(before, digests(project)) == set(before)
 
 
-def test_a_link_is_what_it_leads_to_by_name(project: Path, small: Catalogue) -> None:
+def test_a_link_is_what_it_leads_to_by_name(project: Path, small: ImageSet) -> None:
     """The builder gets the link itself, which may lead nowhere there."""
     before = digests(project)
     clean = project / "components/build/clean.sh"
@@ -431,14 +431,14 @@ def test_comments_in_a_here_document_are_content() -> None:
 
 
 def test_five_hundred_images_on_two_architectures_at_once() -> None:
-    small = load.catalogue(source.parse(SMALL.encode())).matrix
+    small = load.image_set(source.parse(SMALL.encode())).matrix
     rows = {f"d{number}": small.distributions["alpha"] for number in range(28)}
-    catalogue = expand.expand(model.Matrix.model_construct(**{**dict(small), "distributions": rows}))
+    image_set = expand.expand(model.Matrix.model_construct(**{**dict(small), "distributions": rows}))
     found: set[str] = set()
 
     def digests() -> None:
-        inputs = Inputs(ROOT, catalogue)
-        found.update(inputs.together(image) for image in catalogue.images)
+        inputs = Inputs(ROOT, image_set)
+        found.update(inputs.together(image) for image in image_set.images)
 
     assert calls(digests) < 1_000 * 504
-    assert len(found) == len(catalogue.images) == 504
+    assert len(found) == len(image_set.images) == 504

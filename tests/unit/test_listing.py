@@ -14,17 +14,17 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.cli import tables
 from rosml.images import selection
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.locked import with_locks
 
 SCRIPT = str(ROOT / "scripts/generate_bake.py")
 
 
-def targets(catalogue: Catalogue, *groups: str) -> list[str]:
-    return [image.target for image in selection.members(catalogue, groups)]
+def targets(image_set: ImageSet, *groups: str) -> list[str]:
+    return [image.target for image in selection.members(image_set, groups)]
 
 
-def test_groups_narrow_the_list_down(small: Catalogue) -> None:
+def test_groups_narrow_the_list_down(small: ImageSet) -> None:
     assert targets(small) == [image.target for image in small.images]
     assert targets(small, "omega", "none") == ["omega-core", "omega-base"]
     assert targets(small, "alpha", "torch", "cu1") == [
@@ -35,7 +35,7 @@ def test_groups_narrow_the_list_down(small: Catalogue) -> None:
     assert targets(small, "alpha", "omega") == []
 
 
-def test_architectures_narrow_the_list_down(small: Catalogue) -> None:
+def test_architectures_narrow_the_list_down(small: ImageSet) -> None:
     assert targets(small, "alpha", "core", "arm64") == ["alpha-core", "alpha-core-torch-cpu", "alpha-core-ml-cpu"]
 
 
@@ -61,25 +61,25 @@ def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) 
     assert done.stderr.endswith(f": make explain TARGET={NONE[groups]}\n")
 
 
-def test_one_image_is_one(small: Catalogue, capsys: pytest.CaptureFixture[str]) -> None:
+def test_one_image_is_one(small: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
     tables.print_images(selection.members(small, ["alpha", "core", "torch", "cu1"]))
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].split()[:6] == ["target", "versions", "platforms", "main", "tag", "lock"]
-    assert lines[-1] == "1 image, 3 payloads"
+    assert lines[-1] == "1 image, 3 parts"
 
 
-def test_a_group_that_does_not_exist(small: Catalogue) -> None:
+def test_a_group_that_does_not_exist(small: ImageSet) -> None:
     with pytest.raises(RosmlError, match="no group named 'omga'; did you mean 'omega'") as caught:
         selection.members(small, ["omga"])
     assert caught.value.exit_code == 2
     assert "alpha, amd64, arm64, base, core, cpu, cu1, cuda, default, desktop" in caught.value.remedy
 
 
-def test_images_without_a_lock_are_listed(small: Catalogue) -> None:
+def test_images_without_a_lock_are_listed(small: ImageSet) -> None:
     assert targets(with_locks(small, ()), "omega", "base", "cpu") == ["omega-base-torch-cpu"]
 
 
-def test_command(real: Catalogue) -> None:
+def test_command(real: ImageSet) -> None:
     """With two groups that the project's matrix has together, whatever it holds."""
     image = real.image(real.matrix.default.target)
     done = subprocess.run(

@@ -22,7 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli import locks as script
 from rosml.images import lock_file
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.locks import resolve
 from rosml.locks.resolve import Elsewhere, Pin, Request
 
@@ -171,7 +171,7 @@ def test_render() -> None:
 # ---- What is resolved ------------------------------------------------------------------------------------------------
 
 
-def test_one_request_for_each_stack_python_and_architecture(real: Catalogue) -> None:
+def test_one_request_for_each_stack_python_and_architecture(real: ImageSet) -> None:
     found = [
         (item.stack, item.architecture, item.python)
         for item in resolve.requests(real)
@@ -179,10 +179,10 @@ def test_one_request_for_each_stack_python_and_architecture(real: Catalogue) -> 
     ]
     assert len(found) == len(set(found))
     needed = {
-        (payload.stack, architecture, payload.python)
-        for payload in real.payloads
-        for architecture in payload.architectures
-        if payload.python != "any"
+        (part.stack, architecture, part.python)
+        for part in real.parts
+        for architecture in part.architectures
+        if part.python != "any"
     }
     needed |= {
         (item.distribution, architecture, item.python) for item in real.wheels for architecture in item.architectures
@@ -190,7 +190,7 @@ def test_one_request_for_each_stack_python_and_architecture(real: Catalogue) -> 
     assert set(found) == needed
 
 
-def test_request(small: Catalogue) -> None:
+def test_request(small: ImageSet) -> None:
     matrix = changed('numpy: "<2"', 'numpy: "<2"\n    provides: {setuptools: 78.1.1}')
     found = next(item for item in resolve.requests(parse(matrix)) if (item.stack, item.python) == ("cu1", "3.12"))
     assert (found.architecture, found.wheels, found.numpy) == ("amd64", "x86_64-manylinux_2_28", "<2")
@@ -198,21 +198,21 @@ def test_request(small: Catalogue) -> None:
     assert found.provided == {"setuptools": "78.1.1"}
 
 
-def test_only_what_has_a_wheel_is_asked_for(small: Catalogue) -> None:
+def test_only_what_has_a_wheel_is_asked_for(small: ImageSet) -> None:
     """The stack has a release of TensorFlow, and that release no wheel for Python 3.14."""
     roots = {(item.stack, item.architecture, item.python): item.roots for item in resolve.requests(small)}
     assert roots["cu1", "amd64", "3.14"] == {"torch": "torch==2.10.0"}
     assert roots["cpu", "arm64", "3.14"] == {"torch": "torch==2.10.0"}
 
 
-def test_committed_locks_are_what_the_matrix_asks_for(real: Catalogue) -> None:
+def test_committed_locks_are_what_the_matrix_asks_for(real: ImageSet) -> None:
     """Without resolving anew: the files, their heads and the versions of what the matrix names."""
-    for payload in real.payloads:
-        for architecture, path in zip(payload.architectures, payload.locks, strict=True):
+    for part in real.parts:
+        for architecture, path in zip(part.architectures, part.locks, strict=True):
             if not (ROOT / path).is_file():
                 continue  # test_design.py knows which
             text = (ROOT / path).read_text()
-            head = f"# Part '{payload.part}' of stack {payload.stack}, Python {payload.python}, {architecture}.\n"
+            head = f"# Part '{part.kind}' of stack {part.stack}, Python {part.python}, {architecture}.\n"
             assert text.startswith(head)
             assert len(resolve.parse(text)) == text.count("==") <= text.count("--hash=sha256:")
             assert not re.search(r"https?://|--(extra-)?index-url", text)
@@ -289,7 +289,7 @@ def test_uv_is_killed(tmp_path: Path) -> None:
         resolve.resolve(request(), resolve.Uv(executable(tmp_path / "uv", "kill -9 $$")))
 
 
-def test_earlier_locks_are_read(tmp_path: Path, small: Catalogue) -> None:
+def test_earlier_locks_are_read(tmp_path: Path, small: ImageSet) -> None:
     for path, name in (("any/cuda", "nvidia-x"), ("3.12/common", "numpy"), ("3.12/torch", "torch"), ("3.9/x", "old")):
         file = tmp_path / f"locks/cu1/amd64/{path}.txt"
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -301,7 +301,7 @@ def test_earlier_locks_are_read(tmp_path: Path, small: Catalogue) -> None:
     assert "old==1" not in earlier
 
 
-def test_one_cuda_for_all_pythons(tmp_path: Path, small: Catalogue) -> None:
+def test_one_cuda_for_all_pythons(tmp_path: Path, small: ImageSet) -> None:
     locks = resolve.lock(small, tmp_path, fake_uv(tmp_path)).texts
     assert "locks/cu1/amd64/any/cuda.txt" in locks
     assert {"locks/cu1/amd64/3.12/torch.txt", "locks/cu1/amd64/3.14/torch.txt"} <= locks.keys()
@@ -438,22 +438,22 @@ APART = changed(
 
 def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path) -> None:
     tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], accelerators: [cpu]}\n"
-    catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
-    asked = [list(item.roots) for item in resolve.requests(catalogue) if (item.stack, item.python) == ("cpu", "3.12")]
+    image_set = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
+    asked = [list(item.roots) for item in resolve.requests(image_set) if (item.stack, item.python) == ("cpu", "3.12")]
     assert asked == [["tensorflow"], ["torch"], ["tensorflow"]]  # amd64 has no wheel of torch
-    assert "alpha-core-ml-cpu" not in catalogue.by_target
+    assert "alpha-core-ml-cpu" not in image_set.by_target
     uv = fake_uv(tmp_path, UV + PINNED.format("numpy==1.26.4"))
-    texts = resolve.lock(catalogue, tmp_path, uv).texts
+    texts = resolve.lock(image_set, tmp_path, uv).texts
     assert {f"locks/cpu/arm64/3.12/{part}.txt" for part in ("common", "torch", "tensorflow")} <= texts.keys()
     assert list(lock_file.versions(texts["locks/cpu/arm64/3.12/common.txt"])) == ["numpy"]
 
 
 def test_what_they_share_must_agree(tmp_path: Path) -> None:
     tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], accelerators: [cpu]}\n"
-    catalogue = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
+    image_set = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
     uv = UV + "case $(cat in.txt) in *torch*) n=1 ;; *) n=2 ;; esac; " + PINNED.format("numpy==1.2$n")
     with pytest.raises(RosmlError, match=r"common\.txt: numpy would be 1\.2. and 1\.2., depending on who asks"):
-        resolve.lock(catalogue, tmp_path, fake_uv(tmp_path, uv))
+        resolve.lock(image_set, tmp_path, fake_uv(tmp_path, uv))
 
 
 # ---- The command -----------------------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ import make_help
 import pytest
 from conftest import ROOT
 
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 
 CALLS = {
     "locks STACK=cpu": "scripts/lock.py --stack=cpu",
@@ -194,7 +194,7 @@ def test_commands_are_completed() -> None:
     assert set(completed("make", "")) == make_help.commands((ROOT / "Makefile").read_text()).keys()
 
 
-def test_targets_are_completed(real: Catalogue) -> None:
+def test_targets_are_completed(real: ImageSet) -> None:
     assert set(completed("make", "image", "TARGET", "=")) == {image.target for image in real.images}
     assert completed("make", "image", "TARGET", "=", "trixie-core-tens") == [
         "trixie-core-tensorflow-cu128",
@@ -202,7 +202,7 @@ def test_targets_are_completed(real: Catalogue) -> None:
     ]
 
 
-def test_groups_and_stacks_are_completed(real: Catalogue) -> None:
+def test_groups_and_stacks_are_completed(real: ImageSet) -> None:
     groups = set(completed("make", "list", "GROUP", "="))
     assert {*real.matrix.distributions, *real.matrix.components, *real.matrix.stacks} <= groups
     assert set(completed("make", "locks", "STACK", "=")) == {*real.matrix.stacks, "jazzy-wheels"}

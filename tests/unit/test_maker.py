@@ -15,7 +15,8 @@ from stubs import buildx, calls, executable, services
 from rosml.base.errors import RosmlError
 from rosml.build import sync
 from rosml.build.maker import BuildKitMaker, Checked, require_buildable
-from rosml.images import apt_source, image_set, locked
+from rosml.images import apt_source, locked
+from rosml.images import image_set as sets
 from rosml.machine import base_images
 from rosml.machine.services import Services
 from rosml.registry.oci import Manifest
@@ -60,7 +61,7 @@ class Stage:
     """A checkout with stand-ins; its files say how they behave."""
 
     folder: Path
-    catalogue: image_set.Catalogue
+    image_set: sets.ImageSet
     registry: OneManifest = field(default_factory=lambda: OneManifest({"layers": [{"digest": "x", "size": 30}]}))
     said: list[str] = field(default_factory=list)
 
@@ -72,7 +73,7 @@ class Stage:
             self.write(f"report/{name}.json", results(one=True, two=True))
         self.write("report/unpacked", "4 /")
         self.write("report/versions", "python3 3.12.3\n")
-        write_locks(self.folder, self.catalogue)
+        write_locks(self.folder, self.image_set)
         regctl = executable(self.folder / "regctl", REGCTL.format(folder=self.folder))
         services(self.folder, "127.0.0.1:1", buildx=buildx(self.folder, BAKE), regctl=regctl)
 
@@ -82,11 +83,11 @@ class Stage:
     @property
     def maker(self) -> BuildKitMaker:
         found = Services.load(self.folder)
-        return BuildKitMaker(found, self.catalogue, self.registry, found.registry, "rosml", self.said.append)
+        return BuildKitMaker(found, self.image_set, self.registry, found.registry, "rosml", self.said.append)
 
     def test(self, target: str = TARGET, architecture: str = "amd64", digest: str = MANIFEST) -> Checked:
         """Tests an image as a run does."""
-        return self.maker.test(self.catalogue.image(target), architecture, digest, {})
+        return self.maker.test(self.image_set.image(target), architecture, digest, {})
 
     def bakes(self) -> list[str]:
         """The calls that ran tests."""
@@ -94,7 +95,7 @@ class Stage:
 
 
 @pytest.fixture
-def stage(tmp_path: Path, small: image_set.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
+def stage(tmp_path: Path, small: sets.ImageSet, monkeypatch: pytest.MonkeyPatch) -> Stage:
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     monkeypatch.setattr(sync, "published", lambda source: SYNC)
     return Stage(tmp_path, small)
@@ -137,11 +138,11 @@ def test_an_image_that_is_gone(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize(("budget", "failures"), [(4, 1), (5, 0)])
-def test_payloads_beyond_the_budget_fail(stage: Stage, budget: int, failures: int) -> None:
+def test_parts_beyond_the_budget_fail(stage: Stage, budget: int, failures: int) -> None:
     """The tag's budget is a test like any other."""
-    catalogue = parse(changed("  parts:\n    cu1:", f"  budgets: {{cu1: {{torch: {budget}}}}}\n  parts:\n    cu1:"))
-    stage.catalogue = locked.with_locks(catalogue, {lock for part in catalogue.payloads for lock in part.locks})
-    image = stage.catalogue.image("alpha-base-torch-cu1")
+    image_set = parse(changed("  parts:\n    cu1:", f"  budgets: {{cu1: {{torch: {budget}}}}}\n  parts:\n    cu1:"))
+    stage.image_set = locked.with_locks(image_set, {lock for part in image_set.parts for lock in part.locks})
+    image = stage.image_set.image("alpha-base-torch-cu1")
     layers = [{"digest": name, "size": 2_000_000} for name in ("ros", *image.parts[1:])]
     stage.registry.content = {"layers": [*layers, {"digest": "last", "size": 1}]}
     for name in image.tests:
@@ -151,7 +152,7 @@ def test_payloads_beyond_the_budget_fail(stage: Stage, budget: int, failures: in
     parts = {image.parent: MANIFEST}
     found = maker.test(image, "amd64", MANIFEST, parts)
     assert len(found.failures) == failures
-    assert found.failures[:1] == ("size: the payloads keep within the tag's budget",)[:failures]
+    assert found.failures[:1] == ("size: the parts keep within the tag's budget",)[:failures]
 
 
 @pytest.mark.parametrize(
@@ -201,7 +202,7 @@ def test_another_architecture_needs_emulation(stage: Stage) -> None:
 
 def test_the_builder_is_told_of_when_ros_repository_is(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     """A new state is a new argument; where nobody can be asked, what is known of last time keeps the builder's cache."""
-    image = stage.catalogue.image(TARGET)
+    image = stage.image_set.image(TARGET)
 
     def silent(source: apt_source.Source) -> str:
         raise RosmlError("nobody answers", "wait")
@@ -220,17 +221,17 @@ def test_the_builder_is_told_of_when_ros_repository_is(stage: Stage, monkeypatch
 
 
 def test_base_images_of_parts_and_tools(stage: Stage) -> None:
-    """Of the image itself, and of what payloads and tests are assembled on."""
-    found = stage.maker.variables(stage.catalogue.image("omega-base-torch-cu1"), "amd64")
+    """Of the image itself, and of what parts and tests are assembled on."""
+    found = stage.maker.variables(stage.image_set.image("omega-base-torch-cu1"), "amd64")
     assert found["OS_UBUNTU_24_04"] == f"docker-image://docker.io/library/ubuntu:24.04@sha256:{'1' * 64}"
     assert found["OS_UBUNTU_26_04"] == f"docker-image://docker.io/library/ubuntu:26.04@sha256:{'2' * 64}"
     assert (found["REGISTRY"], found["PLATFORM"]) == ("127.0.0.1:1/rosml", "linux/amd64")
 
 
 def test_one_architecture_needs_no_lock_of_another(stage: Stage) -> None:
-    catalogue = parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}"))
-    present = {lock for payload in catalogue.payloads for lock in payload.locks} - {"locks/cpu/amd64/3.12/torch.txt"}
-    image = locked.with_locks(catalogue, present).image("alpha-core-torch-cpu")
+    image_set = parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}"))
+    present = {lock for part in image_set.parts for lock in part.locks} - {"locks/cpu/amd64/3.12/torch.txt"}
+    image = locked.with_locks(image_set, present).image("alpha-core-torch-cpu")
     require_buildable(image, "arm64")
     with pytest.raises(RosmlError, match="cannot be built yet"):
         require_buildable(image, "amd64")

@@ -24,7 +24,8 @@ from bench import synthetic
 from rosml.bake import bake_file
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
-from rosml.images import image_set, load
+from rosml.images import image_set as sets
+from rosml.images import load
 from rosml.matrix import model, references, schema, source
 
 Strategy = st.SearchStrategy[Any]
@@ -47,16 +48,16 @@ MEGABYTES, MEGABYTES_FOR_IMAGE = 100, 0.02
 """What it may add to the most memory that this process ever had."""
 
 
-def outcome(content: bytes) -> image_set.Catalogue | None:
+def outcome(content: bytes) -> sets.ImageSet | None:
     """The catalogue, or None if the matrix is refused; in bounded memory. Any other exception is a bug.
 
     That the work is bounded as well: test_problems.py, and `make bench` in seconds.
     """
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    catalogue = judged(content)
+    image_set = judged(content)
     megabytes = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory) / 1024
-    assert megabytes < MEGABYTES + MEGABYTES_FOR_IMAGE * (len(catalogue.images) if catalogue else 0)
-    return catalogue
+    assert megabytes < MEGABYTES + MEGABYTES_FOR_IMAGE * (len(image_set.images) if image_set else 0)
+    return image_set
 
 
 def on_a_matrix(places: Callable[[str], Strategy]) -> Strategy:
@@ -64,13 +65,13 @@ def on_a_matrix(places: Callable[[str], Strategy]) -> Strategy:
     return st.sampled_from([SMALL] * 4 + [REAL]).flatmap(lambda text: st.tuples(st.just(text), places(text)))
 
 
-def judged(content: bytes) -> image_set.Catalogue | None:
+def judged(content: bytes) -> sets.ImageSet | None:
     """As the command reads it, from a file, whose size is limited."""
     try:
         with tempfile.NamedTemporaryFile() as file:
             file.write(content)
             file.flush()
-            catalogue = load.load(Path(file.name))
+            image_set = load.load(Path(file.name))
     except RosmlError as error:
         assert error.exit_code == 2
         assert error.message
@@ -81,8 +82,8 @@ def judged(content: bytes) -> image_set.Catalogue | None:
             lines = content.count(b"\n") + content.count(b"\r") + 2
             assert all(1 <= problem.line <= lines and problem.column >= 1 for problem in error.problems)
         return None
-    bake_file.render(catalogue)
-    return catalogue
+    bake_file.render(image_set)
+    return image_set
 
 
 @PROFILE
@@ -453,7 +454,7 @@ def test_the_check_above_can_fail() -> None:
 # ---- Facts -----------------------------------------------------------------------------------------------------------
 
 
-def test_requirement(small: image_set.Catalogue) -> None:
+def test_requirement(small: sets.ImageSet) -> None:
     stack = small.matrix.stacks["cpu"]
     assert stack.requirement("tensorflow", "amd64") == "tensorflow-cpu==2.20.0"
     assert stack.requirement("tensorflow", "arm64") == "tensorflow==2.20.0"
@@ -481,12 +482,12 @@ def test_a_new_distribution_fits_in_ten_lines() -> None:
     apt: {channel: live}
 """
     assert row.count("\n") <= 10
-    catalogue = parse(changed("distributions:\n", f"distributions:\n{row}"))
-    assert catalogue.image("made-up-base").packages == "ros-madeup-ros-base"
-    assert "ros-torch:latest" in catalogue.image("made-up-base-torch-cu1").tags
+    image_set = parse(changed("distributions:\n", f"distributions:\n{row}"))
+    assert image_set.image("made-up-base").packages == "ros-madeup-ros-base"
+    assert "ros-torch:latest" in image_set.image("made-up-base-torch-cu1").tags
 
 
 def test_a_new_release_is_one_line() -> None:
     line = '    2.11.0: {python: ["3.12"], wheels: {cu1: [amd64]}}\n'
-    catalogue = parse(changed("  torch:\n    2.10.0", f"  torch:\n{line}    2.10.0"))
-    assert "2.11.0" in catalogue.matrix.releases["torch"]
+    image_set = parse(changed("  torch:\n    2.10.0", f"  torch:\n{line}    2.10.0"))
+    assert "2.11.0" in image_set.matrix.releases["torch"]

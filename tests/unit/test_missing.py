@@ -11,7 +11,7 @@ from rosml.cli import command
 from rosml.cli import generate as generate_bake
 from rosml.images import load as loading
 from rosml.images import missing
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.locked import with_locks
 
 TORCH = "locks/cu1/amd64/3.12/torch.txt"
@@ -21,26 +21,26 @@ ELSEWHERE = 'cpu: [arm64]}, elsewhere: {cpu: {amd64: {"3.14": sha256:' + "4" * 6
 
 
 @pytest.fixture
-def elsewhere() -> Catalogue:
+def elsewhere() -> ImageSet:
     """The small matrix, where PyTorch's own index has torch for amd64's CPU: with a digest for Python 3.14 alone."""
     return parse(changed("cpu: [arm64]}}", ELSEWHERE))
 
 
-def without(catalogue: Catalogue, *locks: str) -> Catalogue:
-    return with_locks(catalogue, {lock for payload in catalogue.payloads for lock in payload.locks}.difference(locks))
+def without(image_set: ImageSet, *locks: str) -> ImageSet:
+    return with_locks(image_set, {lock for part in image_set.parts for lock in part.locks}.difference(locks))
 
 
-def test_a_lock_waits_where_the_digest_of_its_wheel_is_not_known(elsewhere: Catalogue) -> None:
-    assert missing.waiting(elsewhere.matrix, elsewhere.payloads) == {WAITING}
+def test_a_lock_waits_where_the_digest_of_its_wheel_is_not_known(elsewhere: ImageSet) -> None:
+    assert missing.waiting(elsewhere.matrix, elsewhere.parts) == {WAITING}
     assert missing.lost(without(elsewhere, WAITING)) is None
 
 
 def test_what_is_common_to_waiting_releases_alone_waits_with_them() -> None:
     nothing = parse(changed("cpu: [arm64]}}", "cpu: [arm64]}, elsewhere: {cpu: {amd64: {}}}, requires: [jinja2]}"))
-    assert missing.waiting(nothing.matrix, nothing.payloads) == {WAITING, WAITING.replace("3.12", "3.14"), COMMON}
+    assert missing.waiting(nothing.matrix, nothing.parts) == {WAITING, WAITING.replace("3.12", "3.14"), COMMON}
 
 
-def test_lost_locks_name_their_images(elsewhere: Catalogue) -> None:
+def test_lost_locks_name_their_images(elsewhere: ImageSet) -> None:
     one = missing.lost(without(elsewhere, TORCH, WAITING))
     assert one is not None
     assert one.message == (
@@ -53,9 +53,9 @@ def test_lost_locks_name_their_images(elsewhere: Catalogue) -> None:
     assert f"): {TORCH}, {COMMON} are missing" in two.message
 
 
-def test_what_an_image_lacks(elsewhere: Catalogue) -> None:
-    catalogue = without(elsewhere, TORCH, WAITING)
-    lost, waiting = catalogue.image("alpha-core-torch-cu1"), catalogue.image("alpha-core-torch-cpu")
+def test_what_an_image_lacks(elsewhere: ImageSet) -> None:
+    image_set = without(elsewhere, TORCH, WAITING)
+    lost, waiting = image_set.image("alpha-core-torch-cu1"), image_set.image("alpha-core-torch-cpu")
     assert (missing.reason(lost), missing.remedy(lost)) == (f"{TORCH} is missing", "run 'make locks'")
     assert (missing.reason(waiting), missing.remedy(waiting)) == (f"{WAITING} is missing", missing.ASK_PYTORCH)
 
@@ -91,7 +91,7 @@ def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pyte
     assert capsys.readouterr().err.splitlines()[1:] == [f"remedy: {missing.RESTORE}"]
 
 
-def test_listing_tells_both_apart(elsewhere: Catalogue, capsys: pytest.CaptureFixture[str]) -> None:
+def test_listing_tells_both_apart(elsewhere: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
     from rosml.cli import tables
 
     tables.print_images(without(elsewhere, TORCH, WAITING).images)

@@ -9,7 +9,7 @@ from conftest import ROOT
 
 from rosml.base.errors import RosmlError
 from rosml.images import lock_file
-from rosml.images.image_set import Catalogue, Image
+from rosml.images.image_set import Image, ImageSet
 from rosml.publish import same_content
 
 
@@ -20,17 +20,17 @@ def config(architecture: str) -> dict[str, Any]:
 CONFIGS = {name: config(name) for name in ("amd64", "arm64")}
 
 
-def inside(catalogue: Catalogue, image: Image, platform: str) -> dict[str, str]:
-    """The versions that an image's payloads record of themselves."""
+def inside(image_set: ImageSet, image: Image, platform: str) -> dict[str, str]:
+    """The versions that an image's parts record of themselves."""
     found: dict[str, str] = {}
     for name in image.parts:
-        payload = catalogue.payload_by_name[name]
-        lock = dict(zip(payload.platforms, payload.locks, strict=True))[platform]
+        part = image_set.part_by_name[name]
+        lock = dict(zip(part.platforms, part.locks, strict=True))[platform]
         found |= lock_file.versions((ROOT / lock).read_text())
     return found
 
 
-def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(real: Catalogue) -> None:
+def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(real: ImageSet) -> None:
     platforms = {architecture: facts.platform for architecture, facts in real.matrix.architectures.items()}
     compared = set()
     for image in real.images:

@@ -146,7 +146,7 @@ def test_a_base_image_is_an_input_whoever_makes_it(tmp_path: Path) -> None:
     moved = text.replace(OTHER, "sha256:" + "5" * 64)
     assert moved != text
     catalogues = [locked.with_locks(parse(content), frozenset()) for content in (text, moved)]
-    old, new = (Inputs(root, catalogue) for catalogue in catalogues)
+    old, new = (Inputs(root, image_set) for image_set in catalogues)
     changed = {image.target for image in catalogues[0].images if old.digests(image) != new.digests(image)}
     stands = {image.target for image in catalogues[0].images if image.os == "ubuntu-26.04"}
     assert stands and stands <= changed

@@ -39,14 +39,15 @@ from rosml.base import clock as moments
 from rosml.base.errors import RosmlError
 from rosml.build import file_list, maker, part, sync
 from rosml.cli import report
-from rosml.images import image_set, locked, selection
-from rosml.images.image_set import Catalogue
+from rosml.images import image_set as sets
+from rosml.images import locked, selection
+from rosml.images.image_set import ImageSet
 from rosml.machine import base_images, buildx
 from rosml.machine.services import Services
 from rosml.matrix import names
 from rosml.publish import pipeline, plan_file, status
 from rosml.publish.pipeline import Pipeline
-from rosml.records import ledger
+from rosml.records import store
 from rosml.registry import repositories
 
 
@@ -55,88 +56,85 @@ def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     return place(project, services(project), monkeypatch)
 
 
-def test_everything_is_published_once(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue)
+def test_everything_is_published_once(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set)
     assert not run.failed
-    registry.check(catalogue)
+    registry.check(image_set)
     assert registry.tagged("ros").keys() >= {"alpha-core", "alpha-core-20261122", "alpha", "latest", "omega-base"}
     assert registry.tagged("ros-torch").keys() >= {"alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "alpha", "latest"}
-    assert registry.tagged("payload").keys() >= {"torch-cu1-py312", "cuda-cu1", "torch-cpu-py314"}
+    assert registry.tagged("part").keys() >= {"torch-cu1-py312", "cuda-cu1", "torch-cpu-py314"}
     assert len({registry.tagged("ros-torch")[name] for name in ("alpha-base-cu1", "alpha", "latest")}) == 1
     before = registry.registry.writes
-    again = registry.publish(catalogue, date=NEXT)
+    again = registry.publish(image_set, date=NEXT)
     assert (again.made, again.outcomes, registry.registry.writes) == ([], [], before)
 
 
 def test_a_change_makes_anew_what_it_reaches_and_nothing_else(
-    registry: Place, catalogue: Catalogue, project: Path
+    registry: Place, image_set: ImageSet, project: Path
 ) -> None:
-    registry.publish(catalogue)
+    registry.publish(image_set)
     before = registry.tagged("ros")
     script = project / "components/torch/files.sh"
     script.write_text(script.read_text() + "# a change\n")
-    run = registry.publish(catalogue, date=NEXT)
+    run = registry.publish(image_set, date=NEXT)
     assert steps(run, "build") == {
-        (payload.target, name)
-        for payload in catalogue.payloads
-        if payload.part == "torch"
-        for name in payload.architectures
+        (part.target, name) for part in image_set.parts if part.kind == "torch" for name in part.architectures
     }
     assert {target for target, _ in steps(run, "compose")} == {
-        image.target for image in catalogue.images if "torch" in image.versions
+        image.target for image in image_set.images if "torch" in image.versions
     }
     assert registry.tagged("ros") == before
     assert f"{BASE.replace('-torch', '')}-20261123" in registry.tagged("ros-torch")
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
-def test_a_changed_test_runs_again_and_builds_nothing(registry: Place, catalogue: Catalogue, project: Path) -> None:
-    registry.publish(catalogue)
+def test_a_changed_test_runs_again_and_builds_nothing(registry: Place, image_set: ImageSet, project: Path) -> None:
+    registry.publish(image_set)
     tags = registry.tagged("ros-torch")
     test = project / "tests/structure/torch.yaml"
     test.write_text(test.read_text() + "# another\n")
-    run = registry.publish(catalogue, date=NEXT)
+    run = registry.publish(image_set, date=NEXT)
     assert steps(run, "build") == steps(run, "compose") == set()
     assert steps(run, "test") >= {(BASE, "amd64")}
     assert registry.tagged("ros-torch") == tags
 
 
-def test_packages_that_moved_are_installed_anew(registry: Place, catalogue: Catalogue) -> None:
+def test_packages_that_moved_are_installed_anew(registry: Place, image_set: ImageSet) -> None:
     """Where they turn out to be the same ones, nothing else happens."""
-    registry.publish(catalogue)
+    registry.publish(image_set)
     tags = registry.tagged("ros"), registry.tagged("ros-torch")
     registry.upstream["alpha"] = "tuesday"
-    run = registry.publish(catalogue, date=NEXT)
+    run = registry.publish(image_set, date=NEXT)
     assert {target for target, _ in steps(run, "build")} == {"alpha-core", "alpha-base"}
     assert steps(run, "compose") == steps(run, "test") == set()
     assert (registry.tagged("ros"), registry.tagged("ros-torch")) == tags
     registry.upstream["alpha"] = "wednesday"
-    run = registry.publish(catalogue, date=NEXT, packages="2")
+    run = registry.publish(image_set, date=NEXT, packages="2")
     assert {target for target, _ in steps(run, "compose")} == {
-        image.target for image in catalogue.images if image.distribution == "alpha" and image.stack
+        image.target for image in image_set.images if image.distribution == "alpha" and image.stack
     }
     assert registry.tagged("ros")["alpha-core"] != tags[0]["alpha-core"]
     assert registry.tagged("ros")["omega-core"] == tags[0]["omega-core"]
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
-def test_repositories_that_do_not_answer_change_nothing(registry: Place, catalogue: Catalogue) -> None:
-    registry.publish(catalogue)
+def test_repositories_that_do_not_answer_change_nothing(registry: Place, image_set: ImageSet) -> None:
+    registry.publish(image_set)
     registry.upstream["alpha"] = "down"
-    run = registry.publish(catalogue, date=NEXT)
+    run = registry.publish(image_set, date=NEXT)
     assert run.made == []
     assert any("alpha" in remark and "does not answer" in remark for remark in run.plan.remarks)
 
 
 def test_a_poisoned_image_keeps_its_tags_and_stops_nobody_else(
-    registry: Place, catalogue: Catalogue, project: Path
+    registry: Place, image_set: ImageSet, project: Path
 ) -> None:
-    registry.publish(catalogue)
+    registry.publish(image_set)
     before = registry.tagged("ros-torch")
     for name in ("torch", "ros"):
         for script in sorted((project / f"components/{name}").glob("*.sh")):
             script.write_text(script.read_text() + "# a change\n")
-    run = registry.publish(catalogue, date=NEXT, packages="2", poisoned={BASE})
+    run = registry.publish(image_set, date=NEXT, packages="2", poisoned={BASE})
     assert run.failed
     after = registry.tagged("ros-torch")
     mine = {name for name in before if name.startswith("alpha-base") or name in ("alpha", "latest")}
@@ -145,65 +143,65 @@ def test_a_poisoned_image_keeps_its_tags_and_stops_nobody_else(
     }
     assert after["alpha-core-cu1"] != before["alpha-core-cu1"]
     assert any("tests failed" in reason for reason in waiting(run, BASE))
-    mended = registry.publish(catalogue, date=NEXT, packages="2")
+    mended = registry.publish(image_set, date=NEXT, packages="2")
     assert mended.made == [("test", BASE, "amd64")]
     assert registry.tagged("ros-torch")["latest"] != before["latest"]
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
-def test_a_build_that_fails_is_told_with_what_waits_for_it(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, broken={"alpha-base"})
+def test_a_build_that_fails_is_told_with_what_waits_for_it(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, broken={"alpha-base"})
     assert run.failed
     assert "alpha-base" not in registry.tagged("ros") and "alpha-core" in registry.tagged("ros")
     assert any("alpha-base" in reason for reason in waiting(run, BASE))
-    entry = ledger.Ledger(registry.registry, PREFIX).read("alpha-base", "amd64")
+    entry = store.Records(registry.registry, PREFIX).read("alpha-base", "amd64")
     assert entry and entry.failed["step"] == "build" and not entry.digest
     done = set(run.made)
-    mended = registry.publish(catalogue)
+    mended = registry.publish(image_set)
     assert not mended.failed
     assert not done & set(mended.made)
 
 
-def test_an_index_waits_for_all_architectures(registry: Place, catalogue: Catalogue) -> None:
-    first = registry.publish(catalogue, architectures=("amd64",))
+def test_an_index_waits_for_all_architectures(registry: Place, image_set: ImageSet) -> None:
+    first = registry.publish(image_set, architectures=("amd64",))
     assert "alpha-core" not in registry.tagged("ros")
     assert "alpha-base-cu1" in registry.tagged("ros-torch"), "it is for amd64 alone"
     assert waiting(first, "alpha-core")
-    second = registry.publish(catalogue, architectures=("arm64",), date=NEXT)
+    second = registry.publish(image_set, architectures=("arm64",), date=NEXT)
     assert not [key for key in second.made if key in first.made]
     assert "alpha-core" in registry.tagged("ros")
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
-def test_a_registry_may_serve_one_architecture(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, architectures=("amd64",), serving=("amd64",))
+def test_a_registry_may_serve_one_architecture(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, architectures=("amd64",), serving=("amd64",))
     assert not run.failed
     assert "alpha-core" in registry.tagged("ros") and "latest" in registry.tagged("ros")
 
 
-def test_a_tag_never_loses_an_architecture(registry: Place, catalogue: Catalogue, project: Path) -> None:
-    registry.publish(catalogue)
+def test_a_tag_never_loses_an_architecture(registry: Place, image_set: ImageSet, project: Path) -> None:
+    registry.publish(image_set)
     before = registry.tagged("ros")
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
-    run = registry.publish(catalogue, architectures=("amd64",), serving=("amd64",), date=NEXT, packages="2")
+    run = registry.publish(image_set, architectures=("amd64",), serving=("amd64",), date=NEXT, packages="2")
     assert registry.tagged("ros")["alpha-core"] == before["alpha-core"]
     assert any("would lose arm64" in reason for reason in waiting(run, "alpha-core"))
 
 
-def test_a_tag_never_moves_to_something_older(registry: Place, catalogue: Catalogue, project: Path) -> None:
-    registry.publish(catalogue, date=NEXT)
+def test_a_tag_never_moves_to_something_older(registry: Place, image_set: ImageSet, project: Path) -> None:
+    registry.publish(image_set, date=NEXT)
     before = registry.tagged("ros")
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
-    run = registry.publish(catalogue, date=DAY, packages="2")
+    run = registry.publish(image_set, date=DAY, packages="2")
     assert registry.tagged("ros")["latest"] == before["latest"]
     assert any("something newer" in reason for reason in waiting(run, "alpha-base"))
 
 
-def test_one_index_has_one_content(registry: Place, catalogue: Catalogue) -> None:
+def test_one_index_has_one_content(registry: Place, image_set: ImageSet) -> None:
     odd = {("alpha-core", "arm64"): {"io.rosml.python": "3.10"}}
-    run = registry.publish(catalogue, odd=odd)
+    run = registry.publish(image_set, odd=odd)
     assert run.failed
     assert "alpha-core" not in registry.tagged("ros")
     (failed,) = [outcome for outcome in run.outcomes if outcome.state == "failed"]
@@ -211,20 +209,20 @@ def test_one_index_has_one_content(registry: Place, catalogue: Catalogue) -> Non
 
 
 def test_a_day_has_one_date_and_its_second_tag_another_name(
-    registry: Place, catalogue: Catalogue, project: Path
+    registry: Place, image_set: ImageSet, project: Path
 ) -> None:
-    registry.publish(catalogue)
+    registry.publish(image_set)
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
     first = registry.tagged("ros")["alpha-core-20261122"]
-    registry.publish(catalogue, date=DAY.replace("03:", "05:"), packages="2")
+    registry.publish(image_set, date=DAY.replace("03:", "05:"), packages="2")
     tags = registry.tagged("ros")
     assert tags["alpha-core-20261122"] == first, "a dated tag moved"
     assert tags["alpha-core-20261122.2"] == tags["alpha-core"] != first
 
 
 def test_tags_move_from_the_lasting_ones_to_the_floating_ones(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Whoever pulls a floating tag finds what it spells out as well, wherever a run ends."""
     moved: list[str] = []
@@ -236,12 +234,12 @@ def test_tags_move_from_the_lasting_ones_to_the_floating_ones(
 
     move = registry.registry.tag
     monkeypatch.setattr(registry.registry, "tag", tag)
-    registry.publish(catalogue, only=[BASE])
+    registry.publish(image_set, only=[BASE])
     assert moved == ["alpha-base-cu1-20261122", "alpha-base-cu1-torch2.10.0", "alpha-base-cu1", "alpha", "latest"]
 
 
 def test_tags_of_images_move_side_by_side(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Hundreds of images have thousands of tags: none waits for another image's."""
     both = threading.Barrier(2, timeout=20)
@@ -253,12 +251,12 @@ def test_tags_of_images_move_side_by_side(
 
     move = registry.registry.tag
     monkeypatch.setattr(registry.registry, "tag", tag)
-    run = registry.publish(catalogue, only=["alpha-core", "alpha-base"])
+    run = registry.publish(image_set, only=["alpha-core", "alpha-base"])
     assert not run.failed and {"alpha-core", "alpha-base"} <= registry.tagged("ros").keys()
 
 
 def test_a_run_past_midnight_has_one_date(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The clock goes on with every look at it; what the run is called does not."""
     moment = datetime(2026, 11, 22, 23, 59, 58, tzinfo=UTC)
@@ -270,47 +268,47 @@ def test_a_run_past_midnight_has_one_date(
 
     monkeypatch.setattr(pipeline, "now", clock)
     date = clock()
-    run = registry.publish(catalogue, date=date)
+    run = registry.publish(image_set, date=date)
     assert date.startswith("2026-11-22") and looked[-1].startswith("2026-11-23"), "nobody looked at the clock"
     assert {entry.date for entry in run.plan.known.values()} == {date}
-    for repository in ("ros", "ros-torch", "payload"):
+    for repository in ("ros", "ros-torch", "part"):
         tags = registry.tagged(repository)
         dated = {name for name in tags if "-2026" in name}
         assert dated and all(name.endswith("-20261122") for name in dated)
         for name in tags.values():
             index = registry.registry.manifest(f"{PREFIX}/{repository}", name)
-            assert index and index.content["annotations"][ledger.DATE] == date
-    again = registry.publish(catalogue, date=clock())
+            assert index and index.content["annotations"][store.DATE] == date
+    again = registry.publish(image_set, date=clock())
     assert (again.made, again.outcomes) == ([], [])
 
 
-def test_undo_brings_tags_back(registry: Place, catalogue: Catalogue, project: Path) -> None:
-    registry.publish(catalogue)
+def test_undo_brings_tags_back(registry: Place, image_set: ImageSet, project: Path) -> None:
+    registry.publish(image_set)
     before = registry.tagged("ros")
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
-    registry.publish(catalogue, date=NEXT, packages="2")
+    registry.publish(image_set, date=NEXT, packages="2")
     registry.registry.tag(f"{PREFIX}/ros", before["alpha-core"], "omega-core")  # somebody's
     registry.undo(date=NEXT)
     after = registry.tagged("ros")
     assert after.pop("omega-core") == before["alpha-core"], "a tag that somebody else moved was moved"
     assert after == {name: target for name, target in before.items() if name != "omega-core"}
-    held = registry.publish(catalogue, date=LATER, packages="2")
+    held = registry.publish(image_set, date=LATER, packages="2")
     assert {**registry.tagged("ros"), "omega-core": ""} == {**before, "omega-core": ""}, "undone in vain"
     assert any("moved back on 2026-11-23" in reason for reason in waiting(held, "alpha-core"))
     script.write_text(script.read_text() + "# mended\n")
-    registry.publish(catalogue, date=LATER, packages="3")
+    registry.publish(image_set, date=LATER, packages="3")
     assert registry.tagged("ros")["alpha-core"] not in (before["alpha-core"], "")
     with pytest.raises(RosmlError, match="no record of a run of 2020"):
         registry.undo("2020-01-01T00:00:00Z")
 
 
-def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, catalogue: Catalogue) -> None:
+def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, image_set: ImageSet) -> None:
     """As on a registry that deletes no tags: every run has dated ones, which were nowhere before."""
-    registry.publish(catalogue)
+    registry.publish(image_set)
     before = registry.tagged("ros")
     registry.upstream["alpha"] = "tuesday"
-    registry.publish(catalogue, date=NEXT, packages="2")
+    registry.publish(image_set, date=NEXT, packages="2")
     assert registry.tagged("ros")["alpha-core"] != before["alpha-core"]
     registry.registry.refuses.add("delete a tag")
     outcomes = registry.undo()
@@ -320,7 +318,7 @@ def test_undo_goes_on_after_a_tag_that_the_registry_keeps(registry: Place, catal
 
 
 def test_a_tag_that_does_not_move_keeps_no_other_image_back(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def tag(repository: str, target: str, name: str) -> None:
         if name.startswith("alpha-core"):
@@ -329,14 +327,14 @@ def test_a_tag_that_does_not_move_keeps_no_other_image_back(
 
     move = registry.registry.tag
     monkeypatch.setattr(registry.registry, "tag", tag)
-    run = registry.publish(catalogue)
+    run = registry.publish(image_set)
     failed = {outcome.target for outcome in run.outcomes if outcome.state == "failed"}
     assert "alpha-core" in failed and all(target.startswith("alpha-core") for target in failed)
     assert {"alpha-base", "omega-core"} <= registry.tagged("ros").keys()
 
 
 def test_a_registry_that_is_down_is_not_asked_for_every_image(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked = []
 
@@ -347,57 +345,57 @@ def test_a_registry_that_is_down_is_not_asked_for_every_image(
 
     monkeypatch.setattr(registry.registry, "tag", down)
     with pytest.raises(RosmlError, match="does not answer"):
-        registry.publish(catalogue)
-    assert len(asked) <= 2 * ledger.READERS < 2 * len(catalogue.images), "those that were asked side by side"
+        registry.publish(image_set)
+    assert len(asked) <= 2 * store.READERS < 2 * len(image_set.images), "those that were asked side by side"
 
 
-def test_what_is_gone_from_the_registry_is_made_anew(registry: Place, catalogue: Catalogue) -> None:
-    registry.publish(catalogue)
-    entry = ledger.Ledger(registry.registry, PREFIX).read("alpha-core", "amd64")
+def test_what_is_gone_from_the_registry_is_made_anew(registry: Place, image_set: ImageSet) -> None:
+    registry.publish(image_set)
+    entry = store.Records(registry.registry, PREFIX).read("alpha-core", "amd64")
     assert entry
     del registry.registry.manifests[f"{PREFIX}/ros"][entry.digest]
-    run = registry.publish(catalogue, date=NEXT)
+    run = registry.publish(image_set, date=NEXT)
     assert steps(run, "build") == {("alpha-core", "amd64")}
 
 
-def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Place, catalogue: Catalogue) -> None:
-    """A payload is not scanned by itself: it goes with an image that has it."""
+def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Place, image_set: ImageSet) -> None:
+    """A part is not scanned by itself: it goes with an image that has it."""
     policy = "sha256:1"
-    registry.publish(catalogue, scanning=policy)
-    assert not any(registry.tagged(name) for name in ("ros", "ros-torch", "payload"))
-    run = registry.run(catalogue, date=NEXT, scanning=policy)
+    registry.publish(image_set, scanning=policy)
+    assert not any(registry.tagged(name) for name in ("ros", "ros-torch", "part"))
+    run = registry.run(image_set, date=NEXT, scanning=policy)
     for key, item in run.plan.by_key.items():
-        if item.kind != "payload" and item.target != "omega-core":
+        if item.kind != "part" and item.target != "omega-core":
             entry = replace(run.plan.known[key], scanned="clean", scan={"policy": policy})
-            run.ledger.write(entry, run.plan.inputs.of(*key))
-    registry.publish(catalogue, date=NEXT, scanning=policy)
+            run.records.write(entry, run.plan.inputs.of(*key))
+    registry.publish(image_set, date=NEXT, scanning=policy)
     assert "alpha-core" in registry.tagged("ros") and "omega-core" not in registry.tagged("ros")
-    assert "torch-cu1-py312" in registry.tagged("payload")
-    again = registry.publish(catalogue, date="2026-11-24T03:00:00Z", scanning=policy)
+    assert "torch-cu1-py312" in registry.tagged("part")
+    again = registry.publish(image_set, date="2026-11-24T03:00:00Z", scanning=policy)
     assert {outcome.target for outcome in again.outcomes} == {"omega-core"}
 
 
-def test_a_lock_of_another_version_makes_nothing(registry: Place, catalogue: Catalogue, project: Path) -> None:
-    """A stack was given a new release, and nobody ran 'make locks': its payload waits, as its images do."""
-    lock = next(name for name in catalogue.by_target[BASE].locks if name.endswith("amd64/3.12/torch.txt"))
+def test_a_lock_of_another_version_makes_nothing(registry: Place, image_set: ImageSet, project: Path) -> None:
+    """A stack was given a new release, and nobody ran 'make locks': its part waits, as its images do."""
+    lock = next(name for name in image_set.by_target[BASE].locks if name.endswith("amd64/3.12/torch.txt"))
     (project / lock).write_text((project / lock).read_text().replace("torch==2.10.0", "torch==2.9.1"))
-    stale = locked.with_locks(catalogue, locked.current_locks(catalogue, project))
+    stale = locked.with_locks(image_set, locked.current_locks(image_set, project))
     run = registry.publish(stale, architectures=("amd64",))
-    assert ("payload-torch-cu1-py312", "amd64") not in steps(run, "build")
-    assert "torch-cu1-py312" not in registry.tagged("payload")
-    found = run.plan.hindrance(run.plan.by_key["payload-torch-cu1-py312", "amd64"])
+    assert ("part-torch-cu1-py312", "amd64") not in steps(run, "build")
+    assert "torch-cu1-py312" not in registry.tagged("part")
+    found = run.plan.hindrance(run.plan.by_key["part-torch-cu1-py312", "amd64"])
     assert found == run.plan.hindrance(run.plan.by_key[BASE, "amd64"]) == f"lock missing: {lock}"
 
 
-def test_force_makes_everything_anew_once(registry: Place, catalogue: Catalogue) -> None:
-    first = registry.publish(catalogue)
-    run = registry.publish(catalogue, date=NEXT, force=True)
+def test_force_makes_everything_anew_once(registry: Place, image_set: ImageSet) -> None:
+    first = registry.publish(image_set)
+    run = registry.publish(image_set, date=NEXT, force=True)
     assert sorted(steps(run, "build")) == sorted(steps(first, "build"))
     assert len(run.made) == len(set(run.made))
 
 
 @pytest.mark.parametrize("after", [False, True], ids=["before", "after"])
-def test_killed_at_any_write(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch, after: bool) -> None:
+def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, after: bool) -> None:
     """Every write of a run is the last one once. Nothing partial has a tag, and the next run finishes the work."""
     small = parse(SMALLER.replace("components: [core, base]", "components: [core]"))
     small = locked.with_locks(small, locked.current_locks(small, project))
@@ -427,15 +425,15 @@ def test_killed_at_any_write(project: Path, catalogue: Catalogue, monkeypatch: p
         here.check(small)
         assert not again.failed
         assert not (steps(again, "build") | steps(again, "compose")) & recorded, "what was done is done again"
-        for repository in ("ros", "ros-torch", "payload"):
+        for repository in ("ros", "ros-torch", "part"):
             undated = {name for name in whole.tagged(repository) if "-2026" not in name}
             assert undated <= here.tagged(repository).keys(), f"write {number}: tags are missing"
     assert {step for step, *_ in reference.made} == {"build", "compose", "test"}
 
 
-def test_two_publishers_at_the_same_time(registry: Place, catalogue: Catalogue) -> None:
+def test_two_publishers_at_the_same_time(registry: Place, image_set: ImageSet) -> None:
     """In one checkout they take turns, and neither does what the other has done."""
-    runs = [registry.run(catalogue, date=date) for date in (DAY, NEXT)]
+    runs = [registry.run(image_set, date=date) for date in (DAY, NEXT)]
     errors: list[BaseException] = []
 
     def work(run: Run) -> None:
@@ -451,32 +449,32 @@ def test_two_publishers_at_the_same_time(registry: Place, catalogue: Catalogue) 
     for thread in threads:
         thread.join()
     assert not errors
-    registry.check(catalogue)
+    registry.check(image_set)
     assert not set(runs[0].made) & set(runs[1].made)
-    last = registry.publish(catalogue, date="2026-11-24T03:00:00Z")
+    last = registry.publish(image_set, date="2026-11-24T03:00:00Z")
     assert (last.made, last.outcomes) == ([], [])
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
-def test_a_registry_that_refuses_leaves_the_others_alone(registry: Place, catalogue: Catalogue) -> None:
-    registry.publish(catalogue, only=["alpha-core"])
+def test_a_registry_that_refuses_leaves_the_others_alone(registry: Place, image_set: ImageSet) -> None:
+    registry.publish(image_set, only=["alpha-core"])
     before = registry.tagged("ros")
     registry.registry.refuses.add("move a tag")
-    refused = registry.publish(catalogue)
+    refused = registry.publish(image_set)
     assert refused.failed and any("refuses to move a tag" in outcome.reason for outcome in refused.outcomes)
     assert registry.tagged("ros") == before
     registry.registry.refuses.clear()
-    run = registry.publish(catalogue)
+    run = registry.publish(image_set)
     assert not run.made
     assert "alpha-base" in registry.tagged("ros")
 
 
-def test_selection(catalogue: Catalogue) -> None:
-    assert [image.target for image in selection.select(catalogue, ["alpha-core"])] == ["alpha-core"]
-    assert all(image.distribution == "omega" for image in selection.select(catalogue, ["omega"]))
-    assert {image.framework for image in selection.select(catalogue, ["*-torch-*"])} == {"torch"}
+def test_selection(image_set: ImageSet) -> None:
+    assert [image.target for image in selection.select(image_set, ["alpha-core"])] == ["alpha-core"]
+    assert all(image.distribution == "omega" for image in selection.select(image_set, ["omega"]))
+    assert {image.framework for image in selection.select(image_set, ["*-torch-*"])} == {"torch"}
     with pytest.raises(RosmlError, match="no image named 'alpha-cor'; did you mean 'alpha-core'"):
-        selection.select(catalogue, ["alpha-cor"])
+        selection.select(image_set, ["alpha-cor"])
 
 
 @pytest.mark.parametrize(
@@ -501,10 +499,10 @@ def test_a_date_that_is_none(text: str) -> None:
         moments.checked_date(text)
 
 
-def test_an_architecture_that_is_none(catalogue: Catalogue) -> None:
-    selection.require_architectures(catalogue, ["amd64", "arm64"])
+def test_an_architecture_that_is_none(image_set: ImageSet) -> None:
+    selection.require_architectures(image_set, ["amd64", "arm64"])
     with pytest.raises(RosmlError, match="no architecture named 'amd46'; did you mean 'amd64'"):
-        selection.require_architectures(catalogue, ["amd46"])
+        selection.require_architectures(image_set, ["amd46"])
 
 
 def test_places() -> None:
@@ -515,7 +513,7 @@ def test_places() -> None:
 
 def test_a_damaged_entry_is_as_good_as_none() -> None:
     registry = MemoryRegistry()
-    book = ledger.Ledger(registry, PREFIX)
+    book = store.Records(registry, PREFIX)
     for content in (
         "",
         "[]",
@@ -523,9 +521,9 @@ def test_a_damaged_entry_is_as_good_as_none() -> None:
         '{"target": "x", "architecture": "amd64", "later": 1}',
         '{"target": 1}',
     ):
-        book.artifact("x.amd64", b"{}", {ledger.ANNOTATION: content})
+        book.artifact("x.amd64", b"{}", {store.ANNOTATION: content})
         assert book.read("x", "amd64") is None
-    entry = ledger.Entry(
+    entry = store.Entry(
         "x", "amd64", digest="sha256:1", parts={"a": "b"}, superseded=("sha256:0",), seconds={"build": 1.5}
     )
     book.write(entry, {"argument A": "1"})
@@ -559,19 +557,19 @@ def test_a_run_of_the_future(date: str, clock: str, fine: bool) -> None:
 
 
 def test_a_tag_of_the_future_says_so_and_moves_when_forced(
-    registry: Place, catalogue: Catalogue, project: Path, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(moments, "now", lambda: NEXT)
-    registry.publish(catalogue, only=["alpha-core"], date="2099-01-01T00:00:00Z")
+    registry.publish(image_set, only=["alpha-core"], date="2099-01-01T00:00:00Z")
     pinned = registry.tagged("ros")["alpha-core"]
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
-    run = registry.publish(catalogue, only=["alpha-core"], date=NEXT, packages="2")
+    run = registry.publish(image_set, only=["alpha-core"], date=NEXT, packages="2")
     assert registry.tagged("ros")["alpha-core"] == pinned
     assert any("of 2099-01-01T00:00:00Z, which is in the future" in reason for reason in waiting(run, "alpha-core"))
     (found,) = status.standings(run.plan, registry.registry, PREFIX, NEXT)
     assert found.reason.endswith("its date 2099-01-01T00:00:00Z is in the future")
-    registry.publish(catalogue, only=["alpha-core"], date=LATER, packages="2", force=True)
+    registry.publish(image_set, only=["alpha-core"], date=LATER, packages="2", force=True)
     assert registry.tagged("ros")["alpha-core"] != pinned
 
 
@@ -586,13 +584,13 @@ def odd_index(registry: Place, tag: str, **annotations: Any) -> str:
 
 @pytest.mark.parametrize("date", ["yesterday", "2026-11-22", "zzz", 5, ["x"]])
 def test_a_date_that_is_none_is_told_and_holds_no_tag(
-    registry: Place, catalogue: Catalogue, project: Path, date: Any
+    registry: Place, image_set: ImageSet, project: Path, date: Any
 ) -> None:
-    registry.publish(catalogue, only=["alpha-core"])
-    there = odd_index(registry, "alpha-core", **{ledger.DATE: date})
+    registry.publish(image_set, only=["alpha-core"])
+    there = odd_index(registry, "alpha-core", **{store.DATE: date})
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
-    run = registry.run(catalogue, only=["alpha-core"], date=NEXT, packages="2")
+    run = registry.run(image_set, only=["alpha-core"], date=NEXT, packages="2")
     (found,) = status.standings(run.plan, registry.registry, PREFIX, NEXT)
     assert "its date is none" in found.reason and found.age is None
     said: list[str] = []
@@ -605,41 +603,41 @@ def test_a_date_that_is_none_is_told_and_holds_no_tag(
 
 
 def forge(registry: Place, target: str, architecture: str, **facts: Any) -> None:
-    """Writes an entry of the ledger by hand."""
-    book = ledger.Ledger(registry.registry, PREFIX)
+    """Writes an entry of the records by hand."""
+    book = store.Records(registry.registry, PREFIX)
     entry = book.read(target, architecture)
     assert entry
     book.write(replace(entry, **facts))
 
 
-def test_the_digest_of_another_image_gets_no_index(registry: Place, catalogue: Catalogue, project: Path) -> None:
-    registry.publish(catalogue)
+def test_the_digest_of_another_image_gets_no_index(registry: Place, image_set: ImageSet, project: Path) -> None:
+    registry.publish(image_set)
     before = registry.tagged("ros")
-    core = ledger.Ledger(registry.registry, PREFIX).read("alpha-core", "amd64")
+    core = store.Records(registry.registry, PREFIX).read("alpha-core", "amd64")
     assert core
     forge(registry, "alpha-base", "amd64", digest=core.digest)
-    run = registry.run(catalogue, date=NEXT, only=["alpha-base"])
+    run = registry.run(image_set, date=NEXT, only=["alpha-base"])
     run.index()
     do(run, "promote")
     (failed,) = [outcome for outcome in run.outcomes if outcome.state == "failed"]
-    assert f"the ledger's entry alpha-base.amd64 names {core.digest}, which is alpha-core for amd64" in failed.reason
+    assert f"the records' entry alpha-base.amd64 names {core.digest}, which is alpha-core for amd64" in failed.reason
     assert registry.tagged("ros") == before
 
 
-def test_the_digest_of_another_architecture_gets_no_index(registry: Place, catalogue: Catalogue) -> None:
-    registry.publish(catalogue)
-    other = ledger.Ledger(registry.registry, PREFIX).read("alpha-core", "arm64")
+def test_the_digest_of_another_architecture_gets_no_index(registry: Place, image_set: ImageSet) -> None:
+    registry.publish(image_set)
+    other = store.Records(registry.registry, PREFIX).read("alpha-core", "arm64")
     assert other
     forge(registry, "alpha-core", "amd64", digest=other.digest)
-    run = registry.run(catalogue, date=NEXT, only=["alpha-core"])
+    run = registry.run(image_set, date=NEXT, only=["alpha-core"])
     run.index()
     assert any("which is alpha-core for arm64" in outcome.reason for outcome in run.outcomes)
 
 
 @pytest.mark.parametrize("what", ["title", "members", "gone"])
-def test_the_index_of_another_image_gets_no_tag(registry: Place, catalogue: Catalogue, what: str) -> None:
-    registry.publish(catalogue)
-    book = ledger.Ledger(registry.registry, PREFIX)
+def test_the_index_of_another_image_gets_no_tag(registry: Place, image_set: ImageSet, what: str) -> None:
+    registry.publish(image_set)
+    book = store.Records(registry.registry, PREFIX)
     own, other = book.read("alpha-core", "index"), book.read("alpha-base", "index")
     assert own and other
     digest = {"title": other.digest, "gone": "sha256:" + "0" * 64}.get(what, "")
@@ -649,7 +647,7 @@ def test_the_index_of_another_image_gets_no_tag(registry: Place, catalogue: Cata
         part = whole.content | {"manifests": whole.content["manifests"][:1]}
         digest = registry.registry.put_manifest(f"{PREFIX}/ros", "odd", part, whole.media_type)
     forge(registry, "alpha-core", "index", digest=digest)
-    run = registry.run(catalogue, date=NEXT, only=["alpha-core"])
+    run = registry.run(image_set, date=NEXT, only=["alpha-core"])
     run.plan.present.add(("alpha-core", "index"))
     before = registry.tagged("ros")
     do(run, "promote")
@@ -659,25 +657,25 @@ def test_the_index_of_another_image_gets_no_tag(registry: Place, catalogue: Cata
     assert says[what] in reason
 
 
-def test_a_second_undo_says_that_nothing_is_left(registry: Place, catalogue: Catalogue) -> None:
-    registry.publish(catalogue)
+def test_a_second_undo_says_that_nothing_is_left(registry: Place, image_set: ImageSet) -> None:
+    registry.publish(image_set)
     registry.upstream["alpha"] = "tuesday"
-    registry.publish(catalogue, date=NEXT, packages="2")
+    registry.publish(image_set, date=NEXT, packages="2")
     assert {outcome.state for outcome in registry.undo()} == {"done"}
     assert [(o.state, o.reason) for o in registry.undo(NEXT)] == [("done", "nothing was left to move back")]
 
 
-def test_an_undo_that_was_killed_goes_on(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_undo_that_was_killed_goes_on(project: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
     """Every write of it is the last one once; the next night does not move anything there again."""
-    options: dict[str, Any] = {"only": ["alpha-core", "alpha-base"], "inputs": Inputs(project, catalogue)}
+    options: dict[str, Any] = {"only": ["alpha-core", "alpha-base"], "inputs": Inputs(project, image_set)}
     number, killed = 0, True
     while killed:
         number += 1
         here = place(project, services(project), monkeypatch)
-        here.publish(catalogue, **options)
+        here.publish(image_set, **options)
         before = here.tagged("ros")
         here.upstream["alpha"] = "tuesday"
-        here.publish(catalogue, date=NEXT, packages="2", **options)
+        here.publish(image_set, date=NEXT, packages="2", **options)
         here.registry.die_at = here.registry.writes + number
         try:
             here.undo()
@@ -686,18 +684,18 @@ def test_an_undo_that_was_killed_goes_on(project: Path, catalogue: Catalogue, mo
             here.registry.die_at = 0
             here.undo()
         assert here.tagged("ros") == before
-        here.publish(catalogue, date="2026-11-25T03:00:00Z", packages="2", **options)
+        here.publish(image_set, date="2026-11-25T03:00:00Z", packages="2", **options)
         assert here.tagged("ros") == before, f"write {number}: undone in vain"
     assert number > 4
 
 
-def test_force_releases_what_was_moved_back(registry: Place, catalogue: Catalogue) -> None:
-    registry.publish(catalogue)
+def test_force_releases_what_was_moved_back(registry: Place, image_set: ImageSet) -> None:
+    registry.publish(image_set)
     registry.upstream["alpha"] = "tuesday"
-    registry.publish(catalogue, date=NEXT, packages="2")
+    registry.publish(image_set, date=NEXT, packages="2")
     there = registry.tagged("ros")["alpha-core"]
     registry.undo()
-    forced = registry.publish(catalogue, date=LATER, packages="2", force=True)
+    forced = registry.publish(image_set, date=LATER, packages="2", force=True)
     assert not forced.failed and not waiting(forced, "alpha-core")
     assert registry.tagged("ros")["alpha-core"] not in ("", there)
     now, then = (registry.registry.manifest(f"{PREFIX}/ros", name) for name in ("alpha-core", there))
@@ -708,26 +706,26 @@ def test_force_releases_what_was_moved_back(registry: Place, catalogue: Catalogu
 
 
 def published_index(registry: Place, target: str) -> str:
-    """What the ledger says of an image's index."""
-    entry = ledger.Ledger(registry.registry, PREFIX).read(target, ledger.INDEX)
+    """What the records say of an image's index."""
+    entry = store.Records(registry.registry, PREFIX).read(target, store.INDEX)
     assert entry
     return entry.digest
 
 
-def nothing_is_left(registry: Place, catalogue: Catalogue) -> None:
-    """That the next night has nothing to do, and that the ledger and the tags agree."""
-    last = registry.publish(catalogue, date="2026-11-25T03:00:00Z")
+def nothing_is_left(registry: Place, image_set: ImageSet) -> None:
+    """That the next night has nothing to do, and that the records and the tags agree."""
+    last = registry.publish(image_set, date="2026-11-25T03:00:00Z")
     assert (last.made, last.outcomes) == ([], [])
-    for image in catalogue.images:
+    for image in image_set.images:
         tag = image.tags[0].partition(":")[2]
         assert registry.tagged(image.repository)[tag] == published_index(registry, image.target), image.target
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
 def test_a_publisher_that_began_before_takes_the_index_of_the_one_that_ended_before(
-    registry: Place, catalogue: Catalogue
+    registry: Place, image_set: ImageSet
 ) -> None:
-    older, newer = registry.run(catalogue, date=DAY), registry.run(catalogue, date=NEXT)
+    older, newer = registry.run(image_set, date=DAY), registry.run(image_set, date=NEXT)
     for run, some in (
         (older, ("build", "compose", "test")),
         (newer, ("build", "compose", "test", "index", "promote")),
@@ -736,47 +734,47 @@ def test_a_publisher_that_began_before_takes_the_index_of_the_one_that_ended_bef
         for step in some:
             do(run, step)
     assert not any(outcome.step == "index" for outcome in older.outcomes)
-    nothing_is_left(registry, catalogue)
+    nothing_is_left(registry, image_set)
 
 
-def test_an_older_index_that_was_written_down_last(registry: Place, catalogue: Catalogue) -> None:
-    """Two publishers make their indexes in the same moment: the ledger has one of them, and the tags the other one."""
-    older = registry.run(catalogue, date=DAY)
+def test_an_older_index_that_was_written_down_last(registry: Place, image_set: ImageSet) -> None:
+    """Two publishers make their indexes in the same moment: the records have one of them, and the tags the other one."""
+    older = registry.run(image_set, date=DAY)
     for step in ("build", "compose", "test", "index"):
         do(older, step)
-    indexes = [entry for (_, architecture), entry in older.plan.known.items() if architecture == ledger.INDEX]
-    book = ledger.Ledger(registry.registry, PREFIX)
+    indexes = [entry for (_, architecture), entry in older.plan.known.items() if architecture == store.INDEX]
+    book = store.Records(registry.registry, PREFIX)
     for entry in indexes:
         registry.registry.delete(book.repository, entry.tag)
-    registry.publish(catalogue, date=NEXT)
+    registry.publish(image_set, date=NEXT)
     tags = registry.tagged("ros-torch")
     for entry in indexes:
         book.write(entry, {})
-    assert not registry.publish(catalogue, date=LATER).failed
+    assert not registry.publish(image_set, date=LATER).failed
     assert registry.tagged("ros-torch") == tags
-    nothing_is_left(registry, catalogue)
+    nothing_is_left(registry, image_set)
 
 
-def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, catalogue: Catalogue, tmp_path: Path) -> None:
+def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, image_set: ImageSet, tmp_path: Path) -> None:
     """Each step on a machine of its own asks nobody anew of when packages are."""
     file = tmp_path / "plan.json"
-    file.write_text(report.plan_json(registry.run(catalogue), 2, why=False))
+    file.write_text(report.plan_json(registry.run(image_set), 2, why=False))
     known = plan_file.read_plan(file).upstream
     assert known == registry.upstream
     for number, step in enumerate(("build", "compose", "test", "index", "promote")):
-        run = registry.run(catalogue, upstream=known)
+        run = registry.run(image_set, upstream=known)
         do(run, step)
         assert not run.failed
         assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
         registry.upstream["alpha"] = f"after step {number}"
     assert registry.tagged("ros").keys() >= {"alpha-core", "alpha", "omega-base"}
-    following = registry.publish(catalogue, date=NEXT, packages="2")
+    following = registry.publish(image_set, date=NEXT, packages="2")
     assert ("alpha-core", "amd64") in steps(following, "build")
 
 
-def test_what_another_run_did_in_the_meantime_is_not_done_again(registry: Place, catalogue: Catalogue) -> None:
+def test_what_another_run_did_in_the_meantime_is_not_done_again(registry: Place, image_set: ImageSet) -> None:
     """Two runs of one date, which began at the same time."""
-    one, other = registry.run(catalogue), registry.run(catalogue)
+    one, other = registry.run(image_set), registry.run(image_set)
     for step in ("build", "compose", "test"):
         do(one, step)
     said: list[str] = []
@@ -785,44 +783,44 @@ def test_what_another_run_did_in_the_meantime_is_not_done_again(registry: Place,
         do(other, step)
     assert one.made and other.made == []
     assert not other.failed and any("another run did it in the meantime" in line for line in said)
-    registry.check(catalogue)
+    registry.check(image_set)
     assert "alpha-core" in registry.tagged("ros")
 
 
-def test_what_another_run_failed_at_is_tried(registry: Place, catalogue: Catalogue) -> None:
-    one = registry.run(catalogue, only=["alpha-core"], broken={"alpha-core"})
-    other = registry.run(catalogue, only=["alpha-core"])
+def test_what_another_run_failed_at_is_tried(registry: Place, image_set: ImageSet) -> None:
+    one = registry.run(image_set, only=["alpha-core"], broken={"alpha-core"})
+    other = registry.run(image_set, only=["alpha-core"])
     one.build()
     other.build()
     assert steps(other, "build") == {("alpha-core", "amd64"), ("alpha-core", "arm64")}
 
 
-def test_a_run_that_may_not_push_is_told_before_its_first_work(registry: Place, catalogue: Catalogue) -> None:
+def test_a_run_that_may_not_push_is_told_before_its_first_work(registry: Place, image_set: ImageSet) -> None:
     registry.registry.refuses.add("push")
-    run = registry.run(catalogue)
+    run = registry.run(image_set)
     with pytest.raises(RosmlError, match="nobody push"):
         run.build()
     assert run.made == [] and registry.registry.writes == 0
     registry.registry.refuses.clear()
-    registry.publish(catalogue)
+    registry.publish(image_set)
     registry.registry.refuses.add("push")
-    assert registry.publish(catalogue, date=NEXT).outcomes == [], "with nothing to do nothing is asked"
+    assert registry.publish(image_set, date=NEXT).outcomes == [], "with nothing to do nothing is asked"
 
 
 def test_what_was_in_an_images_place_is_forgotten_when_it_is_gone(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(pipeline, "SUPERSEDED", 3)
     for number in range(6):
         registry.upstream["alpha"] = f"day {number}"
-        registry.publish(catalogue, only=["alpha-core"], date=f"2026-11-0{number + 1}T03:00:00Z", packages=str(number))
-    book = ledger.Ledger(registry.registry, PREFIX)
+        registry.publish(image_set, only=["alpha-core"], date=f"2026-11-0{number + 1}T03:00:00Z", packages=str(number))
+    book = store.Records(registry.registry, PREFIX)
     many = book.read("alpha-core", "amd64")
     assert many and len(many.superseded) == 5, "what is there stays known: prune removes it"
     for digest in many.superseded[:4]:
         del registry.registry.manifests[f"{PREFIX}/ros"][digest]
     registry.upstream["alpha"] = "another day"
-    registry.publish(catalogue, only=["alpha-core"], date="2026-11-07T03:00:00Z", packages="7")
+    registry.publish(image_set, only=["alpha-core"], date="2026-11-07T03:00:00Z", packages="7")
     few = book.read("alpha-core", "amd64")
     assert few and few.superseded == (many.superseded[4], many.digest)
 
@@ -847,9 +845,9 @@ def told(
     monkeypatch.setattr(sync, "published", lambda *_: asked())
     architecture = base_images.native_architecture()
     item = run.plan.by_key[target, architecture]
-    assert isinstance(item.thing, image_set.Image)
+    assert isinstance(item.thing, sets.Image)
     for name in item.thing.architectures:
-        run.plan.known[target, name] = ledger.Entry(target, name, upstream="sunday")
+        run.plan.known[target, name] = store.Entry(target, name, upstream="sunday")
     Pipeline(run.plan, run.registry, HOST, PREFIX, lambda line: None).build([target])
     (call,) = [call for call in calls if call.target == target and call.name == f"build-{target}-{architecture}"]
     return list(call.sets), dict(call.variables)
@@ -860,43 +858,43 @@ def never() -> str:
 
 
 def test_packages_are_of_the_plans_moment(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With the first component the essentials as well, which the builder would keep for ever."""
     folder = registry.services.state / "upstream/alpha"
     registry.upstream["alpha"] = "monday, ubuntu noble 0123456789abcdef"
-    [system] = {image.os for image in catalogue.images if image.target == "alpha-core"}
+    [system] = {image.os for image in image_set.images if image.target == "alpha-core"}
     for target, targets in (("alpha-core", {names.os_target(system), "alpha-core"}), ("alpha-base", {"alpha-base"})):
-        sets, variables = told(registry.run(catalogue), target, monkeypatch, never)
+        sets, variables = told(registry.run(image_set), target, monkeypatch, never)
         assert set(sets) == {f"{target}.tags=", *(f"{name}.contexts.upstream={folder}" for name in targets)}
         assert (folder / "moment").read_text() == "monday, ubuntu noble 0123456789abcdef\n"
         assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "monday"}
-        sets, _ = told(registry.run(catalogue, date=NEXT, force=True), target, monkeypatch, never)
+        sets, _ = told(registry.run(image_set, date=NEXT, force=True), target, monkeypatch, never)
         assert set(sets) == {f"{target}.tags=", *(f"{name}.no-cache=true" for name in targets)}
 
 
 def test_a_repository_that_did_not_answer_the_plan(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Its packages are taken for those of the last build."""
     registry.upstream["alpha"] = "down"
-    _, variables = told(registry.run(catalogue), "alpha-core", monkeypatch, never)
+    _, variables = told(registry.run(image_set), "alpha-core", monkeypatch, never)
     assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "sunday"}
 
 
-def test_a_payload_is_assembled_anew_when_that_is_asked_for(
-    registry: Place, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch
+def test_a_part_is_assembled_anew_when_that_is_asked_for(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Past the builder's cache."""
     seen: list[bool] = []
 
     def push(*arguments: Any) -> tuple[Any, str]:
         seen.append(arguments[-1])
-        return SimpleNamespace(reference=PINNED), put_image(registry.registry, f"{PREFIX}/payload", "amd64", {}, [])
+        return SimpleNamespace(reference=PINNED), put_image(registry.registry, f"{PREFIX}/part", "amd64", {}, [])
 
     monkeypatch.setattr(part, "push", push)
     monkeypatch.setattr(file_list, "attach_files", lambda *_: None)
     for force, date in ((False, DAY), (True, NEXT)):
-        run = registry.run(catalogue, date=date, force=force, architectures=("amd64",))
-        Pipeline(run.plan, run.registry, HOST, PREFIX, lambda line: None).build([catalogue.payloads[0].target])
+        run = registry.run(image_set, date=date, force=force, architectures=("amd64",))
+        Pipeline(run.plan, run.registry, HOST, PREFIX, lambda line: None).build([image_set.parts[0].target])
     assert seen == [False, True]

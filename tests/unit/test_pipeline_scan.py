@@ -13,7 +13,7 @@ from scanning import World, advisory, rules
 from steps import do
 from stubs import services
 
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.publish.pipeline import policy_digest
 from rosml.scan import judge as judging
 from rosml.scan.judge import Outcome, summarise
@@ -30,13 +30,13 @@ def world(tmp_path: Path) -> World:
     return World(tmp_path, advisories={"torch": [advisory("CVE-2026-2", "CRITICAL", "3.0")]})
 
 
-def scanned(registry: Place, catalogue: Catalogue, world: World, **options: object) -> Run:
+def scanned(registry: Place, image_set: ImageSet, world: World, **options: object) -> Run:
     """A run of which a clean scan is asked before tags."""
-    run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
+    run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
     for step in ("build", "compose", "test"):
         do(run, step)
     for item in run.plan.items:
-        packages = ("bash",) if item.kind == "ros" else (item.thing.part,) if item.kind == "payload" else ()  # type: ignore[union-attr]
+        packages = ("bash",) if item.kind == "ros" else (item.thing.part,) if item.kind == "part" else ()  # type: ignore[union-attr]
         if packages:
             world.part("x", *packages, ros=item.kind == "ros")
             world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]
@@ -50,10 +50,10 @@ def scanned(registry: Place, catalogue: Catalogue, world: World, **options: obje
 
 def test_what_the_policy_stops_gets_no_tag(
     registry: Place,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     world: World,
 ) -> None:
-    run = scanned(registry, catalogue, world)
+    run = scanned(registry, image_set, world)
     assert run.failed
     assert "alpha-core" in registry.tagged("ros") and "alpha-core-cu1" in registry.tagged("ros-cuda")
     assert registry.tagged("ros-torch") == {}
@@ -64,20 +64,20 @@ def test_what_the_policy_stops_gets_no_tag(
     parts = {item.key for item in run.plan.items if item.kind != "joined"}
     assert len(calls) == len(parts), "a part that images share is scanned once"
 
-    again = scanned(registry, catalogue, world, date=NEXT)
+    again = scanned(registry, image_set, world, date=NEXT)
     assert world.calls("sbom") == calls, "the same database, the same policy: nothing to scan"
     assert not again.made
 
     world.advisories.clear()  # the next database
     world.updated = "2026-11-23T00:00:00Z"
-    mended = scanned(registry, catalogue, world, date=NEXT)
+    mended = scanned(registry, image_set, world, date=NEXT)
     assert not mended.failed and not mended.made
     assert "alpha-base-cu1" in registry.tagged("ros-torch")
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
-def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-core"])
+def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, image_set: ImageSet) -> None:
+    run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
     for step in ("build", "test"):
         do(run, step)
     found = run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
@@ -90,25 +90,25 @@ def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, catalogue: Catal
 
 def test_what_another_run_made_anew_keeps_its_entry(
     registry: Place,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     world: World,
 ) -> None:
     """A scan takes its time, in which another publisher may replace the image: its entry is not written over."""
-    run = registry.run(catalogue, scanning=policy_digest(rules()), only=["alpha-core"])
+    run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
     for step in ("build", "test"):
         do(run, step)
-    other = registry.run(catalogue, date=NEXT, only=["alpha-core"], force=True, packages="2")
+    other = registry.run(image_set, date=NEXT, only=["alpha-core"], force=True, packages="2")
     other.build()
     made = other.plan.known["alpha-core", "amd64"]
     assert made.digest != run.plan.known["alpha-core", "amd64"].digest
     run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
-    assert run.ledger.read("alpha-core", "amd64") == made
+    assert run.records.read("alpha-core", "amd64") == made
     assert "another run has made it anew since it was scanned" in waiting(run, "alpha-core")
 
 
 def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
     registry: Place,
-    catalogue: Catalogue,
+    image_set: ImageSet,
 ) -> None:
     """Only where all images that are there were scanned is an entry known to be in none. Those that cannot be built do not
     count: they never are there."""
@@ -118,9 +118,9 @@ def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
         found.append(whole)
         return summarise([], rules(), date(2026, 11, 22), whole=False)
 
-    registry.publish(catalogue)
+    registry.publish(image_set)
     for only in (["alpha-*"], []):
-        run = registry.run(catalogue, date=NEXT, only=only)
+        run = registry.run(image_set, date=NEXT, only=only)
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(judging, "summarise", judge)
             run.scan(rules(), ScannerFailed("none", "make scanner"))

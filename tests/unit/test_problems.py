@@ -26,7 +26,7 @@ WRONG = {
     "no assembler": (
         "assembler: ubuntu-24.04, ",
         "",
-        "4:1: default: 'assembler' is missing; add 'assembler: …' (the operating system that assembles payloads for any "
+        "4:1: default: 'assembler' is missing; add 'assembler: …' (the operating system that assembles parts for any "
         "Python, tests images and lists their files)",
     ),
     "unknown name": (
@@ -630,12 +630,12 @@ CONTENT = {
 def test_content(name: str) -> None:
     content, expected = CONTENT[name]
     with pytest.raises(InputError) as caught:
-        load.catalogue(source.parse(content))
+        load.image_set(source.parse(content))
     assert str(caught.value) == expected
 
 
 def test_byte_order_mark() -> None:
-    assert load.catalogue(source.parse(b"\xef\xbb\xbf" + SMALL.encode())).images
+    assert load.image_set(source.parse(b"\xef\xbb\xbf" + SMALL.encode())).images
 
 
 def test_missing_file(tmp_path: Path) -> None:

@@ -22,8 +22,8 @@ ROS = (
 )
 ESSENTIALS = "[_os-bookworm base 1/4] RUN --mount=type=bind,source=components/base,target=/x /x/install.sh"
 TORCH = (
-    "[_files-torch payload-files 2/2] RUN --mount=type=bind,source=components/torch,target=/run/components/torch "
-    "/run/components/payload/assemble.sh"
+    "[_files-torch part-files 2/2] RUN --mount=type=bind,source=components/torch,target=/run/components/torch "
+    "/run/components/part/assemble.sh"
 )
 JOIN = "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /"
 TEST = (

@@ -16,39 +16,39 @@ from stubs import services
 from rosml.base.errors import RosmlError
 from rosml.cli import tables
 from rosml.images import locked
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.matrix import names
 from rosml.publish import prune, status
 from rosml.publish.prune import Pruner
-from rosml.records import ledger, tag_moves
+from rosml.records import store, tag_moves
 from rosml.registry.oci import Manifest
 
 FIRST = date(2026, 9, 1)
 
 
 @pytest.fixture
-def nights(project: Path, catalogue: Catalogue, monkeypatch: pytest.MonkeyPatch) -> Place:
+def nights(project: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch) -> Place:
     """Six nights a week apart, each with other packages."""
     found = place(project, services(project), monkeypatch)
     for number in range(6):
-        night(found, catalogue, number)
+        night(found, image_set, number)
     return found
 
 
-def night(here: Place, catalogue: Catalogue, number: int) -> None:
+def night(here: Place, image_set: ImageSet, number: int) -> None:
     """Publishes all images of a row with the packages of a week."""
     here.upstream["alpha"] = f"week {number}"
     day = FIRST + timedelta(days=7 * number)
-    here.publish(catalogue, only=["alpha"], date=f"{day}T03:00:00Z", packages=str(number))
+    here.publish(image_set, only=["alpha"], date=f"{day}T03:00:00Z", packages=str(number))
 
 
-def pruner(nights: Place, catalogue: Catalogue, days: int = 20, newest: int = 2) -> Pruner:
-    return Pruner(nights.registry, PREFIX, catalogue, FIRST + timedelta(days=36), days, newest)
+def pruner(nights: Place, image_set: ImageSet, days: int = 20, newest: int = 2) -> Pruner:
+    return Pruner(nights.registry, PREFIX, image_set, FIRST + timedelta(days=36), days, newest)
 
 
-def reachable(nights: Place, catalogue: Catalogue) -> None:
+def reachable(nights: Place, image_set: ImageSet) -> None:
     """Everything that a tag leads to is there."""
-    for repository in {image.repository for image in catalogue.images} | {"payload"}:
+    for repository in {image.repository for image in image_set.images} | {"part"}:
         path = f"{PREFIX}/{repository}"
         for tag, target in nights.tagged(repository).items():
             index = nights.registry.manifest(path, target)
@@ -57,16 +57,16 @@ def reachable(nights: Place, catalogue: Catalogue) -> None:
                 assert nights.registry.manifest(path, member["digest"]), f"{repository}:{tag}"
 
 
-def test_a_dry_run_removes_nothing(nights: Place, catalogue: Catalogue) -> None:
+def test_a_dry_run_removes_nothing(nights: Place, image_set: ImageSet) -> None:
     before = nights.registry.writes
-    found = pruner(nights, catalogue).find()
+    found = pruner(nights, image_set).find()
     assert found.tags and found.manifests and found.records
     assert nights.registry.writes == before
 
 
-def test_old_nights_go_with_what_only_they_led_to(nights: Place, catalogue: Catalogue) -> None:
+def test_old_nights_go_with_what_only_they_led_to(nights: Place, image_set: ImageSet) -> None:
     tags, count = nights.tagged("ros"), len(nights.registry.manifests[f"{PREFIX}/ros"])
-    here = pruner(nights, catalogue)
+    here = pruner(nights, image_set)
     found = here.find()
     assert ("ros", "alpha-core-20260901") in found.tags and ("ros", "alpha-core-20260908") in found.tags
     list(here.remove(found))
@@ -75,55 +75,55 @@ def test_old_nights_go_with_what_only_they_led_to(nights: Place, catalogue: Cata
         f"alpha-{part}-{day}" for part in ("core", "base", "desktop") for day in ("20260901", "20260908", "20260915")
     } & tags.keys()
     assert len(nights.registry.manifests[f"{PREFIX}/ros"]) < count
-    reachable(nights, catalogue)
+    reachable(nights, image_set)
     again = here.find()
     assert (again.tags, again.manifests, again.records) == ([], [], [])
-    run = nights.publish(catalogue, only=["alpha"], date="2026-10-20T03:00:00Z", packages="5")
+    run = nights.publish(image_set, only=["alpha"], date="2026-10-20T03:00:00Z", packages="5")
     assert run.made == [], "pruning took what the next run needs"
 
 
-def test_what_a_kept_record_brings_back_stays(nights: Place, catalogue: Catalogue) -> None:
-    here = pruner(nights, catalogue, days=10, newest=0)
+def test_what_a_kept_record_brings_back_stays(nights: Place, image_set: ImageSet) -> None:
+    here = pruner(nights, image_set, days=10, newest=0)
     list(here.remove(here.find()))
     nights.undo()
-    reachable(nights, catalogue)
+    reachable(nights, image_set)
 
 
-def test_a_registry_that_deletes_no_tags(nights: Place, catalogue: Catalogue) -> None:
+def test_a_registry_that_deletes_no_tags(nights: Place, image_set: ImageSet) -> None:
     nights.registry.refuses.add("delete a tag")
-    here = pruner(nights, catalogue)
+    here = pruner(nights, image_set)
     found = here.find()
     found.records.clear()
     lines = list(here.remove(found))
     assert any(" with sha256:" in line for line in lines)
     assert "alpha-core-20260901" not in nights.tagged("ros")
-    reachable(nights, catalogue)
+    reachable(nights, image_set)
 
 
-def test_payloads_that_did_not_change_stay(nights: Place, catalogue: Catalogue) -> None:
-    found = pruner(nights, catalogue, days=0, newest=0).find()
-    assert not [item for item in found.manifests if item[0] == "payload"]
+def test_parts_that_did_not_change_stay(nights: Place, image_set: ImageSet) -> None:
+    found = pruner(nights, image_set, days=0, newest=0).find()
+    assert not [item for item in found.manifests if item[0] == "part"]
 
 
-def test_an_entry_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalogue) -> None:
-    ledger.Ledger(nights.registry, PREFIX).artifact("alpha-core.amd64", b"{}", {ledger.ANNOTATION: "?"})
+def test_an_entry_that_cannot_be_read_stops_it(nights: Place, image_set: ImageSet) -> None:
+    store.Records(nights.registry, PREFIX).artifact("alpha-core.amd64", b"{}", {store.ANNOTATION: "?"})
     with pytest.raises(RosmlError, match=r"alpha-core.amd64 cannot be read"):
-        pruner(nights, catalogue).find()
+        pruner(nights, image_set).find()
 
 
 @pytest.mark.parametrize("moves", [5, [5], ["x"], [{"repository": "ros"}], [{"old": ""}]])
-def test_a_record_that_cannot_be_read_stops_it(nights: Place, catalogue: Catalogue, moves: object) -> None:
+def test_a_record_that_cannot_be_read_stops_it(nights: Place, image_set: ImageSet, moves: object) -> None:
     data = json.dumps({"moves": moves}).encode()
-    ledger.Ledger(nights.registry, PREFIX).artifact("undo.20261001T030000Z", data, {})
+    store.Records(nights.registry, PREFIX).artifact("undo.20261001T030000Z", data, {})
     with pytest.raises(RosmlError, match=r"undo.20261001T030000Z cannot be read"):
-        pruner(nights, catalogue).find()
+        pruner(nights, image_set).find()
 
 
-def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
+def test_how_images_stand(nights: Place, image_set: ImageSet) -> None:
     now = "2026-10-08T03:00:00Z"
 
     def states(**options: object) -> dict[str, status.Standing]:
-        run = nights.run(catalogue, **options)  # type: ignore[arg-type]
+        run = nights.run(image_set, **options)  # type: ignore[arg-type]
         found = status.standings(run.plan, nights.registry, PREFIX, now, run.serving)
         return {item.target: item for item in found}
 
@@ -138,12 +138,12 @@ def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
     found = states()
     assert found["alpha-core"].state == "outdated" and "packages moved" in found["alpha-core"].reason
     assert found[BASE].state == "outdated"
-    nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", poisoned={BASE})
+    nights.publish(image_set, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", poisoned={BASE})
     found = states()
     assert found[BASE].state == "failed" and "tests failed" in found[BASE].reason
     assert found["alpha-core"].state == "published"
     assert states(architectures=("amd64",))["alpha-core"].state == "published", "another machine's work is no fault"
-    nights.publish(catalogue, only=["omega-core"], architectures=("amd64",), serving=("amd64",))
+    nights.publish(image_set, only=["omega-core"], architectures=("amd64",), serving=("amd64",))
     assert states(serving=("amd64",))["omega-core"].state == "published", "what is not served is not missed"
     assert states()["omega-core"].state == "outdated"
     assert status.age(None) == "" and status.age(59) == "59 s" and status.age(7300) == "2 h"
@@ -152,20 +152,20 @@ def test_how_images_stand(nights: Place, catalogue: Catalogue) -> None:
 
 def test_what_cannot_be_had_is_told_apart(
     project: Path,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """Without a lock, or without the base image on this machine: neither is missing work. The table says it for each image."""
     here = place(project, services(project), monkeypatch)
-    here.publish(catalogue, only=["alpha-core"], date="2026-11-19T03:00:00Z")
+    here.publish(image_set, only=["alpha-core"], date="2026-11-19T03:00:00Z")
     here.services = services(project, docker_hub=False, mirror=True)
-    lock = next(name for name in catalogue.by_target[BASE].locks if name.endswith("/torch.txt"))
-    lacking = locked.with_locks(catalogue, catalogue.locks - {lock})
+    lock = next(name for name in image_set.by_target[BASE].locks if name.endswith("/torch.txt"))
+    lacking = locked.with_locks(image_set, image_set.locks - {lock})
     (project / lock).unlink()
     run = here.run(lacking, only=["alpha-core", "alpha-base", BASE, "alpha-core-ml-cu1"])
     found = list(status.standings(run.plan, here.registry, PREFIX, DAY))
-    states = {item.target: (item.state, item.reason) for item in found if not item.target.startswith("payload")}
+    states = {item.target: (item.state, item.reason) for item in found if not item.target.startswith("part")}
     why = "docker.io/library/ubuntu:24.04 is on Docker Hub, which does not answer"
     assert states == {
         "alpha-core": ("published", ""),
@@ -185,60 +185,60 @@ def test_what_cannot_be_had_is_told_apart(
     assert total.startswith("images: 1 published") and total.endswith("2 lock missing, 1 waiting for a builder")
 
 
-def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, catalogue: Catalogue) -> None:
+def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, image_set: ImageSet) -> None:
     """A dated tag goes, and its index is what a kept record brings back: the digest must not go with the tag."""
     nights.registry.refuses.add("delete a tag")
-    here = pruner(nights, catalogue, days=0, newest=0)
+    here = pruner(nights, image_set, days=0, newest=0)
     here.today = FIRST + timedelta(days=35)
     found = here.find()
-    record = next(name for name in nights.registry.tags(f"{PREFIX}/ledger") if name == "undo.20261006T030000Z")
-    moves = [move for move in tag_moves.read_moves(ledger.Ledger(nights.registry, PREFIX), record) if move.old]
+    record = next(name for name in nights.registry.tags(f"{PREFIX}/records") if name == "undo.20261006T030000Z")
+    moves = [move for move in tag_moves.read_moves(store.Records(nights.registry, PREFIX), record) if move.old]
     assert moves
     list(here.remove(found))
     for move in moves:
         assert nights.registry.manifest(f"{PREFIX}/{move.repository}", move.old), f"{move.repository}:{move.tag}"
-    assert not [name for name in nights.registry.tags(f"{PREFIX}/ledger") if name in found.records]
+    assert not [name for name in nights.registry.tags(f"{PREFIX}/records") if name in found.records]
 
 
-def test_a_tag_of_somebody_else_stays(nights: Place, catalogue: Catalogue) -> None:
+def test_a_tag_of_somebody_else_stays(nights: Place, image_set: ImageSet) -> None:
     path = f"{PREFIX}/ros"
     for day in ("20200101", "20200102"):
         nights.registry.put_manifest(path, f"backup-{day}", {"layers": [], "day": day}, "application/json")
     nights.registry.put_manifest(path, "odd", {"manifests": None}, "application/json")
-    found = pruner(nights, catalogue, days=0, newest=0).find()
+    found = pruner(nights, image_set, days=0, newest=0).find()
     assert found.tags and not [tag for _, tag in found.tags if "backup" in tag]
 
 
-def test_how_images_stand_after_a_failure_is_over(nights: Place, catalogue: Catalogue, project: Path) -> None:
+def test_how_images_stand_after_a_failure_is_over(nights: Place, image_set: ImageSet, project: Path) -> None:
     def state(target: str) -> tuple[str, str]:
-        run = nights.run(catalogue, only=["alpha"])
+        run = nights.run(image_set, only=["alpha"])
         found = status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
         return next((item.state, item.reason) for item in found if item.target == target)
 
     script = project / "components/ros/install.sh"
     before = script.read_text()
     script.write_text(before + "# a fault\n")
-    nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="5", broken={"alpha-core"})
+    nights.publish(image_set, only=["alpha"], date="2026-10-13T03:00:00Z", packages="5", broken={"alpha-core"})
     assert state("alpha-core")[0] == "failed"
     script.write_text(before)
     assert state("alpha-core") == ("published", "")
 
 
-def test_an_index_that_cannot_be_made_has_failed(nights: Place, catalogue: Catalogue) -> None:
+def test_an_index_that_cannot_be_made_has_failed(nights: Place, image_set: ImageSet) -> None:
     nights.upstream["alpha"] = "week 7"
     odd = {("alpha-core", "arm64"): {"org.opencontainers.image.version": "another"}}
-    nights.publish(catalogue, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", odd=odd)
-    run = nights.run(catalogue, only=["alpha"])
+    nights.publish(image_set, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", odd=odd)
+    run = nights.run(image_set, only=["alpha"])
     found = {i.target: i for i in status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
     assert found["alpha-core"].state == "failed" and "not the same on all" in found["alpha-core"].reason
 
 
 @pytest.mark.parametrize("date", ["yesterday", "2026-11-22", "9999-99-99T99:99:99Z"])
-def test_a_date_that_is_none_has_no_age(nights: Place, catalogue: Catalogue, date: str) -> None:
+def test_a_date_that_is_none_has_no_age(nights: Place, image_set: ImageSet, date: str) -> None:
     path = f"{PREFIX}/ros"
     content = {"manifests": None, "annotations": {"io.rosml.date": date}}
     nights.registry.put_manifest(path, "alpha-core", content, "application/json")
-    run = nights.run(catalogue, only=["alpha-core"])
+    run = nights.run(image_set, only=["alpha-core"])
     (found,) = status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
     assert (found.state, found.age, found.platforms) == ("outdated", None, ())
 
@@ -259,19 +259,19 @@ def between(nights: Place, work: Callable[[], object], monkeypatch: pytest.Monke
 @pytest.mark.parametrize("when", ["tags go", "manifests go"])
 def test_what_a_run_comes_to_need_while_others_go_stays(
     nights: Place,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     monkeypatch: pytest.MonkeyPatch,
     when: str,
 ) -> None:
     """The packages are those of an old night again: its images, which may go, are needed once more."""
     monkeypatch.setattr(prune, "LOOK_SECONDS", 0.0)
-    here = pruner(nights, catalogue, days=0, newest=0)
+    here = pruner(nights, image_set, days=0, newest=0)
     found = here.find()
     again: list[str] = []
 
     def run() -> None:
         nights.upstream["alpha"] = "week 1 again"
-        done = nights.publish(catalogue, only=["alpha"], date="2026-10-07T03:00:00Z", packages="1")
+        done = nights.publish(image_set, only=["alpha"], date="2026-10-07T03:00:00Z", packages="1")
         again.extend(entry.digest for entry in done.plan.known.values())
         assert not done.failed
 
@@ -280,12 +280,12 @@ def test_what_a_run_comes_to_need_while_others_go_stays(
     gone = {digest for _, digest in found.manifests}
     assert gone & set(again), "nothing that may go was needed again: this test says nothing"
     assert any("stays: something leads to it again" in line for line in lines)
-    reachable(nights, catalogue)
-    assert nights.publish(catalogue, only=["alpha"], date="2026-10-08T03:00:00Z", packages="1").made == []
+    reachable(nights, image_set)
+    assert nights.publish(image_set, only=["alpha"], date="2026-10-08T03:00:00Z", packages="1").made == []
 
 
-def test_a_dated_tag_that_moved_stays(nights: Place, catalogue: Catalogue) -> None:
-    here = pruner(nights, catalogue, days=0, newest=0)
+def test_a_dated_tag_that_moved_stays(nights: Place, image_set: ImageSet) -> None:
+    here = pruner(nights, image_set, days=0, newest=0)
     found = here.find()
     repository, tag = next(item for item in found.tags if item[0] == "ros")
     path = f"{PREFIX}/{repository}"
@@ -297,26 +297,26 @@ def test_a_dated_tag_that_moved_stays(nights: Place, catalogue: Catalogue) -> No
     assert nights.registry.head(path, tag) == other
 
 
-def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, catalogue: Catalogue) -> None:
+def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, image_set: ImageSet) -> None:
     content = {"manifests": [], "annotations": {"io.rosml.date": "yesterday"}}
     nights.registry.put_manifest(f"{PREFIX}/ros", "mine-20200101", content, "application/json")
-    assert ("ros", "mine-20200101") not in pruner(nights, catalogue, days=0, newest=0).find().tags
+    assert ("ros", "mine-20200101") not in pruner(nights, image_set, days=0, newest=0).find().tags
 
 
 @pytest.mark.parametrize(("days", "newest"), [(3650, 99), (0, 0)], ids=["all stay", "all go"])
 def test_looking_asks_at_most_twice_for_an_image_of_a_night(
     project: Path,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     monkeypatch: pytest.MonkeyPatch,
     days: int,
     newest: int,
 ) -> None:
     here = place(project, services(project), monkeypatch)
-    asked, images, repositories = [], [], {image.repository for image in catalogue.images}
+    asked, images, repositories = [], [], {image.repository for image in image_set.images}
     for number in range(6):
-        night(here, catalogue, number)
+        night(here, image_set, number)
         before = here.registry.reads
-        Pruner(here.registry, PREFIX, catalogue, FIRST + timedelta(days=100), days, newest).find()
+        Pruner(here.registry, PREFIX, image_set, FIRST + timedelta(days=100), days, newest).find()
         asked.append(here.registry.reads - before)
         dated = [tag for name in repositories for tag in here.tagged(name) if names.DATED.search(tag)]
         images.append(len(dated))
@@ -327,14 +327,14 @@ def test_looking_asks_at_most_twice_for_an_image_of_a_night(
 
 def test_images_are_asked_for_side_by_side(
     nights: Place,
-    catalogue: Catalogue,
+    image_set: ImageSet,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The first requests for manifests are answered only when eight of them wait."""
     manifest, together, waiting = nights.registry.manifest, threading.Event(), []
 
     def answering(repository: str, reference: str) -> Manifest | None:
-        if repository.endswith("/ledger"):
+        if repository.endswith("/records"):
             return manifest(repository, reference)
         waiting.append(reference)
         if len(waiting) >= 8:
@@ -344,4 +344,4 @@ def test_images_are_asked_for_side_by_side(
         return manifest(repository, reference)
 
     monkeypatch.setattr(nights.registry, "manifest", answering)
-    assert pruner(nights, catalogue).find().tags
+    assert pruner(nights, image_set).find().tags

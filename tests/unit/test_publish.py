@@ -17,7 +17,7 @@ from stubs import buildx, calls, services
 
 from rosml.cli import command
 from rosml.cli import publish as script
-from rosml.images import image_set
+from rosml.images import image_set as sets
 from rosml.machine import base_images
 from rosml.machine.services import Services
 
@@ -30,7 +30,7 @@ class Stage:
     """A checkout whose registry is in memory, and the runs of the command."""
 
     folder: Path
-    catalogue: image_set.Catalogue
+    image_set: sets.ImageSet
     place: Place
     options: dict[str, Any] = field(default_factory=dict)
     runs: list[Run] = field(default_factory=list)
@@ -51,7 +51,7 @@ def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
 
 
 @pytest.fixture
-def stage(tmp_path: Path, registry: str, small: image_set.Catalogue, monkeypatch: pytest.MonkeyPatch) -> Stage:
+def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pytest.MonkeyPatch) -> Stage:
     """Its first run is of one day, the second of the next."""
     free(monkeypatch, 1_000_000)
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
@@ -89,11 +89,11 @@ def test_an_image_is_published(stage: Stage, capsys: pytest.CaptureFixture[str])
     assert (result["passed"], result["versions"]) == (5, {"torch": "2.10.0"})
     assert result["compressed"] > result["parts"] > 0 < result["uploaded"]
     assert result["made"] == [
-        *("alpha-core", "alpha-base", "payload-cuda-cu1", "payload-common-cu1-py312", "payload-torch-cu1-py312", TARGET)
+        *("alpha-core", "alpha-base", "part-cuda-cu1", "part-common-cu1-py312", "part-torch-cu1-py312", TARGET)
     ]
     index = stage.place.registry.manifest("rosml/ros-torch", result["digest"])
     assert index and [item["digest"] for item in index.content["manifests"]] == [result["manifest"]]
-    stage.place.check(stage.catalogue)
+    stage.place.check(stage.image_set)
 
 
 def test_it_is_the_runs_own_order(stage: Stage) -> None:
@@ -165,15 +165,15 @@ def test_a_test_fails(stage: Stage, capsys: pytest.CaptureFixture[str], json_too
 
 
 def test_a_part_fails(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    stage.options = {"broken": {"payload-torch-cu1-py312"}}
+    stage.options = {"broken": {"part-torch-cu1-py312"}}
     assert stage.image(TARGET) == 1
     told = capsys.readouterr().err
-    assert f"build of payload-torch-cu1-py312 failed, so {TARGET} gets no tag" in told
+    assert f"build of part-torch-cu1-py312 failed, so {TARGET} gets no tag" in told
     assert "remedy: mend it\n" in told
     assert not stage.tags()
     stage.options = {}
     assert stage.image(TARGET) == 0, "what was finished is kept, the next call carries on"
-    assert [target for _, target, _ in stage.runs[1].made] == ["payload-torch-cu1-py312", TARGET, TARGET]
+    assert [target for _, target, _ in stage.runs[1].made] == ["part-torch-cu1-py312", TARGET, TARGET]
 
 
 def test_tags_stay_where_they_were(stage: Stage) -> None:

@@ -27,7 +27,7 @@ from rosml.base.errors import RosmlError
 from rosml.locks import resolve
 from rosml.locks.resolve import Elsewhere, Request
 
-ASSEMBLE = (ROOT / "components/payload/assemble.sh").read_text()
+ASSEMBLE = (ROOT / "components/part/assemble.sh").read_text()
 
 
 def wheel(name: str, version: str) -> tuple[str, bytes]:

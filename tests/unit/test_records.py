@@ -1,4 +1,4 @@
-"""What becomes of a wheel's files in a payload: pruned ones are forgotten, all others are what the wheel has."""
+"""What becomes of a wheel's files in a part: pruned ones are forgotten, all others are what the wheel has."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ import pytest
 from conftest import ROOT
 from stubs import executable
 
-SCRIPT = ROOT / "components/payload/records.py"
+SCRIPT = ROOT / "components/part/records.py"
 SITE = "usr/local/lib/python3.11/dist-packages"
 
 
-class Payload:
-    """A payload in the making: a wheel with some files, and a part's rules."""
+class Part:
+    """A part in the making: a wheel with some files, and a part's rules."""
 
     def __init__(self, folder: Path) -> None:
         self.out, self.part = folder / "out", folder / "part"
@@ -60,81 +60,81 @@ class Payload:
 
 
 @pytest.fixture
-def payload(tmp_path: Path) -> Payload:
-    return Payload(tmp_path)
+def part(tmp_path: Path) -> Part:
+    return Part(tmp_path)
 
 
-def test_as_it_came(payload: Payload) -> None:
-    done = payload.run("verify")
+def test_as_it_came(part: Part) -> None:
+    done = part.run("verify")
     assert done.returncode == 0
     assert done.stdout == "records: 4 files are what the wheels have\n"
 
 
-def test_pruned_files_are_gone_and_forgotten(payload: Payload) -> None:
-    payload.rules(prune="# why\nthing/*.a\nthing/*tests/*\nother/*\n")
-    done = payload.run("prune")
+def test_pruned_files_are_gone_and_forgotten(part: Part) -> None:
+    part.rules(prune="# why\nthing/*.a\nthing/*tests/*\nother/*\n")
+    done = part.run("prune")
     assert done.returncode == 0, done.stderr
     assert "prune: thing/*.a: 1 files" in done.stdout
     assert "prune: other/*: 0 files" in done.stdout
-    assert payload.recorded().keys() == payload.files()
-    assert not (payload.site / "thing/deep").exists(), "no empty folders are left"
-    assert (payload.site / "thing/__init__.py").exists()
-    assert payload.run("verify").returncode == 0
+    assert part.recorded().keys() == part.files()
+    assert not (part.site / "thing/deep").exists(), "no empty folders are left"
+    assert (part.site / "thing/__init__.py").exists()
+    assert part.run("verify").returncode == 0
 
 
-def test_a_file_of_two_wheels_is_forgotten_by_both(payload: Payload) -> None:
-    other = payload.site / "other-1.dist-info/RECORD"
+def test_a_file_of_two_wheels_is_forgotten_by_both(part: Part) -> None:
+    other = part.site / "other-1.dist-info/RECORD"
     other.parent.mkdir()
-    other.write_text(f"thing/lib/libthing.a,{','.join(payload.recorded()['thing/lib/libthing.a'])}\n")
-    payload.rules(prune="thing/*.a\n")
-    assert payload.run("prune").returncode == 0
+    other.write_text(f"thing/lib/libthing.a,{','.join(part.recorded()['thing/lib/libthing.a'])}\n")
+    part.rules(prune="thing/*.a\n")
+    assert part.run("prune").returncode == 0
     assert other.read_text() == ""
-    assert payload.run("verify").returncode == 0
+    assert part.run("verify").returncode == 0
 
 
 @pytest.mark.parametrize("change", ["missing", "other content", "other size"])
-def test_what_differs_from_the_wheel_fails(payload: Payload, change: str) -> None:
-    file = payload.site / "thing/__init__.py"
+def test_what_differs_from_the_wheel_fails(part: Part, change: str) -> None:
+    file = part.site / "thing/__init__.py"
     if change == "missing":
         file.unlink()
     else:
         file.write_text("import that\n" if change == "other content" else "")
-    done = payload.run("verify")
+    done = part.run("verify")
     assert done.returncode == 1
     what = "is missing" if change == "missing" else "is not what the wheel has"
     assert done.stderr == f"records: thing/__init__.py {what}\n"
 
 
-def test_bytecode_is_made_anew_and_not_on_record(payload: Payload) -> None:
-    payload.add("thing/__pycache__/__init__.cpython-311.pyc", "theirs")
-    (payload.site / "thing/__pycache__/__init__.cpython-311.pyc").write_text("ours")
-    assert payload.run("verify").returncode == 0
-    assert not [path for path in payload.recorded() if path.endswith(".pyc")]
+def test_bytecode_is_made_anew_and_not_on_record(part: Part) -> None:
+    part.add("thing/__pycache__/__init__.cpython-311.pyc", "theirs")
+    (part.site / "thing/__pycache__/__init__.cpython-311.pyc").write_text("ours")
+    assert part.run("verify").returncode == 0
+    assert not [path for path in part.recorded() if path.endswith(".pyc")]
 
 
-def test_an_adapted_file_is_recorded_as_it_is_now(payload: Payload) -> None:
+def test_an_adapted_file_is_recorded_as_it_is_now(part: Part) -> None:
     """A name with a comma, as RECORD quotes it."""
-    payload.rules(adapted="thing/cmake/*\n")
-    (payload.site / "thing/cmake/config, old.cmake").write_text("ours\n")
-    assert payload.run("verify").returncode == 0
-    payload.rules()
-    assert payload.run("verify").returncode == 0, "its record is what it is"
+    part.rules(adapted="thing/cmake/*\n")
+    (part.site / "thing/cmake/config, old.cmake").write_text("ours\n")
+    assert part.run("verify").returncode == 0
+    part.rules()
+    assert part.run("verify").returncode == 0, "its record is what it is"
 
 
-def test_a_link_to_another_payload(payload: Payload) -> None:
-    link = payload.site / "thing/lib/libthing.a"
+def test_a_link_to_another_part(part: Part) -> None:
+    link = part.site / "thing/lib/libthing.a"
     link.unlink()
-    link.symlink_to("/usr/lib/of-another-payload.so")
-    assert payload.run("verify").returncode == 1
-    payload.rules(adapted="thing/lib/*\n")
-    assert payload.run("verify").returncode == 0
-    assert payload.recorded()["thing/lib/libthing.a"] == ("", "")
+    link.symlink_to("/usr/lib/of-another-part.so")
+    assert part.run("verify").returncode == 1
+    part.rules(adapted="thing/lib/*\n")
+    assert part.run("verify").returncode == 0
+    assert part.recorded()["thing/lib/libthing.a"] == ("", "")
 
 
-def test_nothing_is_not_taken_for_everything(payload: Payload) -> None:
-    payload.record.unlink()
-    payload.record.parent.rmdir()
-    done = payload.run("verify")
+def test_nothing_is_not_taken_for_everything(part: Part) -> None:
+    part.record.unlink()
+    part.record.parent.rmdir()
+    done = part.run("verify")
     assert (done.returncode, done.stderr) == (1, "records: nothing is recorded\n")
 
 
@@ -172,54 +172,54 @@ def test_rules_of_the_parts_match_something_that_wheels_had() -> None:
         assert all(any(fnmatchcase(path, pattern) for pattern in patterns) for path in paths), part
 
 
-def test_a_part_that_takes_little_of_its_wheels_keeps_just_that(payload: Payload) -> None:
-    payload.add("thing/lib/deep/libthing.so", "library")
-    payload.rules(keep="thing/lib/*\n*.dist-info/*\n", prune="*.a\n")
-    done = payload.run("prune")
+def test_a_part_that_takes_little_of_its_wheels_keeps_just_that(part: Part) -> None:
+    part.add("thing/lib/deep/libthing.so", "library")
+    part.rules(keep="thing/lib/*\n*.dist-info/*\n", prune="*.a\n")
+    done = part.run("prune")
     assert done.returncode == 0, done.stderr
     assert "prune: what keep.txt does not name: 3 files" in done.stdout
-    assert payload.files() == {"thing/lib/deep/libthing.so", "thing-1.dist-info/RECORD"} == payload.recorded().keys()
-    assert payload.run("verify").returncode == 0
+    assert part.files() == {"thing/lib/deep/libthing.so", "thing-1.dist-info/RECORD"} == part.recorded().keys()
+    assert part.run("verify").returncode == 0
 
 
 LINK = ("link", "/usr/local/lib/rosml/other", "thing/lib", "thing/__init__.py")
 """One folder and one file that another part has."""
 
 
-def test_links_to_another_part_take_the_place_of_files(payload: Payload) -> None:
-    payload.add("thing/lib/deep/more", "more\n")
-    before = [",".join((path, *fact)) for path, fact in payload.recorded().items() if path in TAKEN]
-    done = payload.run(*LINK)
+def test_links_to_another_part_take_the_place_of_files(part: Part) -> None:
+    part.add("thing/lib/deep/more", "more\n")
+    before = [",".join((path, *fact)) for path, fact in part.recorded().items() if path in TAKEN]
+    done = part.run(*LINK)
     assert done.returncode == 0, done.stderr
     for path in ("thing/lib", "thing/__init__.py"):
-        assert os.readlink(payload.site / path) == f"/usr/local/lib/rosml/other/{path}"
-        assert payload.recorded()[path] == ("", ""), "pip removes the link, and leaves what it leads to alone"
-    assert payload.recorded().keys() == payload.files()
+        assert os.readlink(part.site / path) == f"/usr/local/lib/rosml/other/{path}"
+        assert part.recorded()[path] == ("", ""), "pip removes the link, and leaves what it leads to alone"
+    assert part.recorded().keys() == part.files()
     expected = hashlib.sha256("\n".join(sorted(before)).encode()).hexdigest()
-    assert (payload.out / "usr/local/share/rosml/expected.d/other").read_text() == f"{expected}\n"
-    assert payload.run("verify").returncode == 0
+    assert (part.out / "usr/local/share/rosml/expected.d/other").read_text() == f"{expected}\n"
+    assert part.run("verify").returncode == 0
 
 
 TAKEN = ("thing/lib/libthing.a", "thing/lib/deep/more", "thing/__init__.py")
 
 
-def changed_file(payload: Payload) -> None:
-    (payload.site / "thing/lib/libthing.a").write_text("other  ")
+def changed_file(part: Part) -> None:
+    (part.site / "thing/lib/libthing.a").write_text("other  ")
 
 
-def file_on_no_record(payload: Payload) -> None:
-    (payload.site / "thing/lib/new").write_text("")
+def file_on_no_record(part: Part) -> None:
+    (part.site / "thing/lib/new").write_text("")
 
 
-def missing_file(payload: Payload) -> None:
-    payload.add("thing/lib/gone", "gone")
-    (payload.site / "thing/lib/gone").unlink()
+def missing_file(part: Part) -> None:
+    part.add("thing/lib/gone", "gone")
+    (part.site / "thing/lib/gone").unlink()
 
 
 @pytest.mark.parametrize("damage", [changed_file, file_on_no_record, missing_file])
-def test_what_is_not_the_wheels_is_no_link(payload: Payload, damage: Callable[[Payload], None]) -> None:
-    damage(payload)
-    done = payload.run(*LINK)
+def test_what_is_not_the_wheels_is_no_link(part: Part, damage: Callable[[Part], None]) -> None:
+    damage(part)
+    done = part.run(*LINK)
     assert done.returncode == 1
     assert "records: thing/lib is not what the wheel has" in done.stderr
 
@@ -244,39 +244,39 @@ namespace absl {
 """
 
 
-def adapt(payload: Payload, architecture: str = "arm64") -> subprocess.CompletedProcess[str]:
-    env = {**os.environ, "OUT": str(payload.out), "SITE": f"/{SITE}", "TARGETARCH": architecture}
+def adapt(part: Part, architecture: str = "arm64") -> subprocess.CompletedProcess[str]:
+    env = {**os.environ, "OUT": str(part.out), "SITE": f"/{SITE}", "TARGETARCH": architecture}
     script = SCRIPT.with_name("abseil_for_gcc.py")
     return subprocess.run([sys.executable, script], env=env, capture_output=True, text=True, check=False)
 
 
-def test_the_hash_of_tensorflows_libraries_for_arm64_is_that_of_every_compiler(payload: Payload) -> None:
-    payload.add(HASH, HASH_H)
-    done = adapt(payload)
+def test_the_hash_of_tensorflows_libraries_for_arm64_is_that_of_every_compiler(part: Part) -> None:
+    part.add(HASH, HASH_H)
+    done = adapt(part)
     assert done.returncode == 0, done.stderr
-    text = (payload.site / HASH).read_text()
+    text = (part.site / HASH).read_text()
     assert "rbit %0, %1" in text
     assert "__rbitll" not in text
     assert "gbswap_64(n * kMul)" in text, "for other architectures"
-    assert payload.run("verify").returncode == 0, "its record follows"
-    assert adapt(payload).returncode == 0
-    assert (payload.site / HASH).read_text() == text
+    assert part.run("verify").returncode == 0, "its record follows"
+    assert adapt(part).returncode == 0
+    assert (part.site / HASH).read_text() == text
 
 
-def test_other_architectures_and_releases_keep_their_hash(payload: Payload) -> None:
-    assert adapt(payload).returncode == 0, "a payload without that header"
-    payload.add(HASH, HASH_H)
-    assert adapt(payload, "amd64").returncode == 0
-    assert (payload.site / HASH).read_text() == HASH_H
+def test_other_architectures_and_releases_keep_their_hash(part: Part) -> None:
+    assert adapt(part).returncode == 0, "a part without that header"
+    part.add(HASH, HASH_H)
+    assert adapt(part, "amd64").returncode == 0
+    assert (part.site / HASH).read_text() == HASH_H
     old = HASH_H.replace("#ifdef __ARM_ACLE\n    //", "#if 0\n    //")
-    (payload.site / HASH).write_text(old)
-    assert adapt(payload).returncode == 0
-    assert (payload.site / HASH).read_text() == old
+    (part.site / HASH).write_text(old)
+    assert adapt(part).returncode == 0
+    assert (part.site / HASH).read_text() == old
 
 
-def test_a_hash_that_is_not_known_is_an_error(payload: Payload) -> None:
-    payload.add(HASH, HASH_H.replace("return __rbitll(n * kMul)", "return __rbitll(n + kMul)"))
-    done = adapt(payload)
+def test_a_hash_that_is_not_known_is_an_error(part: Part) -> None:
+    part.add(HASH, HASH_H.replace("return __rbitll(n * kMul)", "return __rbitll(n + kMul)"))
+    done = adapt(part)
     assert done.returncode == 1
     assert "hashes in a way that is not known" in done.stderr
 
@@ -285,28 +285,28 @@ def test_a_hash_that_is_not_known_is_an_error(payload: Payload) -> None:
 
 
 @pytest.mark.parametrize("row", ["thing/__init__.py,sha512=AAAA,12", "thing/__init__.py,sha384=zz,99"])
-def test_another_digest_is_not_taken_for_a_match(payload: Payload, row: str) -> None:
-    payload.record.write_text(f"{row}\n")
-    assert payload.run("verify").returncode == 1
+def test_another_digest_is_not_taken_for_a_match(part: Part, row: str) -> None:
+    part.record.write_text(f"{row}\n")
+    assert part.run("verify").returncode == 1
 
 
-def test_a_package_without_a_record(payload: Payload) -> None:
-    (payload.site / "other-1.dist-info").mkdir()
-    done = payload.run("verify")
+def test_a_package_without_a_record(part: Part) -> None:
+    (part.site / "other-1.dist-info").mkdir()
+    done = part.run("verify")
     assert (done.returncode, done.stderr) == (1, "records: other-1.dist-info has no RECORD\n")
 
 
 # ---- Bytecode --------------------------------------------------------------------------------------------------------
 
 
-def bytecode(payload: Payload, python: str) -> subprocess.CompletedProcess[str]:
+def bytecode(part: Part, python: str) -> subprocess.CompletedProcess[str]:
     """Runs bytecode.sh with an interpreter that is what a shell text says; `real` is the one of these tests."""
-    programs = payload.out.parent / "programs"
+    programs = part.out.parent / "programs"
     programs.mkdir(exist_ok=True)
     executable(programs / "python3.99", python.replace("real", sys.executable))
     env = {
         "PATH": f"{programs}:{os.environ['PATH']}",
-        "OUT": str(payload.out),
+        "OUT": str(part.out),
         "SITE": f"/{SITE}",
         "PYTHON": "3.99",
         "BYTECODE": "checked-hash",
@@ -315,31 +315,31 @@ def bytecode(payload: Payload, python: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([script], env=env, capture_output=True, text=True, check=False)
 
 
-def test_bytecode_of_all_that_compiles(payload: Payload) -> None:
-    payload.add("thing/template.py", "def {{ name }}:\n")
-    done = bytecode(payload, 'exec real "$@"')
+def test_bytecode_of_all_that_compiles(part: Part) -> None:
+    part.add("thing/template.py", "def {{ name }}:\n")
+    done = bytecode(part, 'exec real "$@"')
     assert done.returncode == 0, done.stdout + done.stderr
     assert "template.py which does not compile" in done.stdout
-    assert len(list((payload.site / "thing/__pycache__").iterdir())) == 1
+    assert len(list((part.site / "thing/__pycache__").iterdir())) == 1
     assert (
         b"/usr/local/lib/python3.11/dist-packages/thing"
-        in next((payload.site / "thing/__pycache__").iterdir()).read_bytes()
+        in next((part.site / "thing/__pycache__").iterdir()).read_bytes()
     )
 
 
-def test_bytecode_that_was_not_written(payload: Payload) -> None:
+def test_bytecode_that_was_not_written(part: Part) -> None:
     """A full disk, a worker that was killed: anything but code that does not compile."""
     said = """echo 'File "/usr/lib/python3/multiprocessing.py", line 1: BrokenProcessPool'"""
-    done = bytecode(payload, f'case "$2" in compileall) {said}; exit 1 ;; esac; exec real "$@"')
+    done = bytecode(part, f'case "$2" in compileall) {said}; exit 1 ;; esac; exec real "$@"')
     assert done.returncode == 1
     assert "has none, although it compiles" in done.stderr
     assert "BrokenProcessPool" in done.stdout
 
 
-def test_no_interpreter_for_the_bytecode(payload: Payload) -> None:
+def test_no_interpreter_for_the_bytecode(part: Part) -> None:
     done = subprocess.run(
         [SCRIPT.with_name("bytecode.sh")],
-        env={**os.environ, "OUT": str(payload.out), "SITE": f"/{SITE}", "PYTHON": "3.98", "BYTECODE": "checked-hash"},
+        env={**os.environ, "OUT": str(part.out), "SITE": f"/{SITE}", "PYTHON": "3.98", "BYTECODE": "checked-hash"},
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 69

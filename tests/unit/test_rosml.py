@@ -187,9 +187,9 @@ def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
 def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
     with standing_in() as place, Registry(place.address) as client:
         ros = parts.ros().put(client, "me/ros", "bookworm-core", ["linux/amd64"])
-        payloads = parts.stack(client, "me/payload", ("cuda", "common", "torch"), "cu128")
+        own = parts.stack(client, "me/part", ("cuda", "common", "torch"), "cu128")
         tag = f"{place.address}/me/mine:latest"
-        done = installed(wheel, tmp_path, "join", ros, *payloads, "--tag", tag)
+        done = installed(wheel, tmp_path, "join", ros, *own, "--tag", tag)
         assert done.returncode == 0, done.stderr
         assert done.stdout.startswith(f"{tag}@{client.head('me/mine', 'latest')}\n")
     assert not (wheel / "rosml/data/.state").exists()

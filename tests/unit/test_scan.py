@@ -30,7 +30,7 @@ IGNORE = "- {id: CVE-2026-1, reason: not reachable, expires: 2027-01-31}\n"
 
 @pytest.fixture
 def world(tmp_path: Path) -> World:
-    """A ROS image, two payloads, and a database that knows something of the image and of one payload."""
+    """A ROS image, two parts, and a database that knows something of the image and of one part."""
     known = {"libc6": [advisory("CVE-2026-1")], "torch": [advisory("CVE-2026-2", "CRITICAL", "3.0")]}
     return World(tmp_path, advisories=known)
 
@@ -110,9 +110,9 @@ def test_one_image_does_not_stop_another(world: World) -> None:
 
 def test_findings_of_the_other_parts_are_told_where_one_part_failed(world: World) -> None:
     """And the outcome is not theirs: nobody knows the whole image."""
-    payload = world.part("torch", "torch")
-    world.fail = {payload.digest: "crash"}
-    found = scanned(world, image("alpha-base-torch", base(world), payload)).images[0]
+    part = world.part("torch", "torch")
+    world.fail = {part.digest: "crash"}
+    found = scanned(world, image("alpha-base-torch", base(world), part)).images[0]
     assert found.outcome is Outcome.SCANNER_FAILED
     assert [it.id for it in found.failing] == ["CVE-2026-1"]
 
@@ -195,7 +195,7 @@ def test_a_ros_image_without_packages_is_not_clean(
     assert says in found.reason
 
 
-def test_a_payload_without_packages_is_noted(world: World) -> None:
+def test_a_part_without_packages_is_noted(world: World) -> None:
     found = scanned(world, image("a", world.part("a", "bash", ros=True), world.part("headers"))).images[0]
     assert found.outcome is Outcome.CLEAN
     assert found.notes == ("headers: has no package that the scanner knows",)

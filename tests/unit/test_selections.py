@@ -110,7 +110,7 @@ def fill(content: StandIn, root: Path, services: Services, patch: pytest.MonkeyP
         if prefix == "half":
             facts["architectures"] = ("amd64",)
         if prefix == "failed":
-            facts |= {"poisoned": {"bookworm-core-cuda-cu130"}, "broken": {"payload-torch-cu128-py311"}}
+            facts |= {"poisoned": {"bookworm-core-cuda-cu130"}, "broken": {"part-torch-cu128-py311"}}
         place.publish(REAL, **facts)
         if prefix == "moved":
             place.upstream["bookworm"] = "tuesday"
@@ -148,7 +148,7 @@ NAMES = st.one_of(
     st.sampled_from([image.target for image in REAL.images if image.target.startswith("bookworm-core")]),
     TARGETS,
     st.sampled_from([tag for image in REAL.images for tag in image.tags]),
-    st.sampled_from([payload.name for payload in REAL.payloads]),
+    st.sampled_from([part.name for part in REAL.parts]),
     st.sampled_from([*GROUPS, *REAL.matrix.operating_systems]),
 )
 
@@ -182,7 +182,7 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
     ),
     "only": WORDS,
     "target": WORDS,
-    "payloads": WORDS,
+    "parts": WORDS,
     "groups": WORDS,
     "explain": WORDS,
     "stacks": WORDS,
@@ -333,14 +333,14 @@ def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.Ca
 
 @pytest.fixture
 def without_docker_hub(shop: Shop) -> Iterator[None]:
-    """A machine that can build no Ubuntu image, but every payload."""
+    """A machine that can build no Ubuntu image, but every part."""
     stubs.services(shop.root, registry=shop.host, mirror=True)
     yield
     stubs.services(shop.root, registry=shop.host)
 
 
 @pytest.mark.usefixtures("without_docker_hub")
-def test_payloads_are_planned_where_their_images_cannot_be_built(
+def test_parts_are_planned_where_their_images_cannot_be_built(
     shop: Shop, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With a matrix elsewhere, whose locks are those of the checkout."""
@@ -351,7 +351,7 @@ def test_payloads_are_planned_where_their_images_cannot_be_built(
     assert code == 0, err
     plan = json.loads(out)
     planned = {task["target"] for task in plan["tasks"] if task["steps"]}
-    assert "payload-torch-cu128-py312" in planned
+    assert "part-torch-cu128-py312" in planned
     assert "jazzy-core" not in planned
     assert plan["shards"] == []
 

@@ -9,11 +9,11 @@ import pytest
 from memory_registry import HOST, LATER, NEXT, PREFIX, Pen, Place, Run, place
 from stubs import calls, executable, services
 
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.publish import sign
 from rosml.publish.pipeline import Outcome
 from rosml.publish.sign import PATIENCE, Signer, SignerFailed
-from rosml.records.ledger import INDEX
+from rosml.records.store import INDEX
 
 ONLY = ["alpha-core", "omega-core"]
 REFERENCE = "127.0.0.1:5000/rosml/ros@sha256:1"
@@ -146,48 +146,48 @@ def signing(run: Run) -> list[Outcome]:
     return [outcome for outcome in run.outcomes if outcome.step == "sign"]
 
 
-def test_every_index_is_signed_once(registry: Place, catalogue: Catalogue) -> None:
-    run = registry.publish(catalogue, only=ONLY)
-    registry.check(catalogue)
+def test_every_index_is_signed_once(registry: Place, image_set: ImageSet) -> None:
+    run = registry.publish(image_set, only=ONLY)
+    registry.check(image_set)
     indexes = {entry.digest for key, entry in run.plan.known.items() if key[1] == INDEX}
     assert {name.rpartition("@")[2] for name in registry.pen.signed} == indexes
     assert f"{HOST}/{PREFIX}/ros@{registry.tagged('ros')['alpha-core']}" in registry.pen.signed
     assert [outcome.state for outcome in signing(run)] == ["done"] * len(indexes)
     asked, writes = registry.pen.asked, registry.registry.writes
-    again = registry.publish(catalogue, only=ONLY, date=NEXT)
+    again = registry.publish(image_set, only=ONLY, date=NEXT)
     assert (again.outcomes, registry.pen.asked, registry.registry.writes) == ([], asked, writes)
     registry.pen.identity = "sha256:another"
     registry.pen.signed.clear()
-    other = registry.publish(catalogue, only=ONLY, date=NEXT)
+    other = registry.publish(image_set, only=ONLY, date=NEXT)
     assert len(registry.pen.signed) == len(indexes) and not other.made
     entry = other.plan.known["alpha-core", INDEX]
     assert entry.signed.keys() == {"sha256:pen", "sha256:another"}
 
 
-def test_without_a_signature_no_tag(registry: Place, catalogue: Catalogue) -> None:
+def test_without_a_signature_no_tag(registry: Place, image_set: ImageSet) -> None:
     registry.pen.broken = "the key is gone"
-    run = registry.publish(catalogue, only=ONLY)
+    run = registry.publish(image_set, only=ONLY)
     assert run.failed and registry.tagged("ros") == {}
     assert Outcome("sign", "alpha-core", "", "failed", "the key is gone").reason in {o.reason for o in signing(run)}
     assert registry.pen.asked == PATIENCE, "a signer that is broken is not asked for every image"
     registry.pen.broken = ""
-    mended = registry.publish(catalogue, only=ONLY)
+    mended = registry.publish(image_set, only=ONLY)
     assert not mended.made and "alpha-core" in registry.tagged("ros")
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
-def test_a_tag_that_moves_wants_more_than_the_ledgers_word(registry: Place, catalogue: Catalogue) -> None:
+def test_a_tag_that_moves_wants_more_than_the_recordss_word(registry: Place, image_set: ImageSet) -> None:
     """Somebody may have deleted the signature since."""
-    run = registry.publish(catalogue, only=ONLY)
+    run = registry.publish(image_set, only=ONLY)
     name = f"{HOST}/{PREFIX}/ros@{run.plan.known['alpha-core', INDEX].digest}"
     registry.pen.signed.remove(name)
     registry.registry.delete(f"{PREFIX}/ros", "alpha-core")
-    again = registry.publish(catalogue, only=ONLY, date=LATER)
+    again = registry.publish(image_set, only=ONLY, date=LATER)
     assert name in registry.pen.signed and [outcome.target for outcome in signing(again)] == ["alpha-core"]
-    registry.check(catalogue)
+    registry.check(image_set)
 
 
-def test_who_does_not_sign_needs_no_signature(registry: Place, catalogue: Catalogue) -> None:
+def test_who_does_not_sign_needs_no_signature(registry: Place, image_set: ImageSet) -> None:
     registry.pen = None
-    run = registry.publish(catalogue, only=ONLY)
+    run = registry.publish(image_set, only=ONLY)
     assert not run.failed and signing(run) == [] and "alpha-core" in registry.tagged("ros")

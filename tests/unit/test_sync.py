@@ -12,14 +12,14 @@ import pytest
 from rosml.base.errors import RosmlError
 from rosml.build import sync
 from rosml.images import apt_source
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.matrix.model import Matrix, RosArchive
 
 SOURCE = apt_source.Source("live", "", "http://live.test/ros2/ubuntu", "noble")
 
 
 @pytest.fixture
-def matrix(real: Catalogue) -> Matrix:
+def matrix(real: ImageSet) -> Matrix:
     """Our matrix with ROS's repositories at other addresses."""
     archive = RosArchive(
         live="http://live.test/{generation}/ubuntu",
@@ -57,7 +57,7 @@ def test_otherwise_for_once(matrix: Matrix) -> None:
         ("bookworm", {"ROS_CHANNEL": "final"}, "the ROS packages of bookworm are bookworm's own"),
     ],
 )
-def test_what_there_is_not(real: Catalogue, name: str, environ: dict[str, str], words: str) -> None:
+def test_what_there_is_not(real: ImageSet, name: str, environ: dict[str, str], words: str) -> None:
     with pytest.raises(RosmlError, match=words) as caught:
         apt_source.source(real.matrix, name, environ)
     assert caught.value.exit_code == 2

@@ -19,7 +19,7 @@ from rosml.bake import bake_file, targets
 from rosml.bake.targets import Context, Dependency, NoInput, Overridable, Target, Value
 from rosml.base.errors import RosmlError
 from rosml.images import load, locked
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 
 # ---- What Python says ------------------------------------------------------------------------------------------------
 
@@ -27,8 +27,8 @@ from rosml.images.image_set import Catalogue
 class Caller:
     """Who calls bake, with values for its variables."""
 
-    def __init__(self, catalogue: Catalogue, given: Mapping[str, str]) -> None:
-        self.variables = {**bake_file.variables(catalogue.matrix), **given}
+    def __init__(self, image_set: ImageSet, given: Mapping[str, str]) -> None:
+        self.variables = {**bake_file.variables(image_set.matrix), **given}
         self.digests: dict[str, str] = json.loads(self.variables["DIGESTS"] or "{}")
         self.dates: dict[str, str] = json.loads(self.variables["ROS_SYNC_DATES"] or "{}")
 
@@ -98,8 +98,8 @@ class Caller:
 # ---- Matrices and callers --------------------------------------------------------------------------------------------
 
 
-def unlocked(catalogue: Catalogue, *absent: str) -> Catalogue:
-    return locked.with_locks(catalogue, [lock for lock in catalogue.locks if not any(word in lock for word in absent)])
+def unlocked(image_set: ImageSet, *absent: str) -> ImageSet:
+    return locked.with_locks(image_set, [lock for lock in image_set.locks if not any(word in lock for word in absent)])
 
 
 def turned(text: str) -> str:
@@ -115,7 +115,7 @@ ASIDE = changed("desktop: {builds_on: robot}", "desktop: {builds_on: core}")
 RMW = changed("    apt: {channel: live}", "    apt: {channel: live}\n    rmw: [rmw_cyclonedds_cpp, rmw_zenoh_cpp]")
 BOTH = changed("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64], cpu: [amd64, arm64]}", WHEELS)
 
-MATRICES: dict[str, Callable[[], Catalogue]] = {
+MATRICES: dict[str, Callable[[], ImageSet]] = {
     "ours": lambda: load.load(ROOT / "matrix.yaml"),
     "small": lambda: parse(SMALL),
     "from wheels": lambda: parse(WHEELS),
@@ -130,17 +130,17 @@ MATRICES: dict[str, Callable[[], Catalogue]] = {
 
 
 @cache
-def catalogue(name: str) -> Catalogue:
+def image_set(name: str) -> ImageSet:
     return MATRICES[name]()
 
 
-def callers(catalogue: Catalogue) -> dict[str, dict[str, str]]:
+def callers(image_set: ImageSet) -> dict[str, dict[str, str]]:
     """Values of the bake file's variables by what a caller says: nothing, or something for every variable."""
-    published = [*(image.target for image in catalogue.images), *(payload.name for payload in catalogue.payloads)]
+    published = [*(image.target for image in image_set.images), *(part.name for part in image_set.parts)]
     systems = [
-        name for name in bake_file.variables(catalogue.matrix) if name.startswith("OS_") and name != "OS_APT_MIRROR"
+        name for name in bake_file.variables(image_set.matrix) if name.startswith("OS_") and name != "OS_APT_MIRROR"
     ]
-    rows = list(catalogue.matrix.distributions)
+    rows = list(image_set.matrix.distributions)
     everything = {
         "REGISTRY": "registry.test:5001/some/where",
         **{name: f"docker-image://mirror.test/{name.lower()}:x@sha256:{'a' * 64}" for name in systems},
@@ -167,10 +167,10 @@ def callers(catalogue: Catalogue) -> dict[str, dict[str, str]]:
     }
 
 
-def differences(catalogue: Catalogue, text: str, given: Mapping[str, str], folder: Path) -> dict[str, tuple[Any, Any]]:
+def differences(image_set: ImageSet, text: str, given: Mapping[str, str], folder: Path) -> dict[str, tuple[Any, Any]]:
     """The targets of a bake file that are not what Python takes them for: what they are here and there."""
-    caller = Caller(catalogue, given)
-    here = {name: caller.told(target) for name, target in targets.of(catalogue).items()}
+    caller = Caller(image_set, given)
+    here = {name: caller.told(target) for name, target in targets.of(image_set).items()}
     file = folder / "bake.hcl"
     file.write_text(
         f'{text}\ngroup "everything" {{ targets = {json.dumps(list(here))} }}\n'
@@ -185,13 +185,13 @@ def differences(catalogue: Catalogue, text: str, given: Mapping[str, str], folde
 @pytest.mark.parametrize("says", ["nothing", "everything", "a little"])
 @pytest.mark.parametrize("name", MATRICES)
 def test_every_target_is_what_buildx_makes_of_it(name: str, says: str, tmp_path: Path) -> None:
-    found = catalogue(name)
+    found = image_set(name)
     assert differences(found, bake_file.render(found), callers(found)[says], tmp_path) == {}
 
 
 @pytest.mark.parametrize("name", MATRICES)
 def test_every_group_is_what_buildx_makes_of_it(name: str, tmp_path: Path) -> None:
-    found = catalogue(name)
+    found = image_set(name)
     file = tmp_path / "bake.hcl"
     file.write_text(bake_file.render(found))
     if not found.groups:
@@ -209,7 +209,7 @@ def test_every_group_is_what_buildx_makes_of_it(name: str, tmp_path: Path) -> No
 
 @pytest.mark.parametrize("name", MATRICES)
 def test_no_variable_is_left_unsaid(name: str) -> None:
-    found = catalogue(name)
+    found = image_set(name)
     said = callers(found)["everything"]
     assert said.keys() == bake_file.variables(found.matrix).keys()
     assert all(said[variable] not in ("", default) for variable, default in bake_file.variables(found.matrix).items())
@@ -219,14 +219,14 @@ UNKNOWN = {
     "a fact": ("NUMPY = systems[os].numpy", 'NUMPY = "${systems[os].numpy},<3"'),
     "a variable for a fact": ("ROS_VERSION = image.row.ros,", "ROS_VERSION = overridable(image.row.ros, REVISION),"),
     "a condition on a variable": ('ACCELERATOR  = stacks[', 'NEW = REVISION == "" ? null : "two"\n    ACCELERATOR  = stacks['),
-    "an argument that may be left out": ("PART         = payload.part", "PART = payload.part\n    NEW = given(NO_PROXY)"),
+    "an argument that may be left out": ("PART         = part.kind", "PART = part.kind\n    NEW = given(NO_PROXY)"),
     "a label": ('"io.rosml.os"  ', '"io.rosml.new" = given(ROS_CHANNEL)\n    "io.rosml.os"'),
-    "a label of a payload": (
-        '"io.rosml.stack"  = payload.stack',
-        '"io.rosml.stack" = overridable(payload.stack, ROS_CHANNEL)',
+    "a label of a part": (
+        '"io.rosml.stack"  = part.stack',
+        '"io.rosml.stack" = overridable(part.stack, ROS_CHANNEL)',
     ),
     "a context": ("image = dependency(image.target,", 'image = dependency(REVISION == "" ? image.target : "x",'),
-    "another context": ("contexts  = { os = systems[payload.os].image }", "contexts = { os = systems[assembler].image }"),
+    "another context": ("contexts  = { os = systems[part.os].image }", "contexts = { os = systems[assembler].image }"),
     "a tag": ("[image.main, image.spelled]", 'concat([image.main, image.spelled], compact([REVISION]))'),
     "a platform": ("platforms = platforms(image.platforms)\n  contexts", "platforms = image.platforms\n  contexts"),
     "a secret": ('["id=ca-bundle,src=${CA_BUNDLE}"]', '["id=ca-bundle,src=${CA_BUNDLE}", "id=new,env=NEW"]'),
@@ -237,7 +237,7 @@ UNKNOWN = {
 @pytest.mark.parametrize("name", UNKNOWN)
 def test_an_expression_that_python_does_not_know_is_found(name: str, tmp_path: Path) -> None:
     """It may hold a fact of the matrix, and an image that it decides would not be built anew."""
-    found = catalogue("another order")  # where the system that assembles is not the one of every payload
+    found = image_set("another order")  # where the system that assembles is not the one of every part
     old, new = UNKNOWN[name]
     text = bake_file.render(found)
     assert text.count(old) == 1

@@ -12,8 +12,8 @@ from registry_stand_in import StandIn, standing_in
 from rosml.cli import command
 from rosml.cli import publish as script
 from rosml.images.labels import TITLE
-from rosml.records import ledger
-from rosml.records.ledger import INDEX, Entry, Ledger
+from rosml.records import store
+from rosml.records.store import INDEX, Entry, Records
 from rosml.registry import oci
 
 PREFIX = "me/rosml"
@@ -43,18 +43,18 @@ def index(client: oci.Registry, repository: str, title: str, night: str) -> str:
     image = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": config, "layers": []}
     digest = client.put_manifest(path, "", image)
     member = {**oci.descriptor(oci.IMAGE, oci.encoded(image)), "platform": {"os": "linux", "architecture": "amd64"}}
-    said = {TITLE: title, ledger.DATE: night}
+    said = {TITLE: title, store.DATE: night}
     content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [member], "annotations": said}
     assert member["digest"] == digest
     return client.put_manifest(path, "", content, oci.INDEX)
 
 
 def published(client: oci.Registry) -> dict[str, tuple[str, str]]:
-    """Two nights of an image and of a payload: where tags were, and where the second night moved them."""
-    book, found, moves = Ledger(client, PREFIX), {}, []
+    """Two nights of an image and of a part: where tags were, and where the second night moved them."""
+    book, found, moves = Records(client, PREFIX), {}, []
     for repository, title, target, tags in (
         ("ros", "jazzy-base", "jazzy-base", TAGS),
-        ("payload", "torch-cpu-py312", "payload-torch-cpu-py312", ("torch-cpu-py312",)),
+        ("part", "torch-cpu-py312", "part-torch-cpu-py312", ("torch-cpu-py312",)),
     ):
         old, new = (index(client, repository, title, night) for night in ("2026-11-21T03:00:00Z", RUN))
         found[repository] = old, new
@@ -65,9 +65,7 @@ def published(client: oci.Registry) -> dict[str, tuple[str, str]]:
         book.write(Entry(target, INDEX, repository=repository, digest=new, date=RUN), {})
     for number in range(40):  # entries that nobody has to read
         book.write(Entry(f"image-{number}", INDEX, repository="ros", digest=oci.digest_of(b"%d" % number)), {})
-    book.artifact(
-        "undo.20261122T030000Z", json.dumps({"date": RUN, "moves": moves}).encode(), {ledger.ANNOTATION: "{}"}
-    )
+    book.artifact("undo.20261122T030000Z", json.dumps({"date": RUN, "moves": moves}).encode(), {store.ANNOTATION: "{}"})
     return found
 
 
@@ -78,14 +76,14 @@ def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytes
         code = command.run(script.cli, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
         said = capsys.readouterr()
         assert code == 0, said.err
-        reads = [line for line in server.requests[before:] if "/ledger/manifests/image-" in line]
-        assert reads == [], "the ledger's other entries are nobody's business"
+        reads = [line for line in server.requests[before:] if "/records/manifests/image-" in line]
+        assert reads == [], "the records' other entries are nobody's business"
         assert {item["state"] for item in json.loads(said.out)["outcomes"]} == {"done"}
         assert client.head(f"{PREFIX}/ros", TAGS[0]) == found["ros"][0]
-        assert client.head(f"{PREFIX}/payload", "torch-cpu-py312") == found["payload"][0]
+        assert client.head(f"{PREFIX}/part", "torch-cpu-py312") == found["part"][0]
         assert client.head(f"{PREFIX}/ros", TAGS[1]) == "", "it was not there before"
-        book = Ledger(client, PREFIX)
-        for target in ("jazzy-base", "payload-torch-cpu-py312"):
+        book = Records(client, PREFIX)
+        for target in ("jazzy-base", "part-torch-cpu-py312"):
             entry = book.read(target, INDEX)
             assert entry and entry.held, f"{target}: the next night would move its tags there again"
     assert not (clone / ".state").exists()

@@ -13,7 +13,7 @@ from conftest import WHEELS, changed, parse
 from rosml.base.errors import RosmlError
 from rosml.build import package_state
 from rosml.images import apt_source
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.matrix.model import Matrix
 
 RELEASE = """\
@@ -177,7 +177,7 @@ def test_a_system_without_an_archive(mirror: Mirror) -> None:
     assert mirror.asked == [SYNC]
 
 
-def test_a_fixed_package_reaches_every_row(real: Catalogue, mirror: Mirror) -> None:
+def test_a_fixed_package_reaches_every_row(real: ImageSet, mirror: Mirror) -> None:
     """Security's lists, those of updates and the release are asked for, for each row whose system names an archive."""
     lists = mirror.files[PATHS["noble"][0]]
     for row, facts in real.matrix.distributions.items():

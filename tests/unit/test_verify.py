@@ -12,10 +12,10 @@ from conftest import changed, parse
 from rosml.base.errors import RosmlError
 from rosml.build import structure_tests
 from rosml.build.structure_tests import Outcome, Report
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 
 
-def test_labels(small: Catalogue) -> None:
+def test_labels(small: ImageSet) -> None:
     assert structure_tests.expected_labels(small.image("alpha-core-torch-cu1")) == {
         "io.rosml.distribution": "alpha",
         "io.rosml.component": "core",
@@ -31,7 +31,7 @@ def test_labels(small: Catalogue) -> None:
     assert "io.rosml.stack" not in structure_tests.expected_labels(small.image("alpha-core"))
 
 
-def test_environment(small: Catalogue) -> None:
+def test_environment(small: ImageSet) -> None:
     env = structure_tests.expected_environment(small.image("alpha-core-ml-cu1"))
     versions = {name: env.get(f"{name}_VERSION") for name in ("ROS", "TORCH", "TENSORFLOW", "CUDA", "CUDNN")}
     assert versions == {
@@ -48,11 +48,11 @@ def test_environment(small: Catalogue) -> None:
 
 
 def test_ros_distro_of_its_own() -> None:
-    catalogue = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: of-its-own\n"))
-    assert structure_tests.expected_environment(catalogue.image("alpha-core"))["ROS_DISTRO"] == "of-its-own"
+    image_set = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: of-its-own\n"))
+    assert structure_tests.expected_environment(image_set.image("alpha-core"))["ROS_DISTRO"] == "of-its-own"
 
 
-def test_what_the_test_stage_gets(tmp_path: Path, small: Catalogue) -> None:
+def test_what_the_test_stage_gets(tmp_path: Path, small: ImageSet) -> None:
     image = small.image("alpha-core-torch-cu1")
     config = {
         "architecture": "amd64",

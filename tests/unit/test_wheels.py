@@ -15,7 +15,7 @@ from rosml.base.problems import InputError
 from rosml.build.maker import require_buildable
 from rosml.images import apt_source, missing
 from rosml.images.explain import explain, why_not
-from rosml.images.image_set import Catalogue
+from rosml.images.image_set import ImageSet
 from rosml.images.load import load
 from rosml.images.locked import with_locks
 from rosml.locks import resolve
@@ -26,14 +26,14 @@ ROW = "distributions.sigma"
 
 
 @pytest.fixture(scope="module")
-def wheels() -> Catalogue:
+def wheels() -> ImageSet:
     return parse(WHEELS)
 
 
 # ---- Images ----------------------------------------------------------------------------------------------------------
 
 
-def test_images(wheels: Catalogue) -> None:
+def test_images(wheels: ImageSet) -> None:
     image = wheels.image("sigma-core")
     assert (image.packages, image.wheels) == ("", ("ros-alpha-rclpy[fastrtps]==7.1.6", "ros-std-msgs==5.3.6"))
     assert (image.parent, image.ros_distro, image.locks) == ("_os-ubuntu-24-04", "alpha", (LOCK,))
@@ -44,14 +44,14 @@ def test_images(wheels: Catalogue) -> None:
     assert joined.tests == ("contract", "ros2-wheels", "cuda", "torch", "tensorflow", "ml", "pip")
 
 
-def test_it_never_gets_latest(wheels: Catalogue) -> None:
+def test_it_never_gets_latest(wheels: ImageSet) -> None:
     assert wheels.image("sigma-core").tags == ("ros:sigma-core",)
     with_base = parse(changed("components: [core]\n", "components: [base]\n", WHEELS))
     assert with_base.image("sigma-base").tags == ("ros:sigma-base", "ros:sigma")
     assert with_base.by_tag("ros:latest") == with_base.image("alpha-base")
 
 
-def test_a_row_may_exist_for_fewer_architectures_than_its_system(wheels: Catalogue) -> None:
+def test_a_row_may_exist_for_fewer_architectures_than_its_system(wheels: ImageSet) -> None:
     assert rules.built_for(wheels.matrix, "alpha") == ("amd64", "arm64")
     assert rules.built_for(wheels.matrix, "sigma") == ("amd64",)
     assert wheels.image("sigma-core").platforms == ("linux/amd64",)
@@ -59,10 +59,10 @@ def test_a_row_may_exist_for_fewer_architectures_than_its_system(wheels: Catalog
     assert why_not(wheels, "sigma-core-torch-cpu") == (
         "sigma-core-torch-cpu does not exist: torch 2.10.0 has cpu wheels for arm64 only, and sigma is built for amd64."
     )
-    assert wheels.payload_by_name == parse(WHEELS.replace("    architectures: [amd64]\n", "")).payload_by_name
+    assert wheels.part_by_name == parse(WHEELS.replace("    architectures: [amd64]\n", "")).part_by_name
 
 
-def test_explain_says_where_ros_comes_from(wheels: Catalogue) -> None:
+def test_explain_says_where_ros_comes_from(wheels: ImageSet) -> None:
     said = explain(wheels, "sigma-core").splitlines()
     assert "  - sigma is experimental: docs/limits.md says what it has, and it never gets the tag latest" in said
     wanted = "ros-alpha-rclpy[fastrtps]==7.1.6 and ros-std-msgs==5.3.6"
@@ -70,7 +70,7 @@ def test_explain_says_where_ros_comes_from(wheels: Catalogue) -> None:
     assert "experimental" not in explain(wheels, "alpha-core")
 
 
-def test_no_other_channel(wheels: Catalogue) -> None:
+def test_no_other_channel(wheels: ImageSet) -> None:
     with pytest.raises(RosmlError, match="the ROS packages of sigma are wheels: there is no other channel"):
         apt_source.source(wheels.matrix, "sigma", {"ROS_CHANNEL": "final"})
 
@@ -111,7 +111,7 @@ def test_an_architecture_that_the_system_is_not_built_for() -> None:
 # ---- The bake file and inputs ----------------------------------------------------------------------------------------
 
 
-def test_targets(wheels: Catalogue) -> None:
+def test_targets(wheels: ImageSet) -> None:
     found = targets.of(wheels)
     core = found["sigma-core"]
     told = {name: value for name, value in core.arguments.items() if isinstance(value, str)}
@@ -140,18 +140,18 @@ def test_images_that_are_joined_alike_may_differ_in_platforms() -> None:
     text = WHEELS.replace("wheels: {cu1: [amd64], cpu: [arm64]}", "wheels: {cu1: [amd64], cpu: [amd64, arm64]}")
     rows, row = text.split("  alpha:\n    os")[0], text[text.index("  sigma:\n") : text.index("disk:\n")]
     first = rows + row + text[len(rows) :].replace(row, "")
-    for catalogue in (parse(text), parse(first)):
-        found = targets.of(catalogue)
+    for image_set in (parse(text), parse(first)):
+        found = targets.of(image_set)
         assert found["sigma-core-torch-cpu"].platforms == ("linux/amd64",)
         assert found["alpha-core-torch-cpu"].platforms == ("linux/amd64", "linux/arm64")
 
 
-def test_inputs(real: Catalogue) -> None:
+def test_inputs(real: ImageSet) -> None:
     """A change of the lock, of the script or of the tools builds the row anew, and what stands on it."""
     inputs = Inputs(ROOT, real)
     found = inputs.of("jazzy-wheels-core", "amd64")
     assert {"locks/jazzy-wheels/amd64/3.11/ros.txt", "components/ros/wheels.sh", "argument ROS_TOOLS"} <= found.keys()
-    assert {"components/payload/bytecode.sh", "tools/requirements.txt"} <= found.keys()
+    assert {"components/part/bytecode.sh", "tools/requirements.txt"} <= found.keys()
     assert f"{TARGET}jazzy-wheels-core" in inputs.of("jazzy-wheels-core-torch-cu128", "amd64")
     assert not any("jazzy-wheels" in name for name in inputs.of("bookworm-core", "amd64"))
 
@@ -159,23 +159,23 @@ def test_inputs(real: Catalogue) -> None:
 # ---- The lock --------------------------------------------------------------------------------------------------------
 
 
-def test_a_missing_lock_is_told_like_others(wheels: Catalogue) -> None:
-    catalogue = with_locks(wheels, wheels.locks - {LOCK})
-    images = [image for image in catalogue.images if not image.locked]
+def test_a_missing_lock_is_told_like_others(wheels: ImageSet) -> None:
+    image_set = with_locks(wheels, wheels.locks - {LOCK})
+    images = [image for image in image_set.images if not image.locked]
     assert {image.distribution for image in images} == {"sigma"}
     assert all(image.unlocked == image.lost == (LOCK,) for image in images)
-    assert "sigma" not in catalogue.groups
-    said = missing.lost(catalogue)
+    assert "sigma" not in image_set.groups
+    said = missing.lost(image_set)
     assert said is not None
     assert f"): {LOCK} is missing, or not of the release that matrix.yaml names" in said.message
     assert said.remedy == missing.RESTORE
-    assert explain(catalogue, "sigma-core").endswith(f"\n  - {LOCK} is missing; run 'make locks'")
-    assert targets.of(catalogue)["sigma-core"].description == "cannot be built yet: no lock; run 'make locks'"
+    assert explain(image_set, "sigma-core").endswith(f"\n  - {LOCK} is missing; run 'make locks'")
+    assert targets.of(image_set)["sigma-core"].description == "cannot be built yet: no lock; run 'make locks'"
     with pytest.raises(RosmlError, match=f"sigma-core cannot be built yet: {LOCK} is missing"):
-        require_buildable(catalogue.image("sigma-core"), "amd64")
+        require_buildable(image_set.image("sigma-core"), "amd64")
 
 
-def test_a_lock_of_other_wheels_is_none(wheels: Catalogue, tmp_path: Path) -> None:
+def test_a_lock_of_other_wheels_is_none(wheels: ImageSet, tmp_path: Path) -> None:
     (tmp_path / "matrix.yaml").write_text(WHEELS)
     write_locks(tmp_path, wheels)
     whole = (tmp_path / LOCK).read_text()
@@ -185,7 +185,7 @@ def test_a_lock_of_other_wheels_is_none(wheels: Catalogue, tmp_path: Path) -> No
         assert not load(tmp_path / "matrix.yaml", tmp_path).image("sigma-core").locked, new
 
 
-def test_request(wheels: Catalogue) -> None:
+def test_request(wheels: ImageSet) -> None:
     (found,) = [item for item in resolve.requests(wheels) if item.ros]
     assert (found.stack, found.architecture, found.python, found.numpy) == ("sigma", "amd64", "3.12", "<2")
     assert found.roots == {"ros-alpha-rclpy": "ros-alpha-rclpy[fastrtps]==7.1.6", "ros-std-msgs": "ros-std-msgs==5.3.6"}
@@ -193,7 +193,7 @@ def test_request(wheels: Catalogue) -> None:
     assert resolve.render(found, "ros", []).startswith("# ROS of sigma, Python 3.12, amd64.\n")
 
 
-def test_the_committed_lock_has_nothing_that_the_system_has(real: Catalogue) -> None:
+def test_the_committed_lock_has_nothing_that_the_system_has(real: ImageSet) -> None:
     (item,) = real.wheels
     text = (ROOT / item.locks[0]).read_text()
     pins = {pin.name for pin in resolve.parse(text)}

@@ -13,7 +13,7 @@
   const CARRIED = { torch: "PyTorch", tensorflow: "TensorFlow", cuda: "CUDA", cudnn: "cuDNN", nccl: "NCCL" };
 
   const byTarget = new Map(catalogue.images.map((image) => [image.target, image]));
-  const payloads = new Map(catalogue.payloads.map((payload) => [payload.name, payload]));
+  const parts = new Map(catalogue.parts.map((part) => [part.name, part]));
 
   /** What the main tag points at; nothing where there is nothing. */
   function present(image) {
@@ -78,8 +78,8 @@
 
   /** What kind of thing a part is: for its colour. */
   function kind(part) {
-    const payload = payloads.get(part);
-    return payload ? payload.part : part ? "ros" : "other";
+    const part = parts.get(part);
+    return part ? part.part : part ? "ros" : "other";
   }
 
   function layersOf(platform) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""`pip check` has nothing to say about a package of the payload.
+"""`pip check` has nothing to say about a package of the part.
 
 Debian's own Python packages are left out: some declare to pip what Debian builds differently (trixie's python3-nacl
-"is not supported on this platform"), in an image without any payload as well.
+"is not supported on this platform"), in an image without any part as well.
 """
 
 import os
@@ -19,9 +19,9 @@ def normal(name: str) -> str:
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
-payload = {normal(line.split()[0]) for file in VERSIONS.iterdir() for line in file.read_text().splitlines()}
-assert len(payload) > 1, payload
+part = {normal(line.split()[0]) for file in VERSIONS.iterdir() for line in file.read_text().splitlines()}
+assert len(part) > 1, part
 complaints = subprocess.run(["pip", "check"], capture_output=True, text=True, check=False).stdout.splitlines()
-ours = [line for line in complaints if payload & {normal(word) for word in re.findall(r"[\w.-]*\w", line)}]
+ours = [line for line in complaints if part & {normal(word) for word in re.findall(r"[\w.-]*\w", line)}]
 print("\n".join(complaints))
-sys.exit(f"{len(ours)} complaints about payload packages:\n" + "\n".join(ours) if ours else 0)
+sys.exit(f"{len(ours)} complaints about part packages:\n" + "\n".join(ours) if ours else 0)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A payload replaces no file of the distribution's or ROS's packages, and neither shadows nor is shadowed by a Python
+"""A part replaces no file of the distribution's or ROS's packages, and neither shadows nor is shadowed by a Python
 package of theirs, but for those that are named here with the reason; it hides no command of theirs, but for those that
 such a package brings."""
 
@@ -51,7 +51,7 @@ def of_packages() -> set[str]:
 
 
 def replaced() -> list[str]:
-    """Files of packages that a payload replaced: it has links to its own below /usr/local, and nothing else elsewhere."""
+    """Files of packages that a part replaced: it has links to its own below /usr/local, and nothing else elsewhere."""
     places = {path: ROOT / path.lstrip("/") for path in of_packages()}
     own = f"{LOCAL.resolve()}/lib/"
     return sorted(path for path, file in places.items() if file.is_symlink() and os.path.realpath(file).startswith(own))
@@ -66,7 +66,7 @@ def modules(folder: Path) -> set[str]:
 
 
 def hidden_commands() -> dict[str, set[str]]:
-    """Commands of the payload that come before others of the same name, with the modules that they import."""
+    """Commands of the part that come before others of the same name, with the modules that they import."""
     folders = [folder for pattern in OF_THE_SYSTEM for folder in ROOT.glob(pattern)]
     return {
         command.name: {
@@ -78,7 +78,7 @@ def hidden_commands() -> dict[str, set[str]]:
 
 
 sites = [site for site in LOCAL.glob("lib/python3*/dist-packages") if any(site.glob("*.dist-info"))]
-assert sites, "no payload is here"
+assert sites, "no part is here"
 # Debian's own, and ROS's, which the entrypoint puts before all others.
 theirs = [ROOT / "usr/lib/python3/dist-packages", *ROOT.glob("opt/ros/*/lib/python3*/*-packages")]
 theirs += ROOT.glob("opt/ros/*/local/lib/python3*/*-packages")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Assembles one payload part under /out from a hash-pinned lock, for TARGETARCH, on whatever architecture this runs.
+# Assembles one part under /out from a hash-pinned lock, for TARGETARCH, on whatever architecture this runs.
 #   PART       its name in matrix.yaml
 #   PYTHON     3.11, ...; "any" for a part that does not depend on the Python version
 #   WHEEL_PYTHON  the Python whose wheels it is taken from

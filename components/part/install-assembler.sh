@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The tools that assemble payloads: the distribution's Python, for its bytecode, and uv (pinned by hash).
+# The tools that assemble parts: the distribution's Python, for its bytecode, and uv (pinned by hash).
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh

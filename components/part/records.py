@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Keeps a payload and the wheels' own records of their files (RECORD) in agreement.
+"""Keeps a part and the wheels' own records of their files (RECORD) in agreement.
 
   records.py prune    removes what no use of an image needs: files whose path matches a line of the part's prune.txt,
                       and, where the part has a keep.txt, those that match no line of that
@@ -166,7 +166,7 @@ def verify() -> None:
             if not file.is_file() and not (file.is_symlink() and matching(path, adapted)):
                 wrong.append(f"{path} is missing")
             elif matching(path, adapted):
-                # a link leads to another payload, whose file is not here
+                # a link leads to another part, whose file is not here
                 row[1:] = ["", ""] if file.is_symlink() else [str(fact) for fact in digest(file)]
                 changed = True
             elif digest(file) != (expected, int(size or file.stat().st_size)):

@@ -1,4 +1,4 @@
-"""Payloads as images of their own, with stand-ins for buildx and the registry: for all architectures that have a lock,
+"""Parts as images of their own, with stand-ins for buildx and the registry: for all architectures that have a lock,
 bytecode or not, and said so."""
 
 from __future__ import annotations
@@ -16,7 +16,8 @@ from rosml.base.errors import RosmlError
 from rosml.build import file_list, part
 from rosml.cli import command
 from rosml.cli import publish as script
-from rosml.images import image_set, locked
+from rosml.images import image_set as sets
+from rosml.images import locked
 from rosml.machine import base_images
 from rosml.registry.oci import Registry
 
@@ -45,8 +46,8 @@ esac
 class Stage:
     """A checkout with stand-ins."""
 
-    def __init__(self, folder: Path, registry: str, catalogue: image_set.Catalogue) -> None:
-        self.folder, self.catalogue, self.said = folder, catalogue, list[str]()
+    def __init__(self, folder: Path, registry: str, image_set: sets.ImageSet) -> None:
+        self.folder, self.image_set, self.said = folder, image_set, list[str]()
         self.listed: list[tuple[str, str]] = []
         self.tagged: list[tuple[str, str, str]] = []
         self.facts: dict[str, Any] = {
@@ -61,14 +62,14 @@ class Stage:
         ]
         (folder / "index.json").write_text(json.dumps({"manifests": entries}))
         (folder / "manifest.json").write_text(json.dumps({"layers": [{"digest": LAYER, "size": 2_500_000}]}))
-        write_locks(folder, catalogue)
+        write_locks(folder, image_set)
 
     def publish(self, name: str, again: bool = False, platform: str = "", **changes: Any) -> part.Assembled:
         found = services(self.folder, **{**self.facts, **changes})
         (found.state / "tmp").mkdir(exist_ok=True)
-        catalogue = locked.with_locks(self.catalogue, locked.current_locks(self.catalogue, self.folder))
-        payload = part.find(catalogue, name)
-        return part.publish(found, catalogue, payload, self.said.append, again=again, platform=platform)
+        image_set = locked.with_locks(self.image_set, locked.current_locks(self.image_set, self.folder))
+        wanted = part.find(image_set, name)
+        return part.publish(found, image_set, wanted, self.said.append, again=again, platform=platform)
 
 
 @pytest.fixture
@@ -87,17 +88,17 @@ def baked(stage: Stage) -> str:
 
 def test_all_architectures(stage: Stage) -> None:
     found = stage.publish("common-cpu-py312")
-    assert found.reference.endswith(f"/rosml/payload:common-cpu-py312@{INDEX}")
+    assert found.reference.endswith(f"/rosml/part:common-cpu-py312@{INDEX}")
     assert (found.digest, found.bytecode) == (INDEX, "3.12")
     assert found.layers == {"linux/amd64": (LAYER, 2_500_000), "linux/arm64": (LAYER, 2_500_000)}
-    assert "payload-common-cpu-py312.platform=linux/amd64,linux/arm64" in baked(stage)
+    assert "part-common-cpu-py312.platform=linux/amd64,linux/arm64" in baked(stage)
     assert "BYTECODE" not in baked(stage)
-    assert stage.tagged == [("rosml/payload", INDEX, "common-cpu-py312")]
+    assert stage.tagged == [("rosml/part", INDEX, "common-cpu-py312")]
 
 
 def test_without_the_builders_cache(stage: Stage) -> None:
     stage.publish("common-cpu-py312", again=True)
-    assert "--set payload-common-cpu-py312.no-cache=true" in baked(stage)
+    assert "--set part-common-cpu-py312.no-cache=true" in baked(stage)
 
 
 def test_one_platform_only(stage: Stage) -> None:
@@ -113,7 +114,7 @@ def test_an_architecture_without_a_lock_is_left_out(stage: Stage) -> None:
     (stage.folder / "digest").write_text("sha256:one")
     found = stage.publish("common-cpu-py312")
     assert list(found.layers) == ["linux/arm64"]
-    assert found.reference.endswith("/payload@sha256:one"), "a tag is for all platforms"
+    assert found.reference.endswith("/part@sha256:one"), "a tag is for all platforms"
     assert "platform=linux/arm64 " in baked(stage)
     assert not stage.tagged
     (stage.folder / "locks/cpu/arm64/3.12/common.txt").unlink()
@@ -140,11 +141,11 @@ def test_a_lock_of_something_else_is_none(stage: Stage, of: str) -> None:
 @pytest.fixture
 def debian(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Stage:
     """Docker Hub does not answer, and the matrix has a Debian."""
-    systems = dict(stage.catalogue.matrix.operating_systems)
+    systems = dict(stage.image_set.matrix.operating_systems)
     first = next(iter(systems.values()))
     systems["bookworm"] = first.model_copy(update={"image": "docker.io/library/debian:bookworm", "python": "3.11"})
-    matrix = stage.catalogue.matrix.model_copy(update={"operating_systems": systems})
-    stage.catalogue = image_set.Catalogue(matrix, stage.catalogue.images, stage.catalogue.payloads)
+    matrix = stage.image_set.matrix.model_copy(update={"operating_systems": systems})
+    stage.image_set = sets.ImageSet(matrix, stage.image_set.images, stage.image_set.parts)
     stage.facts |= {"mirror": True, "docker_hub": False}
     monkeypatch.setattr(base_images, "debian", lambda *_: "sha256:made")
     return stage
@@ -153,7 +154,7 @@ def debian(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Stage:
 def test_without_the_base_image_or_a_python(debian: Stage) -> None:
     found = debian.publish("common-cpu-py312")
     assert found.bytecode == ""
-    assert "payload-common-cpu-py312.args.BYTECODE=none" in baked(debian)
+    assert "part-common-cpu-py312.args.BYTECODE=none" in baked(debian)
     assert found.assembled_on.endswith("instead of docker.io/library/ubuntu:24.04, without bytecode: no Python 3.12")
     assert found.assembled_on in debian.said[0]
     assert "| none |" in part.markdown([found])
@@ -190,9 +191,9 @@ def test_no_debian_either(stage: Stage) -> None:
 
 def test_unknown(stage: Stage) -> None:
     with pytest.raises(RosmlError, match="common-cpu-py312") as caught:
-        part.find(stage.catalogue, "comon-cpu-py312")
+        part.find(stage.image_set, "comon-cpu-py312")
     assert caught.value.exit_code == 2
-    assert part.find(stage.catalogue, "payload-common-cpu-py312").part == "common"
+    assert part.find(stage.image_set, "part-common-cpu-py312").kind == "common"
 
 
 def test_the_stand_in_cannot_be_made(debian: Stage) -> None:
@@ -210,9 +211,9 @@ def test_the_stand_in_cannot_be_made(debian: Stage) -> None:
     "manifest",
     ["{}", '{"layers": []}', '{"manifests": [{"digest": "sha256:x"}]}', '{"layers": [1, 2]}', '{"manifests": 1}'],
 )
-def test_an_answer_that_is_no_payload_gets_no_tag(stage: Stage, manifest: str) -> None:
+def test_an_answer_that_is_no_part_gets_no_tag(stage: Stage, manifest: str) -> None:
     (stage.folder / "index.json").write_text(manifest)
-    with pytest.raises(RosmlError, match="is not a payload with one layer for each platform"):
+    with pytest.raises(RosmlError, match="is not a part with one layer for each platform"):
         stage.publish("common-cpu-py312")
     assert not stage.tagged
 
@@ -224,9 +225,7 @@ def run(stage: Stage, monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
     monkeypatch.setattr(script, "ROOT", stage.folder)
     services(stage.folder, **{**stage.facts, "buildx": list(stage.facts["buildx"])})
     (stage.folder / "matrix.yaml").write_text(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}"))
-    return command.run(
-        script.cli, "interrupted", ["payload", "--matrix", str(stage.folder / "matrix.yaml"), *arguments]
-    )
+    return command.run(script.cli, "interrupted", ["part", "--matrix", str(stage.folder / "matrix.yaml"), *arguments])
 
 
 def test_several_at_once(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -235,7 +234,7 @@ def test_several_at_once(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: 
     assert ["platform=linux/amd64,linux/arm64" in call for call in bakes] == [True, True]
     assert len(stage.tagged) == 2
     assert f"  linux/arm64  {LAYER}  2.5 MB" in capsys.readouterr().out
-    assert stage.listed == [("rosml/payload", INDEX)] * 2, "their files are listed, for whoever composes images of them"
+    assert stage.listed == [("rosml/part", INDEX)] * 2, "their files are listed, for whoever composes images of them"
 
 
 def test_results_for_machines(
@@ -249,7 +248,7 @@ def test_results_for_machines(
     assert "common-cpu-py312  linux/amd64, linux/arm64" in capsys.readouterr().out
     assert run(stage, monkeypatch, "--json") == 0
     listed = json.loads(capsys.readouterr().out)
-    assert [item["name"] for item in listed] == [item.name for item in stage.catalogue.payloads]
+    assert [item["name"] for item in listed] == [item.name for item in stage.image_set.parts]
     assert {"name": "common-cpu-py312", "platforms": ["linux/amd64", "linux/arm64"]} in listed
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Every file that a package of the payload has on record is in the image, with its size.
+"""Every file that a package of the part has on record is in the image, with its size.
 
-Contents were compared when the payload was assembled (components/payload/records.py).
+Contents were compared when the part was assembled (components/part/records.py).
 """
 
 from __future__ import annotations
@@ -44,4 +44,4 @@ for expected in LOCAL.glob("share/rosml/expected.d/*"):
         wrong.append(f"/usr/local/lib/rosml/{expected.name} is not what the parts on top of it were assembled for")
 print(f"{checked} files")
 if wrong or checked < 100:
-    sys.exit("\n".join(wrong[:50]) or "no payload is here")
+    sys.exit("\n".join(wrong[:50]) or "no part is here")

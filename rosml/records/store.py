@@ -1,9 +1,9 @@
 """What the publisher knows of an image on one architecture, kept in the registry: any machine can carry on.
 
-One artifact for each image and architecture in the repository `ledger`, under the tag `<target>.<architecture>`. What a
+One artifact for each image and architecture in the repository `records`, under the tag `<target>.<architecture>`. What a
 plan needs stands in its annotation, so that one request reads it; the inputs by name, which say why an image is to be
 built anew, are its layer. Of each tag the present artifact alone is kept. The same is attached to the image itself when it
-is promoted, for whoever has only that; a run that finds the repository `ledger` empty carries on from there.
+is promoted, for whoever has only that; a run that finds the repository `records` empty carries on from there.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ INPUTS = "io.rosml.inputs"
 DATE = "io.rosml.date"
 
 
-ARTIFACT = "application/vnd.rosml.ledger.v1+json"
-ANNOTATION = "io.rosml.ledger"
+ARTIFACT = "application/vnd.rosml.records.v1+json"
+ANNOTATION = "io.rosml.records"
 LAYER = "application/json"
-REPOSITORY = "ledger"
+REPOSITORY = "records"
 
 INDEX = "index"
 """Stands for an architecture in the entry of an image's index."""
 
-FACTS = "io.rosml.ledger.facts"
+FACTS = "io.rosml.records.facts"
 """The annotation of an entry that is attached to its image: a digest of what lasts of it."""
 
 CREATED = "org.opencontainers.image.created"
@@ -55,7 +55,7 @@ READS = 3
 
 @dataclass(frozen=True)
 class Entry:
-    """An image, or payload, on one architecture.
+    """An image, or part, on one architecture.
 
     Attributes:
         target: bake target. architecture: under BuildKit's name.
@@ -104,7 +104,7 @@ class Entry:
 
     @property
     def tag(self) -> str:
-        """Its tag in the repository of the ledger."""
+        """Its tag in the repository of the records."""
         return tag(self.target, self.architecture)
 
     def made(self, digest: str, **facts: Any) -> Entry:
@@ -148,7 +148,7 @@ def order(manifest: oci.Manifest) -> tuple[str, str]:
     return str((manifest.content.get("annotations") or {}).get(CREATED, "")), manifest.digest
 
 
-class Ledger:
+class Records:
     """The entries of a registry.
 
     Args:
@@ -267,7 +267,7 @@ class Ledger:
         yield from sorted(found, key=order, reverse=True)
 
     def artifact(self, name: str, data: bytes, annotations: Mapping[str, str]) -> str:
-        """Puts an artifact with one layer of JSON under a tag of the ledger, in the place of the one before.
+        """Puts an artifact with one layer of JSON under a tag of the records, in the place of the one before.
 
         That one is removed where the registry can: nobody would find it any more. Its blobs are the registry's to collect.
         """
