@@ -70,7 +70,7 @@ def _made(services: Services, image_set: ImageSet, registry: Registry, repositor
 
     config: dict[str, Any] = registry.json_blob(repository, manifest.content["config"]["digest"])
     os_name = image_set.matrix.default.assembler
-    base = base_images.ensure(services, image_set.matrix.operating_systems[os_name], say=lambda _: None)
+    base = base_images.reference(services, image_set.matrix.operating_systems, os_name)
     file = write_excerpt(services, image_set, TARGET)
     (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:

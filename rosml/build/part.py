@@ -1,20 +1,15 @@
 """Parts as images of their own: assembled for all of their architectures, pushed by digest, then tagged.
 
-A part is assembled on an operating system that has its Python, which compiles the bytecode. Where that base image
-cannot be had, Debian's takes its place: with an interpreter of the same version that this machine happens to have, or
-without bytecode. What was done is part of the result: such a part has other digests than the published one.
+A part is assembled on an operating system that has its Python, which compiles the bytecode. Where this machine takes
+another base image, which may have another release of that Python, or none and so no bytecode, what was done is part of the
+result: such a part has other digests than the published one.
 """
 
 from __future__ import annotations
 
-import json
-import shutil
-import subprocess
-import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
-from pathlib import Path
 from typing import Any
 
 from rosml.base.errors import RosmlError
@@ -26,9 +21,6 @@ from rosml.machine.services import NAMESPACE, Services
 from rosml.matrix import names
 from rosml.matrix.model import ANY_PYTHON
 from rosml.registry import oci
-
-VERSIONS = "~/.pyenv/versions"
-"""Where this machine may have further Pythons."""
 
 
 @dataclass(frozen=True)
@@ -117,7 +109,8 @@ def publish(
             client.tag(f"{namespace}/part", digest, part.name)
         reference = f"{repository}:{part.name}@{digest}"
     python = base.python if part.python != ANY_PYTHON else ""
-    return Assembled(part.name, reference, digest, layers, base.said, python, time.monotonic() - started)
+    said = _said(part, base)
+    return Assembled(part.name, reference, digest, layers, said, python, time.monotonic() - started)
 
 
 def push(
@@ -128,7 +121,7 @@ def push(
     prefix: str,
     platforms: list[str],
     again: bool = False,
-) -> tuple[Base, str]:
+) -> tuple[base_images.Assembler, str]:
     """Assembles a part for some platforms and pushes it by digest into the repository `part` below a prefix.
 
     Returns:
@@ -137,7 +130,7 @@ def push(
     Raises:
         RosmlError: no base image can be had, or the build failed.
     """
-    base = _base(services, image_set, part, say)
+    base = base_images.assembler(services, image_set.matrix.operating_systems, part.os, part.python)
     file = write_excerpt(services, image_set, part.target)
     sets = [
         f"{part.target}.tags=",
@@ -148,10 +141,16 @@ def push(
     if again:
         sets.append(f"{part.target}.no-cache=true")
     variables = {"REGISTRY": prefix, names.os_variable(part.os): f"docker-image://{base.reference}"}
-    say(f"part {part.name} for {', '.join(platforms)}, assembled on {base.said}")
+    say(f"part {part.name} for {', '.join(platforms)}, assembled on {_said(part, base)}")
     call = buildx.Bake(part.target, part.target, file, tuple(sets), variables)
     _, digest = push_by_digest(services, call, f"{prefix}/part")
     return base, digest
+
+
+def _said(part: Part, base: base_images.Assembler) -> str:
+    """What a part is assembled on, in words."""
+    without = f", without bytecode: it has no Python {part.python}"
+    return base.reference + ("" if base.python or part.python == ANY_PYTHON else without)
 
 
 def _layers(services: Services, reference: str, platforms: list[str]) -> Iterator[tuple[str, tuple[str, int]]]:
@@ -177,76 +176,6 @@ def _layers(services: Services, reference: str, platforms: list[str]) -> Iterato
             yield platform, (layer["digest"], layer["size"])
     except (KeyError, TypeError, ValueError):
         raise RosmlError(f"{reference} is not a part with one layer for each platform", "run it again") from None
-
-
-@dataclass(frozen=True)
-class Base:
-    """What a part is assembled on: a reference, the Python that compiles bytecode, and both in words."""
-
-    reference: str
-    python: str
-    said: str
-
-
-def _base(services: Services, image_set: ImageSet, part: Part, say: Callable[[str], None]) -> Base:
-    systems = image_set.matrix.operating_systems
-    system = systems[part.os]
-    if not services.mirror or base_images.debian_suite(system.image):
-        reference = base_images.ensure(services, system, say=say)
-        return Base(reference, system.python, reference)
-    choice = [systems[image_set.matrix.default.assembler], *(systems[name] for name in sorted(systems))]
-    debian = next((item for item in choice if base_images.debian_suite(item.image)), None)
-    if debian is None:
-        raise RosmlError(f"{system.image} is on Docker Hub, which does not answer", "use a machine that reaches it")
-    reference = base_images.ensure(services, debian, say=say)
-    if part.python == ANY_PYTHON:
-        return Base(reference, "", f"{debian.image} instead of {system.image}")
-    version, home = _interpreter(part.python)
-    if home is None:
-        return Base(
-            reference, "", f"{debian.image} instead of {system.image}, without bytecode: no Python {part.python}"
-        )
-    stand_in = _with_python(services, reference, part.python, home)
-    return Base(stand_in, version, f"{debian.image} with Python {version} instead of {system.image}")
-
-
-def _interpreter(python: str) -> tuple[str, Path | None]:
-    """The newest release of a Python that this machine has beside its own, and its folder."""
-    found = sorted(
-        Path(VERSIONS).expanduser().glob(f"{python}.*/bin/python{python}"),
-        key=lambda path: [int(number) for number in path.parts[-3].split(".") if number.isdecimal()],
-    )
-    return (found[-1].parts[-3], found[-1].parent.parent) if found else ("", None)
-
-
-def _with_python(services: Services, reference: str, python: str, home: Path) -> str:
-    """Debian's base image with a Python of this machine, in the local registry; gives its reference by digest.
-
-    Raises:
-        RosmlError: buildx fails.
-    """
-    (services.state / "tmp").mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
-        context = Path(folder)
-        shared = [str(file.relative_to(home)) for file in (home / "lib").glob(f"libpython{python}*.so*")]
-        for part in (f"bin/python{python}", f"lib/python{python}", *shared):
-            (context / part).parent.mkdir(exist_ok=True)
-            if (home / part).is_dir():
-                left_out = shutil.ignore_patterns("test", "tests", "__pycache__", "site-packages", "config-*", "*.a")
-                shutil.copytree(home / part, context / part, ignore=left_out)
-            else:
-                shutil.copy(home / part, context / part)
-        (context / "Dockerfile").write_text(f"FROM {reference}\nCOPY bin /usr/bin\nCOPY lib /usr/lib\n")
-        repository = f"{services.registry}/library/assembler"
-        command = [*services.buildx, "build", "--builder", services.builder, "--metadata-file", str(context / "said")]
-        command += ["--output", f"type=image,name={repository},push=true,push-by-digest=true", str(context)]
-        done = subprocess.run(
-            command, env=services.environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-        )
-        if done.returncode != 0:
-            raise RosmlError(f"cannot add Python {python} to {reference}:\n{done.stderr.strip()}", "run 'make up'")
-        digest = json.loads((context / "said").read_text())["containerimage.digest"]
-    return f"{repository}@{digest}"
 
 
 def markdown(found: Iterable[Assembled]) -> str:

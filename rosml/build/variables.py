@@ -23,7 +23,7 @@ def variables(
     say: Callable[[str], None],
     moment: str = "",
 ) -> dict[str, str]:
-    """What a build or a test of an image is told. Base images that are not there are made.
+    """What a build or a test of an image is told.
 
     Args:
         services: this machine's.
@@ -42,7 +42,7 @@ def variables(
     wanted |= {image_set.part_by_name[name].os for name in image.parts}
     found = {"REGISTRY": prefix, "PLATFORM": image_set.matrix.architectures[architecture].platform}
     for name in sorted(wanted):
-        reference = base_images.ensure(services, systems[name], architecture, say)
+        reference = base_images.reference(services, systems, name, architecture)
         found[names.os_variable(name)] = f"docker-image://{reference}"
     return found | _sync_date(services, image_set, image, say, moment)
 

@@ -1,75 +1,29 @@
-"""Base images: the official one by digest where Docker Hub answers; elsewhere a Debian one made here.
+"""Base images by digest: those that matrix.yaml names, or others that this machine was told to take in their place.
 
-A made one is pushed to the local registry under the official name (``library/debian:bookworm``). The builder takes
-that registry as the mirror of docker.io, so ``FROM debian:bookworm`` means the same everywhere.
+A variable names another one: `OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…`. Without it, a machine's set-up may
+name a command (`Services.bases`), for where the images of matrix.yaml cannot be had. It is called with an image by its digest
+and prints a JSON object: `{"reference": …}`, which the builder can pull, or `{"error": …, "remedy": …}` and a failure. With
+`--check` it says in `{"missing": …}` why there is none; with `--assembler 3.12`, the image may be another one that parts for
+that Python are built on, and `{"python": …}` says which Python it has.
 """
 
 from __future__ import annotations
 
-import gzip
-import hashlib
+import functools
 import json
 import os
 import platform
 import re
-import shlex
-import shutil
 import subprocess
-import tarfile
-import time
-from collections.abc import Callable
-from pathlib import Path
-from typing import Any, Protocol
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol
 
 from rosml.base.errors import RosmlError
-from rosml.base.file_lock import turn
-from rosml.machine import regctl
-from rosml.machine.services import Services
+from rosml.machine.services import REMEDY, Services
+from rosml.matrix import names
 
-EPOCH = 1767225600
-"""Timestamp of files and image (2026-01-01), as everywhere in this project."""
-MANIFEST = "application/vnd.oci.image.manifest.v1+json"
-CONFIG = "application/vnd.oci.image.config.v1+json"
-LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
-RECIPE = "io.rosml.recipe"
-"""Annotation that says how an image was made: a change of the recipe makes it anew."""
-TAIL_LINES = 20
-
-FILES = {
-    # What the official image has as well: no service starts in a build, and apt leaves nothing behind.
-    "usr/sbin/policy-rc.d": (0o755, "#!/bin/sh\n# Services do not start in an image.\nexit 101\n"),
-    "etc/dpkg/dpkg.cfg.d/docker-apt-speedup": (0o644, "force-unsafe-io\n"),
-    "etc/apt/apt.conf.d/docker-clean": (
-        0o644,
-        'APT::Keep-Downloaded-Packages "false";\n'
-        'DPkg::Post-Invoke { "rm -f /var/cache/apt/archives/*.deb /var/cache/apt/*.bin || true"; };\n'
-        'Dir::Cache::pkgcache "";\nDir::Cache::srcpkgcache "";\n',
-    ),
-    "etc/apt/apt.conf.d/docker-no-languages": (0o644, 'Acquire::Languages "none";\n'),
-    "etc/apt/apt.conf.d/docker-gzip-indexes": (0o644, 'Acquire::GzipIndexes "true";\n'),
-    "etc/apt/apt.conf.d/docker-autoremove-suggests": (0o644, 'APT::AutoRemove::SuggestsImportant "false";\n'),
-}
-"""Files added to a made image: path to mode and text."""
-
-REMOVE = (
-    "etc/apt/apt.conf.d/99mmdebstrap",
-    "etc/hostname",
-    "etc/resolv.conf",
-    "var/cache/apt/*.bin",
-    "var/cache/debconf/*-old",
-    "var/cache/ldconfig/aux-cache",
-    "var/lib/dpkg/*-old",
-    "var/log/*.log",
-    "var/log/apt/*",
-)
-"""Removed from a made image: what tells of this machine or of the day."""
-
-APTS = ("var/cache/apt/archives/partial", "var/lib/apt/lists/partial")
-"""Folders of apt's own user, as in the official image. mmdebstrap gives them to it only where that user can enter the folder
-in which the image is made: elsewhere the image would have another digest."""
-
-FOLDERS = ("dev",)
-"""Folders that mmdebstrap leaves out. A builder would make them, and leave the time of day on them."""
+PINNED = re.compile(r"[^\s@]+@sha256:[0-9a-f]{64}")
 
 
 class OperatingSystem(Protocol):
@@ -77,71 +31,23 @@ class OperatingSystem(Protocol):
 
     @property
     def image(self) -> str:
-        """E.g. ``docker.io/library/debian:bookworm``."""
+        """E.g. `docker.io/library/debian:bookworm`."""
 
     @property
     def digest(self) -> str:
-        """Digest of the official image."""
+        """Digest of that image."""
+
+    @property
+    def python(self) -> str:
+        """Version of its Python."""
 
 
-def ensure(services: Services, os: OperatingSystem, architecture: str = "", say: Callable[[str], None] = print) -> str:
-    """Reference by digest of an operating system's base image, which the builder can pull.
+@dataclass(frozen=True)
+class Assembler:
+    """What parts are built on: a reference by digest, and the version of Python there; empty where it has not the wanted one."""
 
-    Args:
-        os: the operating system.
-        architecture: ``amd64`` or ``arm64``; the machine's own if empty. The image has both where it is not: parts
-            are assembled on the machine's own.
-        say: told when a base image is made, which takes half a minute.
-
-    Raises:
-        RosmlError: the image cannot be had here.
-    """
-    if not services.mirror:
-        return f"{os.image}@{os.digest}"
-    suite = debian_suite(os.image)
-    if not suite:
-        raise RosmlError(
-            f"{os.image} is on Docker Hub, which does not answer, and only Debian images can be made here",
-            "use a machine that reaches Docker Hub (or set ROSML_DOCKER_HUB=1 if it does), or a target on Debian",
-        )
-    native = native_architecture()
-    if architecture in ("", native):
-        return f"{os.image}@{debian(services, suite, native, say)}"
-    if not emulated(architecture):
-        raise RosmlError(
-            f"a Debian base image for {architecture} cannot be made on {native}: its programs do not run here",
-            f"run 'make emulation', or use an {architecture} machine, or one that reaches Docker Hub",
-        )
-    digests = [debian(services, suite, name, say) for name in (native, architecture)]
-    return f"{os.image}@{regctl.create_index(services, f'{services.registry}/library/debian', digests, {})}"
-
-
-def emulated(architecture: str) -> bool:
-    """Whether the kernel runs programs of another architecture (``make emulation``)."""
-    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(architecture, architecture)
-    return (BINFMT / f"qemu-{machine}").exists()
-
-
-BINFMT = Path("/proc/sys/fs/binfmt_misc")
-"""The kernel's table of interpreters."""
-
-
-def debian(services: Services, suite: str, architecture: str, say: Callable[[str], None]) -> str:
-    """Digest of a Debian image for one architecture; made if it is not there."""
-    tag = suite if architecture == native_architecture() else f"{suite}-{architecture}"
-    folder = services.state / "base"
-    folder.mkdir(parents=True, exist_ok=True)
-    with turn(
-        folder / f"{tag}.lock", lambda: say(f"base image debian:{tag}: waiting for another call that makes it")
-    ) as lock:
-        digest = find(services, tag, architecture)
-        return digest or make(services, suite, architecture, folder / tag, say, lock, tag)
-
-
-def debian_suite(image: str) -> str:
-    """``docker.io/library/debian:bookworm`` -> ``bookworm``; empty for an image that is not Debian's."""
-    match = re.fullmatch(r"(?:docker\.io/)?(?:library/)?debian:([a-z]+)", image)
-    return match[1] if match else ""
+    reference: str
+    python: str
 
 
 def native_architecture() -> str:
@@ -150,224 +56,89 @@ def native_architecture() -> str:
     return {"x86_64": "amd64", "aarch64": "arm64"}.get(machine, machine)
 
 
-def recipe(architecture: str) -> str:
-    """Stands for all that decides how an image is made."""
-    text = json.dumps(
-        [FILES, FOLDERS, REMOVE, EPOCH, architecture, command("SUITE", architecture, Path("F"), Path("O"))]
-    )
-    return hashlib.sha256(text.encode()).hexdigest()[:16]
-
-
-def find(services: Services, tag: str, architecture: str) -> str:
-    """Digest of the image that an earlier call made by the same recipe and that is still whole; empty otherwise."""
-    services.require_registry()
-    try:
-        headers, body = services.get(f"/v2/library/debian/manifests/{tag}", MANIFEST)
-        manifest = json.loads(body)
-        if manifest.get("annotations", {}).get(RECIPE) != recipe(architecture):
-            return ""
-        for part in (manifest["config"], *manifest["layers"]):
-            services.get(f"/v2/library/debian/blobs/{part['digest']}", method="HEAD")
-        return headers["docker-content-digest"]
-    except (RosmlError, ValueError, KeyError, TypeError, AttributeError):
-        return ""
-
-
-def command(suite: str, architecture: str, files: Path, output: Path) -> list[str]:
-    """The call of mmdebstrap. It names no mirror: mmdebstrap's own choice, with updates and security, is Debian's."""
-    remove = " ".join(f'"$1"/{pattern}' for pattern in REMOVE)
-    return [
-        "mmdebstrap",
-        "--variant=minbase",
-        "--format=tar",
-        f"--architectures={architecture}",
-        "--skip=output/dev",  # device nodes are the container runtime's business
-        '--aptopt=Acquire::Retries "5"',
-        f"--customize-hook=sync-in {shlex.quote(str(files))} /",
-        f"--customize-hook=rm -f {remove}",
-        f'--customize-hook=chroot "$1" chown _apt:root {" ".join(f"/{folder}" for folder in APTS)}',
-        suite,
-        str(output),
-    ]
-
-
-def isolated(argv: list[str]) -> list[str]:
-    """The command in namespaces of its own (for root): whatever ends it, its mounts and its children end with it."""
-    if os.geteuid() != 0 or shutil.which("unshare") is None:
-        return argv
-    return ["unshare", "--mount", "--pid", "--fork", "--kill-child", *argv]
-
-
-def make(
-    services: Services,
-    suite: str,
-    architecture: str,
-    folder: Path,
-    say: Callable[[str], None],
-    lock: int | None = None,
-    tag: str = "",
-) -> str:
-    """Makes a Debian image and pushes it; gives its digest. The tag appears last: an interrupted call leaves none.
+def reference(services: Services, systems: Mapping[str, OperatingSystem], name: str, architecture: str = "") -> str:
+    """The reference by digest of an operating system's base image, which the builder can pull.
 
     Args:
-        folder: for its files; removed at the end.
-        lock: file descriptor of a lock that holds while mmdebstrap runs, even if this process is killed.
-        tag: the image's tag in the local registry; the suite if empty.
+        services: this machine's.
+        systems: those of matrix.yaml. name: of one of them.
+        architecture: `amd64` or `arm64`; the machine's own if empty. The image has both where it is not: parts are built on
+            the machine's own.
 
     Raises:
-        RosmlError: mmdebstrap is missing or fails, or the push does.
+        RosmlError: the image cannot be had here, or a variable names none by its digest (exit code 2).
     """
-    if shutil.which("mmdebstrap") is None:
-        raise RosmlError(
-            "mmdebstrap is not installed; it makes base images where Docker Hub does not answer", "run 'make up'"
-        )
-    tag = tag or suite
-    say(f"base image debian:{tag}: making it with mmdebstrap, since Docker Hub does not answer")
-    started = time.monotonic()
-    shutil.rmtree(folder, ignore_errors=True)
-    log = services.state / "log" / f"base-{tag}.log"
+    if given := _given(name):
+        return given
+    if not services.bases:
+        return _official(systems[name])
+    asked = architecture or native_architecture()
+    return _answer(services, name, _official(systems[name]), ("reference",), "--architecture", asked)[0]
+
+
+def assembler(services: Services, systems: Mapping[str, OperatingSystem], name: str, python: str) -> Assembler:
+    """What parts for an operating system and a Python are built on, on this machine's own architecture.
+
+    Args:
+        services: this machine's.
+        systems: those of matrix.yaml. name: of the one that has that Python.
+        python: such as `3.12`; `any` where no Python is needed.
+
+    Raises:
+        RosmlError: as for `reference`.
+    """
+    if _given(name) or not services.bases:
+        return Assembler(reference(services, systems, name), systems[name].python)
+    return Assembler(*_answer(services, name, _official(systems[name]), ("reference", "python"), "--assembler", python))
+
+
+def missing(services: Services, systems: Mapping[str, OperatingSystem], name: str) -> str:
+    """Why an operating system's base image cannot be had on this machine; empty where it can.
+
+    Raises:
+        RosmlError: nobody can tell, or a variable names no image by its digest (exit code 2).
+    """
+    if _given(name) or not services.bases:
+        return ""
+    return _answer(services, name, _official(systems[name]), ("missing",), "--check")[0]
+
+
+def _official(system: OperatingSystem) -> str:
+    """The reference of the base image that matrix.yaml names."""
+    return f"{system.image}@{system.digest}"
+
+
+def _given(name: str) -> str:
+    """The reference that a variable names; empty where none does.
+
+    Raises:
+        RosmlError: it names no image by its digest (exit code 2).
+    """
+    variable = names.os_variable(name)
+    text = os.environ.get(variable, "").removeprefix("docker-image://")
+    if text and not PINNED.fullmatch(text):
+        raise RosmlError(f"{variable} names no image by its digest: {text}", _remedy(name), exit_code=2)
+    return text
+
+
+def _remedy(name: str) -> str:
+    return f"name one that answers: {names.os_variable(name)}=registry.example.com/image:tag@sha256:…"
+
+
+@functools.cache
+def _answer(services: Services, name: str, image: str, keys: tuple[str, ...], *arguments: str) -> tuple[str, ...]:
+    """What the machine's command says of an image; asked once in a process. What it tells people goes to standard error.
+
+    Raises:
+        RosmlError: it fails, or says nothing of use.
+    """
+    command = [*services.bases, image, *arguments]
     try:
-        log.parent.mkdir(parents=True, exist_ok=True)
-        write_files(folder / "files")
-        tar = folder / "root.tar"
-        (folder / "tmp").mkdir()
-        env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
-        run_logged(isolated(command(suite, architecture, folder / "files", tar)), env, log, lock)
-        add_folders(tar)
-        digest = write_layout(folder / "layout", tar, tag, architecture)
-        push(services, folder / "layout", tag)
-    except (OSError, tarfile.TarError) as error:
-        raise RosmlError(f"base image debian:{tag}: {error}", "check the disk (df), then run it again") from None
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
-    say(f"base image debian:{tag}: made in {time.monotonic() - started:.0f} s, served as the mirror of Docker Hub")
-    return digest
-
-
-def run_logged(argv: list[str], env: dict[str, str], log: Path, lock: int | None = None) -> None:
-    """Runs a command with its output in a log.
-
-    Raises:
-        RosmlError: it fails; with the end of the log.
-    """
-    with log.open("wb") as stream:
-        done = subprocess.run(
-            argv,
-            stdin=subprocess.DEVNULL,
-            stdout=stream,
-            stderr=subprocess.STDOUT,
-            env=env,
-            pass_fds=() if lock is None else (lock,),
-            check=False,
-        )
-    if done.returncode != 0:
-        end = "\n".join(log.read_text(errors="replace").splitlines()[-TAIL_LINES:])
-        raise RosmlError(
-            f"mmdebstrap failed (exit code {done.returncode}):\n{end}", f"see {log}; check that Debian's mirrors answer"
-        )
-
-
-def add_folders(tar: Path) -> None:
-    """Adds FOLDERS, empty, to an archive."""
-    with tarfile.open(tar, "a") as archive:
-        for name in FOLDERS:
-            entry = tarfile.TarInfo(f"./{name}")
-            entry.type, entry.mode, entry.mtime = tarfile.DIRTYPE, 0o755, EPOCH
-            archive.addfile(entry)
-
-
-def write_files(folder: Path) -> None:
-    """Writes FILES below a folder, for mmdebstrap to copy in."""
-    for name, (mode, text) in FILES.items():
-        path = folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-        path.chmod(mode)
-    for path in [folder, *folder.rglob("*")]:
-        if path.is_dir():
-            path.chmod(0o755)
-
-
-def write_layout(layout: Path, tar: Path, tag: str, architecture: str) -> str:
-    """Writes an OCI image layout with one gzip layer; gives the manifest's digest."""
-    blobs = layout / "blobs" / "sha256"
-    blobs.mkdir(parents=True)
-    diff_id, layer = compress(tar, blobs)
-    created = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(EPOCH))
-    config = put(
-        blobs,
-        CONFIG,
-        {
-            "architecture": architecture,
-            "os": "linux",
-            "created": created,
-            "config": {
-                "Env": ["PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"],
-                "Cmd": ["bash"],
-            },
-            "rootfs": {"type": "layers", "diff_ids": [diff_id]},
-            "history": [{"created": created, "created_by": f"mmdebstrap --variant=minbase {tag}"}],
-        },
-    )
-    manifest = put(
-        blobs,
-        MANIFEST,
-        {
-            "schemaVersion": 2,
-            "mediaType": MANIFEST,
-            "config": config,
-            "layers": [layer],
-            "annotations": {RECIPE: recipe(architecture)},
-        },
-    )
-    (layout / "oci-layout").write_text('{"imageLayoutVersion": "1.0.0"}')
-    entry = {**manifest, "annotations": {"org.opencontainers.image.ref.name": tag}}
-    (layout / "index.json").write_text(json.dumps({"schemaVersion": 2, "manifests": [entry]}))
-    return str(manifest["digest"])
-
-
-def compress(tar: Path, blobs: Path) -> tuple[str, dict[str, Any]]:
-    """Compresses a layer into the blobs: digest of its content, and its descriptor. No file name, no date in it."""
-    content = hashlib.sha256()
-    partial = blobs / "partial"
-    with (
-        tar.open("rb") as source,
-        partial.open("wb") as target,
-        gzip.GzipFile(filename="", mode="wb", compresslevel=6, fileobj=target, mtime=0) as packed,
-    ):
-        while chunk := source.read(1 << 20):
-            content.update(chunk)
-            packed.write(chunk)
-    with partial.open("rb") as packed_file:
-        digest = hashlib.file_digest(packed_file, "sha256").hexdigest()
-    size = partial.stat().st_size
-    partial.rename(blobs / digest)
-    return f"sha256:{content.hexdigest()}", {"mediaType": LAYER, "digest": f"sha256:{digest}", "size": size}
-
-
-def put(blobs: Path, media_type: str, content: dict[str, Any]) -> dict[str, Any]:
-    """Writes a JSON blob; gives its descriptor."""
-    data = json.dumps(content, sort_keys=True, separators=(",", ":")).encode()
-    digest = hashlib.sha256(data).hexdigest()
-    (blobs / digest).write_bytes(data)
-    return {"mediaType": media_type, "digest": f"sha256:{digest}", "size": len(data)}
-
-
-def push(services: Services, layout: Path, tag: str) -> None:
-    """Copies a layout into the local registry.
-
-    Raises:
-        RosmlError: regctl fails.
-    """
-    env = services.environment()
-    Path(env["REGCTL_CONFIG"]).parent.mkdir(parents=True, exist_ok=True)
-    target = f"{services.registry}/library/debian:{tag}"
-    for arguments in (
-        ["registry", "set", "--tls=disabled", "--skip-check", services.registry],
-        ["image", "copy", f"ocidir://{layout}:{tag}", target],
-    ):
-        done = subprocess.run([services.regctl, *arguments], env=env, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise RosmlError(
-                f"cannot push the base image to {target}: {done.stderr.strip()}", "run 'make up' and try again"
-            )
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, check=False)
+        answer = json.loads(done.stdout)
+        if "error" in answer:
+            raise RosmlError(answer["error"], f"{answer['remedy']}; or {_remedy(name)}")
+        return tuple(str(answer[key]) for key in keys)
+    except (OSError, ValueError, TypeError, KeyError) as error:
+        text = f"no base image for {name}: {' '.join(command)}: {error}"
+        raise RosmlError(text, f"{REMEDY}; or {_remedy(name)}") from None

@@ -27,6 +27,11 @@ _REFUSED = (
 )
 _AGAIN = "a mirror or index did not answer; run it again, finished steps are kept"
 
+_NO_BASE = (
+    "Docker Hub does not answer: run 'make up', which looks for another way, or name a base image that answers, by its"
+    " digest: OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…"
+)
+
 _REMEDIES = (
     (
         "x509: certificate signed by unknown authority",
@@ -43,6 +48,7 @@ _REMEDIES = (
         "no space left on device",
         "free some disk space (make down; make clean removes all that was made), then run it again",
     ),
+    (r"registry-1\.docker\.io", _NO_BASE),
     ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
     ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
     ("Failed to fetch|error sending request", _AGAIN),

@@ -37,7 +37,7 @@ class Services:
         regctl: path of regctl.
         uv: path of uv.
         ca_bundle: the user's CA bundle, absolute; empty where the system's certificates do.
-        mirror: whether the local registry stands in for Docker Hub.
+        bases: the command that is asked for base images, as `base_images` says; none where those of matrix.yaml are taken.
     """
 
     root: Path
@@ -49,7 +49,7 @@ class Services:
     regctl: str
     uv: str
     ca_bundle: str
-    mirror: bool
+    bases: tuple[str, ...]
 
     @classmethod
     def load(cls, root: Path, required: bool = True) -> Services:
@@ -77,11 +77,11 @@ class Services:
                 regctl=str(facts["regctl"]),
                 uv=str(facts["uv"]),
                 ca_bundle=str(facts["ca_bundle"]),
-                mirror=bool(facts["mirror"]),
+                bases=tuple(map(str, facts["bases"])),
             )
         except FileNotFoundError:
             if not required:
-                return cls(root, "", (), "", "", None, "", "", os.environ.get("SSL_CERT_FILE", ""), mirror=False)
+                return cls(root, "", (), "", "", None, "", "", os.environ.get("SSL_CERT_FILE", ""), bases=())
             raise RosmlError("the local registry and the builder are not up", REMEDY) from None
         except OSError as error:
             raise RosmlError(f"cannot read {path}: {error.strerror}", REMEDY) from None

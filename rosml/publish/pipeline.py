@@ -310,7 +310,8 @@ class Pipeline:
         """What it was made from: base image or parts, locks, packages, the checkout."""
         services = self.plan.services
         if made.base:
-            yield provenance.base(made.base, services.registry if services.mirror else "")
+            system = self.plan.image_set.matrix.operating_systems[item.thing.os]
+            yield provenance.base(made.base, system.digest)
         for target, digest in made.parts.items():
             part = self.plan.by_key[target, item.architecture]
             yield provenance.image(target, self.reference(part.repository), digest)

@@ -260,12 +260,11 @@ class Plan:
             return ""
         if item.architecture not in self.architectures:
             return ELSEWHERE
-        system = self.image_set.matrix.operating_systems[image_or_part.os]
-        if not self.services.mirror or base_images.debian_suite(system.image):
+        if item.kind == "part":  # assembled on what there is
             return ""
-        if item.kind == "part":
-            return ""
-        return f"{WAITING}: {system.image} is on Docker Hub, which does not answer"
+        systems = self.image_set.matrix.operating_systems
+        missing = base_images.missing(self.services, systems, image_or_part.os)
+        return f"{WAITING}: {missing}" if missing else ""
 
     def _reason(self, key: tuple[str, str]) -> str:
         """Why a part cannot be made here; of what it needs itself, if that is the reason."""

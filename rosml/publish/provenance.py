@@ -106,12 +106,12 @@ def purl(repository: str, digest: str) -> str:
     return f"pkg:oci/{last}@{quote(digest, safe='')}?repository_url={quote(repository, safe='')}"
 
 
-def base(reference: str, mirror: str = "") -> dict[str, Any]:
+def base(reference: str, expected: str) -> dict[str, Any]:
     """The descriptor of an operating system's image.
 
     Args:
         reference: such as `debian:bookworm@sha256:…`.
-        mirror: the registry that stands in for Docker Hub, with an image that was made here; empty for Docker Hub's own.
+        expected: digest of the one that matrix.yaml names; where it is another one, the descriptor says so.
     """
     name, _, digest = reference.removeprefix("docker-image://").partition("@")
     repository = re.sub(r":[^/:]+$", "", name)
@@ -120,9 +120,8 @@ def base(reference: str, mirror: str = "") -> dict[str, Any]:
     host, _, path = repository.partition("/")
     if not re.search(r"[.:]", host):
         host, path = DOCKER_HUB, repository
-    made = bool(mirror) and host == DOCKER_HUB
-    said = {"made with": "mmdebstrap"} if made else {}
-    return image(name, f"{mirror if made else host}/{path}", digest, **said)
+    said = {} if digest == expected else {"differs": "matrix.yaml names another base image"}
+    return image(name, f"{host}/{path}", digest, **said)
 
 
 def locks(root: Path, names: Iterable[str]) -> list[dict[str, Any]]:

@@ -10,7 +10,7 @@ from rosml.base.errors import RosmlError
 from rosml.build.structure_tests import LABEL
 
 OWN = ("org.opencontainers.image.base.digest",)
-"""Labels that an architecture may have to itself: base images that were made here have a digest each."""
+"""Labels that an architecture may have to itself: a machine may take another base image than matrix.yaml names."""
 
 CONTENT = {
     "ROS's distribution": "ros-distro",

@@ -43,7 +43,7 @@ def builder(
     socket = folder / "buildkitd.sock"
     own = {"root": root or folder / "root", "socket": socket, "otel": folder / "otel.sock", "runc": runc and runc[1]}
     own_texts = {key: str(value) for key, value in own.items()}
-    text = setup.buildkit_config(services.registry, services.mirror, own_texts, certificates)
+    text = setup.buildkit_config(services.registry, bool(services.bases), own_texts, certificates)
     (folder / "buildkitd.toml").write_text(text)
     command = [str(ROOT / ".state/bin/buildkitd"), "--config", str(folder / "buildkitd.toml")]
     with (folder / "log").open("wb") as log:

@@ -102,8 +102,8 @@ def push_part(
 
 def base_reference(image: Published) -> str:
     """The operating system's image that an image starts from."""
-    system = load.load(ROOT / "matrix.yaml").matrix.operating_systems[image.image.os]
-    return base_images.ensure(image.services, system, NATIVE, print)
+    systems = load.load(ROOT / "matrix.yaml").matrix.operating_systems
+    return base_images.reference(image.services, systems, image.image.os, NATIVE)
 
 
 def base_image(image: Published) -> str:

@@ -265,7 +265,7 @@ def begun(said: str) -> set[tuple[str, str]]:
 
 def base(services: Services, image_set: ImageSet) -> tuple[str, str]:
     """Name and digest of the base image of small projects; made where the registry has none of today's recipe."""
-    parent = base_images.ensure(services, image_set.matrix.operating_systems["bookworm"])
+    parent = base_images.reference(services, image_set.matrix.operating_systems, "bookworm")
     recipe = BASE.format(os=parent)
     used = ("components/part/install-assembler.sh", "components/build/network.sh", "tools/requirements.txt")
     content = recipe.encode() + b"".join((ROOT / name).read_bytes() for name in used)
@@ -327,7 +327,7 @@ def make(folder: Path, services: Services) -> Mini:
         if (ROOT / ".state" / name).exists():
             (folder / ".state" / name).symlink_to(ROOT / ".state" / name)
     facts = json.loads((ROOT / ".state" / "services.json").read_text())
-    own = {"builder": services.builder, "builder_kind": services.builder_kind, "mirror": False}
+    own = {"builder": services.builder, "builder_kind": services.builder_kind, "bases": []}
     (folder / ".state" / "services.json").write_text(json.dumps(facts | own))
     for name, text in {
         "base/install": NOTHING,

@@ -8,13 +8,14 @@ from pathlib import Path
 
 import pytest
 
+from offline import debian
 from rosml import ROOT
 from rosml.build import push, structure_tests
 from rosml.build.variables import variables
 from rosml.images.image_set import ImageSet
 from rosml.machine import base_images, buildx, regctl
 from rosml.machine.services import Services
-from tests.e2e.conftest import LOG, NAMESPACE
+from tests.e2e.conftest import NAMESPACE
 from tests.e2e.images import NATIVE, Publish, build, build_on
 
 
@@ -86,15 +87,15 @@ def test_ros_2_from_wheels_is_a_row_of_its_own(published: Publish) -> None:
 
 def test_a_base_image_is_the_same_wherever_it_is_made(services: Services, tmp_path: Path) -> None:
     """Also in a folder that no other user may enter, where mmdebstrap gives apt's user nothing."""
-    if not services.mirror:
+    if not services.bases:
         pytest.skip("Docker Hub answers: its base images are used")
     suite = "bookworm"
     closed = tmp_path / "closed"
     closed.mkdir(mode=0o700)
     architecture = base_images.native_architecture()
-    elsewhere = base_images.make(services, suite, architecture, closed / "made", LOG.info, tag="elsewhere")
+    elsewhere = debian.make(services, suite, architecture, closed / "made", tag="elsewhere")
     place = f"{services.registry}/library/debian"
-    here = base_images.find(services, suite, architecture)
+    here = debian.find(services, suite, architecture)
     assert here, "the tests before have made it"
     made, known = (regctl.layers(services, f"{place}@{digest}") for digest in (elsewhere, here))
     assert [layer.digest for layer in made] == [layer.digest for layer in known]

@@ -45,9 +45,10 @@ def test_imports_go_one_way() -> None:
         ("images/image_set", "def f() -> None:\n    from rosml.images import explain", "in one direction BROKEN"),
         ("matrix/rules", "import httpx", "neither network nor processes BROKEN"),
         ("bake/hcl", "def f() -> None:\n    import subprocess", "neither network nor processes BROKEN"),
+        ("machine/disk", "def f() -> None:\n    from offline import debian", "nothing of tools/ BROKEN"),
         ("news/paper", "import re", "rosml.news"),
     ],
-    ids=["up", "lazy, beside", "lazy circle", "network", "process", "without a floor"],
+    ids=["up", "lazy, beside", "lazy circle", "network", "process", "tools", "without a floor"],
 )
 def test_what_goes_another_way_is_found(tmp_path: Path, module: str, line: str, contract: str) -> None:
     shutil.copy(ROOT / "pyproject.toml", tmp_path)

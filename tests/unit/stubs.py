@@ -45,6 +45,10 @@ done
 """A buildx that records its calls; what `bake` does is up to the test: it finds $metadata, $report and $target."""
 
 
+OFFLINE = [sys.executable, str(Path(__file__).resolve().parents[2] / "tools" / "offline")]
+"""The command that is asked for base images where Docker Hub does not answer."""
+
+
 def executable(path: Path, text: str) -> str:
     """A shell script that can be run."""
     path.write_text(f"#!/bin/sh\n{text}\n")
@@ -94,7 +98,7 @@ def services(root: Path, registry: str = "127.0.0.1:1", **changes: Any) -> Servi
         "uv": "/nowhere/uv",
         "ca_bundle": "",
         "docker_hub": True,
-        "mirror": False,
+        "bases": [],
         **changes,
     }
     (root / ".state").mkdir(exist_ok=True)
@@ -112,7 +116,7 @@ FACTS: dict[str, Any] = {
     "uv": "/x/uv",
     "ca_bundle": "/ca.pem",
     "docker_hub": False,
-    "mirror": True,
+    "bases": [],
 }
 
 

@@ -209,7 +209,7 @@ def test_every_image_says_what_it_was_made_from(registry: Place, image_set: Imag
     asked = definition["externalParameters"]
     assert (asked["target"], asked["platform"], asked["channel"]) == ("alpha-core", "linux/amd64", "live")
     found = {item["name"]: item for item in definition["resolvedDependencies"]}
-    assert found["debian:alpha"] == provenance.base(BASE)
+    assert found["debian:alpha"] == provenance.base(BASE, "another")
     assert found["apt"]["annotations"] == {"state": "monday"}
     details = core["predicate"]["runDetails"]
     assert details["metadata"]["startedOn"] <= details["metadata"]["finishedOn"]

@@ -266,7 +266,7 @@ def test_a_client_of_a_registry_builds_no_program(state: State, monkeypatch: pyt
     assert groups == ["app"], "neither linters nor tests"
     assert path.read_text() == f"{state.bin}\n"
     found = Services.load(state.root)
-    assert not found.mirror, "base images are the official ones, on the machines that build"
+    assert not found.bases, "base images are the official ones, on the machines that build"
     for ask in (found.require_registry, found.require_builder, lambda: found.place):
         with pytest.raises(RosmlError) as caught:
             ask()
@@ -278,7 +278,7 @@ def test_a_client_of_a_registry_builds_no_program(state: State, monkeypatch: pyt
 def test_a_client_leaves_services_that_are_up(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "/uv")
     monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="dev": None)
-    facts = services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, True, "")
+    facts = services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, "")
     write_atomically(state.services, json.dumps(facts))
     commands.client(state)
     assert read_json(state.services) == facts
@@ -766,7 +766,7 @@ def test_builder_in_docker(state: State, buildx: Path) -> None:
 
 
 def test_builder_in_docker_is_stopped(state: State, buildx: Path) -> None:
-    facts = services.describe(state, tools("docker", str(buildx)), "127.0.0.1:1", True, False, "")
+    facts = services.describe(state, tools("docker", str(buildx)), "127.0.0.1:1", True, "")
     for remove, action in ((False, "stop rosml"), (True, "rm --force rosml")):
         write_atomically(state.services, json.dumps(facts))
         assert services.down(state, remove) == ["builder in Docker"]
@@ -807,7 +807,7 @@ def test_own_builder_in_a_path_that_overlays_cannot_have(tmp_path: Path) -> None
 
 
 def test_services_json(state: State) -> None:
-    facts = services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, True, "/ca.pem")
+    facts = services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, "/ca.pem")
     assert facts == {
         "registry": "127.0.0.1:1",
         "buildx": ["buildx"],
@@ -818,8 +818,9 @@ def test_services_json(state: State) -> None:
         "uv": "uv",
         "ca_bundle": "/ca.pem",
         "docker_hub": False,
-        "mirror": True,
+        "bases": [f"{state.root}/.venv/bin/python", f"{state.root}/tools/offline"],
     }
+    assert services.describe(state, tools("buildkitd"), "127.0.0.1:1", True, "")["bases"] == []
 
 
 def test_build_steps_of_a_killed_builder_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -944,9 +945,7 @@ def test_status_with_nothing_there(tmp_path: Path) -> None:
 
 def test_status_after_the_services_died(tmp_path: Path) -> None:
     state = State(tmp_path)
-    write_atomically(
-        state.services, json.dumps(services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, True, ""))
-    )
+    write_atomically(state.services, json.dumps(services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, "")))
     assert bootstrap(tmp_path, "status").stdout.count("DOES NOT ANSWER (make up)") == 2
 
 

@@ -222,6 +222,11 @@ LOGIN = "docker login"
         ("No space left on device (28)", "free some disk space"),
         ("dial tcp 127.0.0.1:1: connect: connection refused", "run 'make up'"),
         ("failed to dial gRPC", "run 'make up'"),
+        (
+            "failed to resolve source metadata for docker.io/library/a:1: failed to do request: Head"
+            ' "https://registry-1.docker.io/v2/library/a/manifests/1": dial tcp: connect: connection refused',
+            "name a base image that answers",
+        ),
         ("Could not resolve host: example.org", "package indexes"),
         ("Temporary failure resolving 'example.org'", "Debian's mirrors"),
         ("E: Failed to fetch x.deb", "run it again"),

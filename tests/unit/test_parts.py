@@ -4,7 +4,6 @@ bytecode or not, and said so."""
 from __future__ import annotations
 
 import json
-import shutil
 from pathlib import Path
 from typing import Any
 
@@ -18,18 +17,13 @@ from rosml.cli import command
 from rosml.cli import publish as script
 from rosml.images import image_set as sets
 from rosml.images import locked
-from rosml.machine import base_images
 from rosml.registry.oci import Registry
 
 INDEX, LAYER = "sha256:" + "b" * 64, "sha256:" + "c" * 64
+OTHER = "registry.test/other:1@sha256:" + "d" * 64
 LOCK = "locks/cpu/arm64/3.12/torch.txt"
 BAKE = """
-case $1 in
-build) shift; for word; do last=$word; done
-    cat "$last/Dockerfile" >>"$here/calls"; (cd "$last" && find bin lib -type f) >>"$here/calls"
-    printf '{"containerimage.digest": "sha256:stand-in"}' >"$metadata" ;;
-*) env | grep '^OS_' >>"$here/calls"; printf '{"%s": {"containerimage.digest": "%s"}}' "$target" "$(cat "$here/digest")" >"$metadata" ;;
-esac
+env | grep '^OS_' >>"$here/calls"; printf '{"%s": {"containerimage.digest": "%s"}}' "$target" "$(cat "$here/digest")" >"$metadata"
 """
 REGCTL = """
 here='{folder}'
@@ -74,7 +68,6 @@ class Stage:
 
 @pytest.fixture
 def stage(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> Stage:
-    monkeypatch.setattr(part, "VERSIONS", str(tmp_path / "versions"))
     found = Stage(tmp_path, registry, parse(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}")))
     monkeypatch.setattr(file_list, "attach_files", lambda *facts: found.listed.append(facts[3:5]))
     monkeypatch.setattr(Registry, "tag", lambda client, *move: found.tagged.append(move))
@@ -138,55 +131,36 @@ def test_a_lock_of_something_else_is_none(stage: Stage, of: str) -> None:
     assert not calls(stage.folder)
 
 
-@pytest.fixture
-def debian(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> Stage:
-    """Docker Hub does not answer, and the matrix has a Debian."""
-    systems = dict(stage.image_set.matrix.operating_systems)
-    first = next(iter(systems.values()))
-    systems["bookworm"] = first.model_copy(update={"image": "docker.io/library/debian:bookworm", "python": "3.11"})
-    matrix = stage.image_set.matrix.model_copy(update={"operating_systems": systems})
-    stage.image_set = sets.ImageSet(matrix, stage.image_set.images, stage.image_set.parts)
-    stage.facts |= {"mirror": True, "docker_hub": False}
-    monkeypatch.setattr(base_images, "debian", lambda *_: "sha256:made")
-    return stage
+def instead(stage: Stage, python: str) -> dict[str, Any]:
+    """The facts of a machine that takes another base image, with a release of Python on it."""
+    answer = json.dumps({"reference": OTHER, "python": python})
+    script = f"echo \"bases $*\" >>'{stage.folder}/calls'\necho '{answer}'"
+    return {"bases": [executable(stage.folder / "bases", script)]}
 
 
-def test_without_the_base_image_or_a_python(debian: Stage) -> None:
-    found = debian.publish("common-cpu-py312")
+def test_on_another_base_image(stage: Stage) -> None:
+    found = stage.publish("common-cpu-py312", **instead(stage, "3.12.10"))
+    assert (found.bytecode, found.assembled_on) == ("3.12.10", OTHER)
+    assert "BYTECODE" not in baked(stage)
+    (asked,) = [call for call in calls(stage.folder) if call.startswith("bases")]
+    assert asked.startswith("bases docker.io/library/ubuntu:24.04@sha256:") and asked.endswith(" --assembler 3.12")
+    assert f"OS_UBUNTU_24_04=docker-image://{OTHER}" in calls(stage.folder)
+
+
+def test_on_a_base_image_without_the_python(stage: Stage) -> None:
+    found = stage.publish("common-cpu-py312", **instead(stage, ""))
     assert found.bytecode == ""
-    assert "part-common-cpu-py312.args.BYTECODE=none" in baked(debian)
-    assert found.assembled_on.endswith("instead of docker.io/library/ubuntu:24.04, without bytecode: no Python 3.12")
-    assert found.assembled_on in debian.said[0]
+    assert "part-common-cpu-py312.args.BYTECODE=none" in baked(stage)
+    assert found.assembled_on == f"{OTHER}, without bytecode: it has no Python 3.12"
+    assert found.assembled_on in stage.said[0]
     assert "| none |" in part.markdown([found])
 
 
-def test_without_the_base_image_with_a_python(debian: Stage) -> None:
-    for version in ("3.12.1", "3.12.10"):
-        home = debian.folder / "versions" / version
-        (home / "lib/python3.12/test").mkdir(parents=True)
-        (home / "bin").mkdir()
-        for file in ("bin/python3.12", "lib/python3.12/os.py", "lib/python3.12/test/test_os.py"):
-            (home / file).write_text(version)
-    found = debian.publish("common-cpu-py312")
-    assert found.bytecode == "3.12.10"
-    assert "BYTECODE" not in baked(debian)
-    said = "\n".join(calls(debian.folder))
-    assert "FROM docker.io/library/debian:bookworm@sha256:made\n" in said
-    assert "lib/python3.12/os.py" in said
-    assert "test_os.py" not in said
-    assert f"OS_UBUNTU_24_04=docker-image://{debian.facts['registry']}/library/assembler@sha256:stand-in" in said
-
-
-def test_what_has_no_python_needs_none(debian: Stage) -> None:
-    found = debian.publish("tensorflow-cc-cpu")
-    assert "BYTECODE" not in baked(debian)
-    assert "without bytecode" not in found.assembled_on
+def test_what_has_no_python_needs_none(stage: Stage) -> None:
+    found = stage.publish("tensorflow-cc-cpu", **instead(stage, ""))
+    assert "BYTECODE" not in baked(stage)
+    assert found.assembled_on == OTHER
     assert "| no Python in it |" in part.markdown([found])
-
-
-def test_no_debian_either(stage: Stage) -> None:
-    with pytest.raises(RosmlError, match=r"ubuntu:24\.04 is on Docker Hub, which does not answer"):
-        stage.publish("common-cpu-py312", mirror=True, docker_hub=False)
 
 
 def test_unknown(stage: Stage) -> None:
@@ -194,17 +168,6 @@ def test_unknown(stage: Stage) -> None:
         part.find(stage.image_set, "comon-cpu-py312")
     assert caught.value.exit_code == 2
     assert part.find(stage.image_set, "part-common-cpu-py312").kind == "common"
-
-
-def test_the_stand_in_cannot_be_made(debian: Stage) -> None:
-    home = debian.folder / "versions/3.12.1"
-    (home / "bin").mkdir(parents=True)
-    (home / "lib/python3.12").mkdir(parents=True)
-    (home / "bin/python3.12").write_text("")
-    shutil.rmtree(home / "lib")
-    (home / "lib").mkdir()
-    with pytest.raises((RosmlError, OSError)):
-        debian.publish("common-cpu-py312", buildx=["/nowhere"])
 
 
 @pytest.mark.parametrize(

@@ -840,7 +840,9 @@ def told(
 
     monkeypatch.setattr(maker, "push_by_digest", push)
     monkeypatch.setattr(file_list, "attach_files", lambda *_: None)
-    monkeypatch.setattr(base_images, "ensure", lambda _services, system, *_: f"base-of-{system.python}")
+    monkeypatch.setattr(
+        base_images, "reference", lambda _services, systems, name, *_: f"base-of-{systems[name].python}"
+    )
     monkeypatch.setattr(Services, "require_builder", lambda *_: None)
     monkeypatch.setattr(sync, "published", lambda *_: asked())
     architecture = base_images.native_architecture()

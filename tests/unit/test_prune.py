@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from memory_registry import DAY, PREFIX, Place, place
 from projects import BASE
-from stubs import services
+from stubs import OFFLINE, services
 
 from rosml.base.errors import RosmlError
 from rosml.cli import tables
@@ -159,7 +159,7 @@ def test_what_cannot_be_had_is_told_apart(
     """Without a lock, or without the base image on this machine: neither is missing work. The table says it for each image."""
     here = place(project, services(project), monkeypatch)
     here.publish(image_set, only=["alpha-core"], date="2026-11-19T03:00:00Z")
-    here.services = services(project, docker_hub=False, mirror=True)
+    here.services = services(project, docker_hub=False, bases=OFFLINE)
     lock = next(name for name in image_set.by_target[BASE].locks if name.endswith("/torch.txt"))
     lacking = locked.with_locks(image_set, image_set.locks - {lock})
     (project / lock).unlink()

@@ -334,7 +334,7 @@ def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.Ca
 @pytest.fixture
 def without_docker_hub(shop: Shop) -> Iterator[None]:
     """A machine that can build no Ubuntu image, but every part."""
-    stubs.services(shop.root, registry=shop.host, mirror=True)
+    stubs.services(shop.root, registry=shop.host, bases=stubs.OFFLINE)
     yield
     stubs.services(shop.root, registry=shop.host)
 

@@ -222,7 +222,7 @@ def client(state: State) -> None:
     offer_path(state)
     if not state.services.exists():
         nothing = Tools(kind="", builder="", buildx=(), regctl="", registry="", uv=uv)
-        facts = services.describe(state, nothing, registry="", hub=True, mirror=False, bundle=bundle)
+        facts = services.describe(state, nothing, registry="", hub=True, bundle=bundle)
         write_atomically(state.services, json.dumps(facts, indent=2) + "\n")
 
 

@@ -343,7 +343,7 @@ def stop_builder(state: State) -> None:
     tidy_builder(state.folder / "buildkit")
 
 
-def describe(state: State, tools: Tools, registry: str, hub: bool, mirror: bool, bundle: str) -> dict[str, Any]:
+def describe(state: State, tools: Tools, registry: str, hub: bool, bundle: str) -> dict[str, Any]:
     """Content of services.json."""
     return {
         "registry": registry,
@@ -355,7 +355,7 @@ def describe(state: State, tools: Tools, registry: str, hub: bool, mirror: bool,
         "uv": tools.uv,
         "ca_bundle": bundle,
         "docker_hub": hub,
-        "mirror": mirror,
+        "bases": [] if hub else [str(state.root / ".venv" / "bin" / "python"), str(state.root / "tools" / "offline")],
     }
 
 
@@ -379,7 +379,7 @@ def up(state: State, tools: Tools, hub: bool, bundle: str, image: str) -> dict[s
     mirror = not hub
     registry = up_registry(state, tools.registry)
     up_builder(state, tools, registry, mirror, image)
-    facts = describe(state, tools, registry, hub, mirror, bundle)
+    facts = describe(state, tools, registry, hub, bundle)
     text = regctl_config(facts["registry"], network.registry_certificates(os.environ))
     write_atomically(state.folder / "regctl" / "config.json", text)
     write_atomically(state.services, json.dumps(facts, indent=2) + "\n")

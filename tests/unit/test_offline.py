@@ -1,0 +1,266 @@
+"""Base images without Docker Hub: what is answered about each, how Debian's are made, what parts are built on instead of
+Ubuntu's; nothing half-made is left."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import tarfile
+from pathlib import Path
+
+import pytest
+from stubs import OFFLINE, buildx, calls, load
+
+from offline import assembler, debian, official
+from rosml.base.errors import RosmlError
+from rosml.machine import regctl
+from rosml.machine.services import Services
+
+DEBIAN, UBUNTU = "docker.io/library/debian:bookworm", "docker.io/library/ubuntu:24.04"
+DIGEST = f"sha256:{'a' * 64}"
+
+
+# ---- The command -----------------------------------------------------------------------------------------------------
+
+
+def asked(*arguments: str) -> tuple[int, dict[str, str]]:
+    done = subprocess.run([*OFFLINE, *arguments], capture_output=True, text=True, check=False)
+    return done.returncode, json.loads(done.stdout)
+
+
+def test_what_can_be_had() -> None:
+    assert asked(f"{DEBIAN}@{DIGEST}", "--check") == (0, {"missing": ""})
+    assert asked(f"registry.test:5000/copy/ubuntu:24.04@{DIGEST}", "--check") == (0, {"missing": ""})
+    assert asked(f"{UBUNTU}@{DIGEST}", "--check") == (
+        0,
+        {"missing": f"{UBUNTU} is on Docker Hub, which does not answer"},
+    )
+
+
+def test_another_registry_answers_for_itself() -> None:
+    image = f"registry.test:5000/copy/ubuntu:24.04@{DIGEST}"
+    assert asked(image) == (0, {"reference": image, "python": ""})
+    assert asked(image, "--assembler", "3.12") == (0, {"reference": image, "python": "3.12"})
+
+
+def test_an_error_is_an_answer(tmp_path: Path) -> None:
+    """In a checkout of its own, that was not set up."""
+    for name in ("rosml", "tools/offline"):
+        shutil.copytree(Path(OFFLINE[1]).parents[1] / name, tmp_path / name)
+    done = subprocess.run(
+        [OFFLINE[0], str(tmp_path / "tools/offline"), f"{UBUNTU}@{DIGEST}"], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1, done.stderr
+    assert json.loads(done.stdout) == {
+        "error": "the local registry and the builder are not up",
+        "remedy": "run 'make up'",
+    }
+
+
+# ---- Debian's images -------------------------------------------------------------------------------------------------
+
+
+def test_no_ubuntu(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match=r"ubuntu:24\.04 is on Docker Hub, which does not answer") as caught:
+        debian.ensure(load(tmp_path), UBUNTU)
+    assert caught.value.remedy
+
+
+def test_no_foreign_architecture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(debian, "native_architecture", lambda: "amd64")
+    monkeypatch.setattr(debian, "BINFMT", tmp_path)
+    with pytest.raises(RosmlError, match="arm64 cannot be made on amd64"):
+        debian.ensure(load(tmp_path), DEBIAN, "arm64")
+
+
+def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The image has both: parts are built on the machine's own architecture."""
+    monkeypatch.setattr(debian, "native_architecture", lambda: "amd64")
+    monkeypatch.setattr(debian, "BINFMT", tmp_path)
+    (tmp_path / "qemu-aarch64").touch()
+    made: list[tuple[str, str]] = []
+
+    def one(_services: Services, suite: str, architecture: str) -> str:
+        made.append((suite, architecture))
+        return f"sha256:{architecture}"
+
+    def index(_services: Services, repository: str, digests: list[str], _annotations: object) -> str:
+        assert digests == ["sha256:amd64", "sha256:arm64"]
+        return f"sha256:of-{repository.rpartition('/')[2]}"
+
+    monkeypatch.setattr(debian, "debian", one)
+    monkeypatch.setattr(regctl, "create_index", index)
+    assert debian.ensure(load(tmp_path), DEBIAN, "arm64") == {"reference": f"{DEBIAN}@sha256:of-debian"}
+    assert made == [("bookworm", "amd64"), ("bookworm", "arm64")]
+    assert debian.ensure(load(tmp_path), DEBIAN) == {"reference": f"{DEBIAN}@sha256:amd64"}
+
+
+@pytest.mark.parametrize(
+    ("image", "suite"),
+    [
+        ("docker.io/library/debian:bookworm", "bookworm"),
+        ("debian:trixie", "trixie"),
+        ("docker.io/library/ubuntu:24.04", ""),
+        ("docker.io/other/debian:bookworm", ""),
+        ("debian:bookworm-slim", ""),
+    ],
+)
+def test_debian_suite(image: str, suite: str) -> None:
+    assert official.debian_suite(image) == suite
+
+
+def test_command_names_no_mirror() -> None:
+    argv = debian.command("bookworm", "amd64", Path("/with space/files"), Path("/out.tar"))
+    assert argv[-2:] == ["bookworm", "/out.tar"]
+    assert "--customize-hook=sync-in '/with space/files' /" in argv
+    assert not any("http" in argument for argument in argv)
+
+
+def write_tar(tar: Path) -> None:
+    """Something to put into a layer."""
+    tar.parent.mkdir(parents=True, exist_ok=True)
+    tar.write_bytes(b"content" * 1000)
+
+
+def test_layout(tmp_path: Path) -> None:
+    write_tar(tmp_path / "root.tar")
+    layout = tmp_path / "layout"
+    digest = debian.write_layout(layout, tmp_path / "root.tar", "bookworm", "amd64")
+    for blob in (layout / "blobs" / "sha256").iterdir():
+        assert hashlib.sha256(blob.read_bytes()).hexdigest() == blob.name
+    index = json.loads((layout / "index.json").read_text())
+    assert index["manifests"][0]["digest"] == digest
+    manifest = json.loads((layout / "blobs/sha256" / digest.removeprefix("sha256:")).read_text())
+    config = json.loads((layout / "blobs/sha256" / manifest["config"]["digest"].removeprefix("sha256:")).read_text())
+    layer = layout / "blobs/sha256" / manifest["layers"][0]["digest"].removeprefix("sha256:")
+    content = gzip.decompress(layer.read_bytes())
+    assert config["rootfs"]["diff_ids"] == [f"sha256:{hashlib.sha256(content).hexdigest()}"]
+    assert config["created"] == "2026-01-01T00:00:00Z"
+    assert config["architecture"] == "amd64"
+
+
+def test_same_content_same_digest(tmp_path: Path) -> None:
+    write_tar(tmp_path / "root.tar")
+    first = debian.write_layout(tmp_path / "a", tmp_path / "root.tar", "bookworm", "amd64")
+    os.utime(tmp_path / "root.tar", (1, 1))
+    assert debian.write_layout(tmp_path / "b", tmp_path / "root.tar", "bookworm", "amd64") == first
+
+
+def fake_mmdebstrap(folder: Path, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Puts a stand-in for mmdebstrap on PATH. Its last argument is the file to write."""
+    path = folder / "fake" / "mmdebstrap"
+    path.parent.mkdir()
+    path.write_text(f"#!/bin/bash\n{text}\n")
+    path.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{path.parent}:/usr/bin:/bin")
+
+
+def test_failed_mmdebstrap_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    fake_mmdebstrap(tmp_path, "echo E: no mirror >&2; exit 7", monkeypatch)
+    folder = tmp_path / ".state/base/bookworm"
+    with pytest.raises(RosmlError, match="E: no mirror"):
+        debian.make(load(tmp_path), "bookworm", "amd64", folder)
+    assert not folder.exists()
+
+
+def test_no_mmdebstrap(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(RosmlError, match="not installed") as caught:
+        debian.make(load(tmp_path), "bookworm", "amd64", tmp_path / "x")
+    assert caught.value.remedy == "run 'make up'"
+
+
+def test_push_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    fake_mmdebstrap(tmp_path, 'tar --create --file "${@: -1}" --files-from /dev/null', monkeypatch)
+    regctl = tmp_path / "regctl"
+    regctl.write_text("#!/bin/sh\n[ $1 = registry ] || { echo refused >&2; exit 1; }\n")
+    regctl.chmod(0o755)
+    folder = tmp_path / ".state/base/bookworm"
+    with pytest.raises(RosmlError, match="refused"):
+        debian.make(load(tmp_path, regctl=str(regctl)), "bookworm", "amd64", folder)
+    assert not folder.exists()
+
+
+def test_files_are_the_same_under_any_umask(tmp_path: Path) -> None:
+    before = os.umask(0o077)
+    try:
+        debian.write_files(tmp_path / "files")
+    finally:
+        os.umask(before)
+    modes = {str(path.relative_to(tmp_path)): path.stat().st_mode & 0o777 for path in tmp_path.rglob("*")}
+    assert modes["files/usr/sbin"] == 0o755
+    assert modes["files/usr/sbin/policy-rc.d"] == 0o755
+    assert modes["files/etc/apt/apt.conf.d/docker-clean"] == 0o644
+
+
+def test_folders_that_are_left_out(tmp_path: Path) -> None:
+    """With a fixed time; what is there stays."""
+    tar = tmp_path / "root.tar"
+    with tarfile.open(tar, "w") as archive:
+        archive.addfile(tarfile.TarInfo("./etc"))
+    debian.add_folders(tar)
+    with tarfile.open(tar) as archive:
+        found = {entry.name: (entry.isdir(), entry.mode, entry.mtime) for entry in archive}
+    assert list(found) == ["./etc", "./dev"]
+    assert found["./dev"] == (True, 0o755, debian.EPOCH)
+
+
+# ---- What parts are built on -----------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def versions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where this machine has further Pythons: none yet. Debian's images need not be made."""
+    monkeypatch.setattr(assembler, "VERSIONS", str(tmp_path / "versions"))
+    monkeypatch.setattr(debian, "debian", lambda *_: "sha256:made")
+    return tmp_path / "versions"
+
+
+def python(versions: Path, release: str) -> None:
+    """A Python of this machine."""
+    home = versions / release
+    (home / "lib/python3.12/test").mkdir(parents=True)
+    (home / "bin").mkdir()
+    for file in ("bin/python3.12", "lib/python3.12/os.py", "lib/python3.12/test/test_os.py"):
+        (home / file).write_text(release)
+
+
+@pytest.mark.usefixtures("versions")
+def test_debian_has_its_own_python(tmp_path: Path) -> None:
+    found = assembler.ensure(load(tmp_path), "docker.io/library/debian:trixie", "3.13")
+    assert found == {"reference": "docker.io/library/debian:trixie@sha256:made", "python": "3.13"}
+
+
+@pytest.mark.parametrize("wanted", ["3.14", "any"])
+def test_debian_takes_the_place_of_others(tmp_path: Path, versions: Path, wanted: str) -> None:
+    python(versions, "3.12.1")
+    found = assembler.ensure(load(tmp_path), UBUNTU, wanted)
+    assert found == {"reference": f"{DEBIAN}@sha256:made", "python": ""}
+
+
+def test_the_newest_python_of_the_machine(tmp_path: Path, versions: Path) -> None:
+    for release in ("3.12.1", "3.12.10", "3.12.9"):
+        python(versions, release)
+    build = """
+for word; do last=$word; done
+cat "$last/Dockerfile" "$last/bin/python3.12" >>"$here/calls"; (cd "$last" && find lib -type f) >>"$here/calls"
+printf '{"containerimage.digest": "sha256:with-python"}' >"$metadata"
+"""
+    services = load(tmp_path, buildx=list(buildx(tmp_path, build)))
+    found = assembler.ensure(services, UBUNTU, "3.12")
+    assert found == {"reference": "127.0.0.1:1/library/assembler@sha256:with-python", "python": "3.12.10"}
+    said = calls(tmp_path)
+    assert f"FROM {DEBIAN}@sha256:made" in said
+    assert "3.12.10lib/python3.12/os.py" in said
+    assert not any("test_os.py" in line for line in said)
+
+
+def test_a_python_that_cannot_be_added(tmp_path: Path, versions: Path) -> None:
+    python(versions, "3.12.1")
+    services = load(tmp_path, buildx=list(buildx(tmp_path, "echo no space >&2; exit 1")))
+    with pytest.raises(RosmlError, match=r"cannot add Python 3\.12 to .*\s*no space"):
+        assembler.ensure(services, UBUNTU, "3.12")

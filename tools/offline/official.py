@@ -1,0 +1,18 @@
+"""What the name of an official image says of it."""
+
+from __future__ import annotations
+
+import re
+
+
+def debian_suite(image: str) -> str:
+    """``docker.io/library/debian:bookworm`` -> ``bookworm``; empty for an image that is not Debian's."""
+    match = re.fullmatch(r"(?:docker\.io/)?(?:library/)?debian:([a-z]+)", image)
+    return match[1] if match else ""
+
+
+def missing(image: str) -> str:
+    """Why an image cannot be had without Docker Hub; empty where it can: it is elsewhere, or Debian's."""
+    if not image.startswith("docker.io/") or debian_suite(image):
+        return ""
+    return f"{image} is on Docker Hub, which does not answer"
