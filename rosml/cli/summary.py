@@ -8,8 +8,9 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.base.units import duration, size
 from rosml.images.image_set import Image, tags_of
-from rosml.machine import buildx
+from rosml.machine import base_images, buildx
 from rosml.publish.pipeline import Pipeline
+from rosml.publish.plan import WAITING
 from rosml.records.store import INDEX
 from rosml.records.tag_moves import Move
 
@@ -96,7 +97,10 @@ def require_whole(run: Pipeline, image: Image, architecture: str, tagged: bool) 
         wrong = "; ".join(plan.reasons(plan.by_key[image.target, architecture]))
     if wrong:
         waits = next((o.reason for o in run.outcomes if o.target == image.target and o.state == "waits"), wrong)
-        raise RosmlError(f"{image.target} gets no tag: {waits}", "make it anew: --force, or ROSML_FORCE=1 for make")
+        remedy = "make it anew: --force, or ROSML_FORCE=1 for make"
+        if waits.startswith(WAITING):
+            remedy = f"use a machine that reaches the base image, or {base_images.name_another(image.os)}"
+        raise RosmlError(f"{image.target} gets no tag: {waits}", remedy)
 
 
 def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] | None) -> Summary:

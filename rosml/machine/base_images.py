@@ -103,6 +103,11 @@ def missing(services: Services, systems: Mapping[str, OperatingSystem], name: st
     return _answer(services, name, _official(systems[name]), ("missing",), "--check")[0]
 
 
+def name_another(name: str) -> str:
+    """What helps where an operating system's base image cannot be had, in words."""
+    return f"name one that answers: {names.os_variable(name)}=registry.example.com/image:tag@sha256:…"
+
+
 def _official(system: OperatingSystem) -> str:
     """The reference of the base image that matrix.yaml names."""
     return f"{system.image}@{system.digest}"
@@ -117,12 +122,8 @@ def _given(name: str) -> str:
     variable = names.os_variable(name)
     text = os.environ.get(variable, "").removeprefix("docker-image://")
     if text and not PINNED.fullmatch(text):
-        raise RosmlError(f"{variable} names no image by its digest: {text}", _remedy(name), exit_code=2)
+        raise RosmlError(f"{variable} names no image by its digest: {text}", name_another(name), exit_code=2)
     return text
-
-
-def _remedy(name: str) -> str:
-    return f"name one that answers: {names.os_variable(name)}=registry.example.com/image:tag@sha256:…"
 
 
 @functools.cache
@@ -137,8 +138,8 @@ def _answer(services: Services, name: str, image: str, keys: tuple[str, ...], *a
         done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, check=False)
         answer = json.loads(done.stdout)
         if "error" in answer:
-            raise RosmlError(answer["error"], f"{answer['remedy']}; or {_remedy(name)}")
+            raise RosmlError(answer["error"], f"{answer['remedy']}; or {name_another(name)}")
         return tuple(str(answer[key]) for key in keys)
     except (OSError, ValueError, TypeError, KeyError) as error:
         text = f"no base image for {name}: {' '.join(command)}: {error}"
-        raise RosmlError(text, f"{REMEDY}; or {_remedy(name)}") from None
+        raise RosmlError(text, f"{REMEDY}; or {name_another(name)}") from None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 import signal
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +13,7 @@ import pytest
 from conftest import SMALL, write_locks
 from memory_registry import DAY, HOST, NEXT, Place, Run, place
 from projects import copy
-from stubs import buildx, calls, services
+from stubs import OFFLINE, buildx, calls, services
 
 from rosml.cli import command
 from rosml.cli import publish as script
@@ -174,6 +174,17 @@ def test_a_part_fails(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
     stage.options = {}
     assert stage.image(TARGET) == 0, "what was finished is kept, the next call carries on"
     assert [target for _, target, _ in stage.runs[1].made] == ["part-torch-cu1-py312", TARGET, TARGET]
+
+
+def test_a_base_image_that_cannot_be_had(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    """What it is needed for waits, and the rest is made."""
+    stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
+    assert stage.image(TARGET) == 1
+    told = capsys.readouterr().err
+    assert f"{TARGET} gets no tag: waiting for a builder: docker.io/library/ubuntu:24.04 is on Docker Hub" in told
+    assert "or name one that answers: OS_UBUNTU_24_04=" in told
+    assert {kind for kind, _, _ in stage.runs[0].made} == {"build"}
+    assert all(target.startswith("part-") for _, target, _ in stage.runs[0].made)
 
 
 def test_tags_stay_where_they_were(stage: Stage) -> None:
