@@ -1,4 +1,4 @@
-"""Calls that take turns: in one checkout because they write the same files, in one builder because its cache wants it."""
+"""Calls that take turns: in one checkout because they publish the same images, in one builder because its cache wants it."""
 
 from __future__ import annotations
 

@@ -84,11 +84,6 @@ def require_buildable(image: Image, architecture: str) -> None:
         )
 
 
-def turn_file(services: Services, target: str, architecture: str) -> Path:
-    """What calls in one checkout wait for that build or test an image, or build a part, for an architecture."""
-    return services.state / "turns" / f"{target}-{architecture}"
-
-
 class Maker(Protocol):
     """Makes images and parts for one architecture at a time, and pushes them by digest; it moves no tag.
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rosml import ROOT
+from rosml.base import file_lock
 from rosml.cli import completion, options
 from rosml.cli.options import Function, place_of
 
@@ -46,6 +47,14 @@ def cli() -> None:
 def say(line: str) -> None:
     """Tells people what begins now."""
     click.echo(click.style(f"==> {line}", bold=True), err=True)
+
+
+def wait_for_turn() -> None:
+    """Waits until no other publishing run of this checkout is under way; the turn ends with the command."""
+    turn = file_lock.turn(
+        ROOT / ".state/publish.lock", lambda: say("waiting for another publishing run of this checkout")
+    )
+    click.get_current_context().with_resource(turn)
 
 
 def _namespace(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
@@ -181,6 +190,7 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     services.require_builder("" if architecture == native else image_set.matrix.architectures[architecture].platform)
     call.registry, call.only = f"{services.registry}/{namespace}", (wanted.target,)
     call.architectures = call.serve = (architecture,)
+    wait_for_turn()
     run = call.pipeline()
     there = {target.removeprefix("part-") for target, name in run.plan.by_key if run.plan.made((target, name))}
     disk.require(services.state, disk.needed_mb(image_set, wanted, there), wanted.target)
@@ -442,6 +452,7 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
         from rosml.publish import promote
 
         call = Call(**options)
+        wait_for_turn()
         pipeline = call.pipeline()
         if name == "promote":
             promote.Promotion(pipeline).run()
@@ -476,6 +487,7 @@ def everything(**options: Any) -> None:
     from rosml.publish import promote
 
     call = Call(**options)
+    wait_for_turn()
     pipeline = call.pipeline()
     for name in ("build", "compose", "test"):
         getattr(pipeline, name)()
@@ -529,6 +541,7 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     from rosml.publish.scan_results import Reader
 
     call = Call(**options)
+    wait_for_turn()
     pipeline = call.pipeline()
     reader = Reader(pipeline.registry)
     if output:
@@ -578,6 +591,7 @@ def record(file: Path, **options: Any) -> None:
     from rosml.publish import scan_results
 
     call = Call(**options)
+    wait_for_turn()
     pipeline = call.pipeline()
     scan_results.record(pipeline, file)
     call.report(pipeline)

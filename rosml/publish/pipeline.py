@@ -14,17 +14,16 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal
 
 from rosml.base import progress_bar
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
-from rosml.base.file_lock import turn
 from rosml.base.problems import some
 from rosml.build import package_state as upstreams
-from rosml.build.maker import BuildKitMaker, Made, Maker, turn_file
+from rosml.build.maker import BuildKitMaker, Made, Maker
 from rosml.images import apt_source
 from rosml.images.image_set import Image, Part, repository_of
 from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title
@@ -173,7 +172,7 @@ class Pipeline:
         self._each("test", wanted, self._test)
 
     def _each(self, step: str, items: Sequence[Item], work: Callable[[Item, Entry], Entry]) -> None:
-        """Does a step's work on those items whose turn it is. Calls in one checkout take turns: they write the same files."""
+        """Does a step's work on those items whose turn it is."""
         expected = sum(step in self.plan.task(item).steps for item in items)
         number = 0
         for item in progress_bar.over(items, step, len(items)):
@@ -186,14 +185,8 @@ class Pipeline:
                 if step in task.steps:  # an earlier step is still to be done
                     self.outcomes.append(Outcome(step, *item.key, "waits", f"{task.steps[0]} comes first"))
                 continue
-            with turn(
-                turn_file(self.plan.services, item.target, item.architecture),
-                partial(self.say, f"waiting for another call that works on {item.target}"),
-            ):
-                if self._done_elsewhere(step, item):
-                    continue
-                number += 1
-                self._do(step, item, f"({number} of {expected})", task.why, work)
+            number += 1
+            self._do(step, item, f"({number} of {expected})", task.why, work)
 
     def _do(self, step: str, item: Item, place: str, why: Sequence[str], work: Callable[[Item, Entry], Entry]) -> None:
         """Does a step's work on an item, and writes down what came of it."""
@@ -213,19 +206,6 @@ class Pipeline:
         self._write(item, entry)
         reason = entry.failed.get("reason", "") if state == "failed" else "; ".join(why)
         self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before))
-
-    def _done_elsewhere(self, step: str, item: Item) -> bool:
-        """Looks at the records once more: another run may have done this step since this one began."""
-        found = self.records.read(*item.key)
-        if found is None or found == self.plan.known.get(item.key):
-            return False
-        self.plan.known[item.key] = found
-        if found.digest and self.registry.head(self.repository(item.repository), found.digest):
-            self.plan.present.add(item.key)
-        if step in self.plan.task(item, ahead=False).steps[:1]:
-            return False
-        self.say(f"{step} {item.target} for {item.architecture}: another run did it in the meantime")
-        return True
 
     def _require_push(self) -> None:
         """Checks, before the first work is done, that its result may be written down: it may take hours.
@@ -405,12 +385,7 @@ class Pipeline:
                 "findings": dict(Counter(finding.severity for finding in found.findings)),
                 "failing": sorted({finding.id for finding in found.failing}),
             }
-            known = self.records.read(*key)
-            if known is None or known.digest != self.plan.known[key].digest:
-                text = "another run has made it anew since it was scanned"
-                self.outcomes.append(Outcome("scan", *key, "waits", text, seconds))
-                continue
-            entry = replace(known, scanned=found.outcome.value, scan=facts, changed=self.plan.date)
+            entry = replace(self.plan.known[key], scanned=found.outcome.value, scan=facts, changed=self.plan.date)
             self._write(self.plan.by_key[key], entry)
             clean = found.outcome is scanning.Outcome.CLEAN
             reason = found.reason if clean else f"{found.outcome.value}: {found.reason}"
@@ -449,9 +424,9 @@ class Pipeline:
             entries = [self.plan.known[key] for key in self.members(thing)]
             digests = {entry.architecture: entry.digest for entry in entries}
             inputs = self.plan.inputs.together(thing)
-            if self._indexed(thing, digests, inputs):
-                continue
             entry = self.plan.known.get((thing.target, INDEX)) or Entry(thing.target, INDEX)
+            if self._indexed(entry, digests, inputs):
+                continue
             try:
                 digest = self._index(thing, entries, inputs)
                 facts = {
@@ -474,25 +449,12 @@ class Pipeline:
             if state == "done":
                 self.signed(thing)
 
-    def _indexed(self, thing: Image | Part, digests: Mapping[str, str], inputs: str) -> bool:
-        """Whether there is an index of these very images: by what the run knew when it began, or made by another one since."""
-        key = thing.target, INDEX
-
-        def fits(entry: Entry | None) -> bool:
-            if entry is None or key not in self.plan.present or (self.plan.force and entry.date != self.plan.date):
-                return False
-            return entry.parts == digests and entry.inputs == inputs and not entry.failed
-
-        if fits(self.plan.known.get(key)):
-            return True
-        found = self.records.read(*key)
-        if found is None or found == self.plan.known.get(key):
+    def _indexed(self, entry: Entry, digests: Mapping[str, str], inputs: str) -> bool:
+        """Whether an index's entry is of these very images, and the index is there."""
+        key = entry.target, INDEX
+        if key not in self.plan.present or (self.plan.force and entry.date != self.plan.date):
             return False
-        self.plan.known[key] = found
-        self.plan.present -= {key}
-        if found.digest and self.registry.head(self.repository(found.repository), found.digest):
-            self.plan.present.add(key)
-        return fits(found)
+        return entry.parts == digests and entry.inputs == inputs and not entry.failed
 
     def signed(self, thing: Image | Part, moving: bool = False) -> bool:
         """Whether an image's index has the signature that it needs, which is made if it lacks it.

@@ -45,7 +45,7 @@ class Promotion:
         self._settled = self._settled_tags()
         planned: list[tuple[Image | Part, list[Move]]] = []
         for thing in self.pipeline.plan.things():
-            entry = self._adopted(thing)
+            entry = self.pipeline.plan.known.get((thing.target, INDEX))
             if reason := self.pipeline.plan.unready(thing, self.pipeline.serving):
                 self._say(thing, "waits", reason)
             elif entry is None or not self._current(thing, entry):
@@ -77,32 +77,6 @@ class Promotion:
 
     def _say(self, thing: Image | Part, state: Any, reason: str, seconds: float = 0.0) -> None:
         self.pipeline.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
-
-    def _adopted(self, thing: Image | Part) -> Entry | None:
-        """The entry of an image's index: of the one that its tag points at, where another publisher made that one later, of the
-        same images, and wrote the records before this one did. Otherwise the tag would wait for ever, at something newer.
-        """
-        known = self.pipeline.plan.known
-        entry = known.get((thing.target, INDEX))
-        if entry is None or not entry.digest or entry.held:
-            return entry
-        repository, tag = self.pipeline.repository(entry.repository), tags_of(thing)[0]
-        if (repository, tag) in self._settled:
-            return entry
-        there = self.registry.head(repository, tag)
-        found = self.registry.manifest(repository, there) if there not in ("", entry.digest) else None
-        if found is None:
-            return entry
-        date, said = store.date_of(found), store.annotations_of(found)
-        later = clock.is_date(date) and date > entry.date and not clock.is_ahead(date, clock.now())
-        if not later or _members(found) != dict(entry.parts) or said.get(store.INPUTS) != entry.inputs:
-            return entry
-        facts = {name: getattr(entry, name) for name in ("inputs", "repository", "parts")}
-        entry = replace(entry.made(there, **facts, date=date), changed=self.date)
-        self.pipeline.records.write(entry, {})
-        known[thing.target, INDEX] = entry
-        self.pipeline.plan.present.add((thing.target, INDEX))
-        return entry
 
     def _current(self, thing: Image | Part, entry: Entry) -> bool:
         known = self.pipeline.plan.known

@@ -1,6 +1,6 @@
 """What a registry no longer needs, by reachability: an index that a kept tag points at keeps its images, and those keep
 what is attached to them. Everything else that the publisher knows of may go. Nothing is removed unless asked for, and
-before anything is removed, what leads to it is looked for again: a run may have come to need it in the meantime.
+before the manifests of a repository are removed, what leads to them is looked for again.
 
 Looking asks once for each tag, side by side; what hangs on an index stands in it. What is attached to a manifest that
 goes is looked for when it goes.
@@ -9,7 +9,6 @@ goes is looked for when it goes.
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -29,9 +28,6 @@ from rosml.records.tag_moves import UNDO, read_moves
 from rosml.registry.oci import INDEXES, Manifest, Undeletable
 from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
-
-LOOK_SECONDS = 5.0
-"""How long it counts what was seen of a repository; before a removal after that, it is looked at again."""
 
 FALLBACK = re.compile(r"sha256-[0-9a-f]{64}")
 """Tags under which a registry without the referrers API keeps what is attached to a manifest."""
@@ -99,8 +95,7 @@ class Pruner:
     today: date
     days: int = 30
     newest: int = 3
-    _read: tuple[float, Digests] | None = None
-    _looked: tuple[str, float, frozenset[str]] = ("", 0.0, frozenset())
+    _looked: tuple[str, set[str]] = ("", set())
     _known: dict[tuple[str, str], Manifest] = field(default_factory=dict)
     _images: set[tuple[str, str]] = field(default_factory=set)
 
@@ -173,17 +168,11 @@ class Pruner:
                     target.setdefault(move.repository, set()).add(move.old)
         return named, roots, candidates, old
 
-    def _roots(self, repository: str) -> set[str]:
-        """What the records need of a repository, as of some seconds ago."""
-        if self._read is None or time.monotonic() > self._read[0] + LOOK_SECONDS:
-            self._read = time.monotonic(), self._book()[1]
-        return self._read[1].get(repository, set())
-
     def _needed(self, repository: str) -> set[str]:
         """What something leads to now, in a repository: a tag, the records, a record that is kept."""
         path = self._path(repository)
         tags = self._each(partial(self.registry.head, path), self._tags(path))
-        return self._reach(path, {*self._roots(repository), *tags})
+        return self._reach(path, {*self._book()[1].get(repository, ()), *tags})
 
     def remove(self, found: Pruning) -> Iterator[str]:
         """Removes it; gives a line for each thing that is gone, or cannot go. Tags first, then what they pointed at, then
@@ -226,7 +215,7 @@ class Pruner:
             self.registry.delete(path, tag)
         except RosmlError as error:
             shared = [name for name in self._tags(path) if name != tag and self.registry.head(path, name) == digest]
-            if shared or (repository, digest) in found.needed or digest in self._roots(repository):
+            if shared or (repository, digest) in found.needed:
                 found.needed.update((repository, needed) for needed in self._reach(path, [digest]))
                 return f"{repository}:{tag}{STAYS}{error.message}"
             self.registry.delete(path, digest)  # the registry knows only digests, and no other tag has this one
@@ -239,13 +228,11 @@ class Pruner:
         path = self._path(repository)
         if item in found.needed or not self.registry.head(path, digest):
             return ""
-        if repository != self._looked[0] or time.monotonic() > self._looked[1] + LOOK_SECONDS:
-            self._read = None
-            needed = frozenset(self._needed(repository))
-            self._looked = repository, time.monotonic(), needed
-        if digest in self._looked[2]:
+        if repository != self._looked[0]:
+            self._looked = repository, self._needed(repository)
+        if digest in self._looked[1]:
             return f"{repository}@{digest}{STAYS}something leads to it again"
-        attached = [name for name in self._attached(path, digest) if name not in self._looked[2]]
+        attached = [name for name in self._attached(path, digest) if name not in self._looked[1]]
         self.registry.delete(path, digest)
         if not self.registry.head(path, digest):  # nobody has made it anew meanwhile
             self._each(partial(self.registry.delete, path), attached)

@@ -49,9 +49,6 @@ outcome and policy last; the database is another one every night."""
 READERS = 16
 """How many entries are read at a time: the registry answers one in some milliseconds."""
 
-READS = 3
-"""How often an entry is asked for that is there, and was not found."""
-
 
 @dataclass(frozen=True)
 class Entry:
@@ -167,7 +164,7 @@ class Records:
 
     def read(self, target: str, architecture: str) -> Entry | None:
         """The entry of an image on an architecture; None where there is none, or none that can be read."""
-        found = self._present(target, architecture)
+        found = self.registry.manifest(self.repository, tag(target, architecture))
         if found is None:
             return None
         try:
@@ -185,7 +182,7 @@ class Records:
 
     def inputs(self, target: str, architecture: str) -> dict[str, str]:
         """The inputs by name of what an entry is about; empty where they are not known."""
-        found = self._present(target, architecture)
+        found = self.registry.manifest(self.repository, tag(target, architecture))
         if found is None:
             return {}
         try:
@@ -194,15 +191,6 @@ class Records:
             return {str(name): str(value) for name, value in content.items()}
         except (AttributeError, KeyError, TypeError, ValueError, RosmlError):
             return {}
-
-    def _present(self, target: str, architecture: str) -> oci.Manifest | None:
-        """The manifest of an entry. A registry that is asked for a tag looks up its manifest, and then that: it may be
-        removed in between, by another run that has put one in its place."""
-        for _ in range(READS):
-            found = self.registry.manifest(self.repository, tag(target, architecture))
-            if found or not self.registry.head(self.repository, tag(target, architecture)):
-                return found
-        return None
 
     def write(self, entry: Entry, inputs: Mapping[str, str] | None = None) -> str:
         """Writes an entry in the place of the one before; gives its manifest's digest.

@@ -431,31 +431,6 @@ def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: py
     assert {step for step, *_ in reference.made} == {"build", "compose", "test"}
 
 
-def test_two_publishers_at_the_same_time(registry: Place, image_set: ImageSet) -> None:
-    """In one checkout they take turns, and neither does what the other has done."""
-    runs = [registry.run(image_set, date=date) for date in (DAY, NEXT)]
-    errors: list[BaseException] = []
-
-    def work(run: Run) -> None:
-        try:
-            for step in ("build", "compose", "test", "index", "promote"):
-                do(run, step)
-        except BaseException as error:
-            errors.append(error)
-
-    threads = [threading.Thread(target=work, args=(run,)) for run in runs]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not errors
-    registry.check(image_set)
-    assert not set(runs[0].made) & set(runs[1].made)
-    last = registry.publish(image_set, date="2026-11-24T03:00:00Z")
-    assert (last.made, last.outcomes) == ([], [])
-    registry.check(image_set)
-
-
 def test_a_registry_that_refuses_leaves_the_others_alone(registry: Place, image_set: ImageSet) -> None:
     registry.publish(image_set, only=["alpha-core"])
     before = registry.tagged("ros")
@@ -705,56 +680,6 @@ def test_force_releases_what_was_moved_back(registry: Place, image_set: ImageSet
 # ---- Others at work --------------------------------------------------------------------------------------------------
 
 
-def published_index(registry: Place, target: str) -> str:
-    """What the records say of an image's index."""
-    entry = store.Records(registry.registry, PREFIX).read(target, store.INDEX)
-    assert entry
-    return entry.digest
-
-
-def nothing_is_left(registry: Place, image_set: ImageSet) -> None:
-    """That the next night has nothing to do, and that the records and the tags agree."""
-    last = registry.publish(image_set, date="2026-11-25T03:00:00Z")
-    assert (last.made, last.outcomes) == ([], [])
-    for image in image_set.images:
-        tag = image.tags[0].partition(":")[2]
-        assert registry.tagged(image.repository)[tag] == published_index(registry, image.target), image.target
-    registry.check(image_set)
-
-
-def test_a_publisher_that_began_before_takes_the_index_of_the_one_that_ended_before(
-    registry: Place, image_set: ImageSet
-) -> None:
-    older, newer = registry.run(image_set, date=DAY), registry.run(image_set, date=NEXT)
-    for run, some in (
-        (older, ("build", "compose", "test")),
-        (newer, ("build", "compose", "test", "index", "promote")),
-        (older, ("index", "promote")),
-    ):
-        for step in some:
-            do(run, step)
-    assert not any(outcome.step == "index" for outcome in older.outcomes)
-    nothing_is_left(registry, image_set)
-
-
-def test_an_older_index_that_was_written_down_last(registry: Place, image_set: ImageSet) -> None:
-    """Two publishers make their indexes in the same moment: the records have one of them, and the tags the other one."""
-    older = registry.run(image_set, date=DAY)
-    for step in ("build", "compose", "test", "index"):
-        do(older, step)
-    indexes = [entry for (_, architecture), entry in older.plan.known.items() if architecture == store.INDEX]
-    book = store.Records(registry.registry, PREFIX)
-    for entry in indexes:
-        registry.registry.delete(book.repository, entry.tag)
-    registry.publish(image_set, date=NEXT)
-    tags = registry.tagged("ros-torch")
-    for entry in indexes:
-        book.write(entry, {})
-    assert not registry.publish(image_set, date=LATER).failed
-    assert registry.tagged("ros-torch") == tags
-    nothing_is_left(registry, image_set)
-
-
 def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, image_set: ImageSet, tmp_path: Path) -> None:
     """Each step on a machine of its own asks nobody anew of when packages are."""
     file = tmp_path / "plan.json"
@@ -770,29 +695,6 @@ def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, image_se
     assert registry.tagged("ros").keys() >= {"alpha-core", "alpha", "omega-base"}
     following = registry.publish(image_set, date=NEXT, packages="2")
     assert ("alpha-core", "amd64") in steps(following, "build")
-
-
-def test_what_another_run_did_in_the_meantime_is_not_done_again(registry: Place, image_set: ImageSet) -> None:
-    """Two runs of one date, which began at the same time."""
-    one, other = registry.run(image_set), registry.run(image_set)
-    for step in ("build", "compose", "test"):
-        do(one, step)
-    said: list[str] = []
-    other.say = said.append
-    for step in ("build", "compose", "test", "index", "promote"):
-        do(other, step)
-    assert one.made and other.made == []
-    assert not other.failed and any("another run did it in the meantime" in line for line in said)
-    registry.check(image_set)
-    assert "alpha-core" in registry.tagged("ros")
-
-
-def test_what_another_run_failed_at_is_tried(registry: Place, image_set: ImageSet) -> None:
-    one = registry.run(image_set, only=["alpha-core"], broken={"alpha-core"})
-    other = registry.run(image_set, only=["alpha-core"])
-    one.build()
-    other.build()
-    assert steps(other, "build") == {("alpha-core", "amd64"), ("alpha-core", "arm64")}
 
 
 def test_a_run_that_may_not_push_is_told_before_its_first_work(registry: Place, image_set: ImageSet) -> None:

@@ -88,24 +88,6 @@ def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, image_set: Image
     assert any("scanner failed" in reason for reason in waiting(run, "alpha-core"))
 
 
-def test_what_another_run_made_anew_keeps_its_entry(
-    registry: Place,
-    image_set: ImageSet,
-    world: World,
-) -> None:
-    """A scan takes its time, in which another publisher may replace the image: its entry is not written over."""
-    run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
-    for step in ("build", "test"):
-        do(run, step)
-    other = registry.run(image_set, date=NEXT, only=["alpha-core"], force=True, packages="2")
-    other.build()
-    made = other.plan.known["alpha-core", "amd64"]
-    assert made.digest != run.plan.known["alpha-core", "amd64"].digest
-    run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
-    assert run.records.read("alpha-core", "amd64") == made
-    assert "another run has made it anew since it was scanned" in waiting(run, "alpha-core")
-
-
 def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
     registry: Place,
     image_set: ImageSet,

@@ -5,16 +5,19 @@ from __future__ import annotations
 import json
 import shutil
 import signal
+from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+import click
 import pytest
 from conftest import SMALL, write_locks
 from memory_registry import DAY, HOST, NEXT, Place, Run, place
 from projects import copy
 from stubs import OFFLINE, buildx, calls, services
 
+from rosml.base.file_lock import turn
 from rosml.cli import command
 from rosml.cli import publish as script
 from rosml.images import image_set as sets
@@ -115,6 +118,26 @@ def test_a_second_call_does_nothing(stage: Stage, capsys: pytest.CaptureFixture[
     assert "tags moved       none: all pointed here already\n" in told
     assert "made now         nothing: all of it was there\n" in told
     assert "time             nothing to do\n" in told
+
+
+def test_a_run_waits_for_another_one_of_its_checkout(
+    stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It asks how things are only when that one has ended."""
+    with ExitStack() as other:
+        other.enter_context(turn(stage.folder / ".state/publish.lock", lambda: None))
+
+        def say(line: str) -> None:
+            if "waiting for another publishing run" in line:
+                assert not stage.runs
+                other.close()
+            click.echo(line)
+
+        monkeypatch.setattr(script, "say", say)
+        assert stage.image(TARGET) == 0
+    assert "waiting for another publishing run of this checkout" in capsys.readouterr().out
+    with turn(stage.folder / ".state/publish.lock", lambda: pytest.fail("its own turn has not ended")):
+        assert stage.tags()
 
 
 def test_force_makes_it_anew(stage: Stage) -> None:

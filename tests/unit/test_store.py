@@ -64,17 +64,6 @@ def test_the_same_entry_again_stays(server: StandIn, book: Records) -> None:
     assert server.count("^DELETE") == 0
 
 
-@pytest.mark.parametrize("times", [1, 2])
-def test_an_entry_that_is_replaced_while_it_is_read_is_there(server: StandIn, book: Records, times: int) -> None:
-    """The registry has looked up the tag's manifest, which is gone when it looks for that: seen with distribution 3."""
-    book.write(ENTRY, INPUTS)
-    server.fault("GET", f"/manifests/{ENTRY.tag}$", 404, times)
-    assert book.read("jazzy-base", "amd64") == ENTRY
-    server.fault("GET", f"/manifests/{ENTRY.tag}$", 404, times)
-    assert book.inputs("jazzy-base", "amd64") == INPUTS
-    assert book.read("jazzy-base", "arm64") is None
-
-
 @pytest.mark.parametrize("status", [400, 403, 404, 405])
 def test_a_registry_that_deletes_nothing_takes_entries(server: StandIn, book: Records, status: int) -> None:
     """And is asked once, for all entries."""
