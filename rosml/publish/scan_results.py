@@ -156,7 +156,7 @@ def _sbom(item: Mapping[str, str], host: str, prefix: str) -> tuple[str, str, st
         raise ValueError(f"{repository}@{digest} is none of our images")
     sbom = Sbom(item["content"].encode())
     try:
-        if digest.replace(":", "%3A") not in str(sbom.document["metadata"]["component"]["purl"]):
+        if not sbom.is_of(digest):
             raise ValueError(f"an SBOM in it is not of {digest}")
     except RosmlError as error:
         raise ValueError(error.message) from None

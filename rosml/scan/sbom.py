@@ -1,13 +1,8 @@
-"""What is in an image, as CycloneDX: made canonical, and kept in the registry beside the image.
-
-The SBOM of a part depends on nothing but the part: no time, no random number, no address of a registry is in it. So
-every machine that makes it makes the same bytes.
-"""
+"""What is in an image, as CycloneDX: read once, and kept in the registry beside the image."""
 
 from __future__ import annotations
 
 import json
-import uuid
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,22 +14,12 @@ from rosml.scan.trivy import ScannerFailed
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
 """Also the type of the artifact, by which trivy and others find it beside an image."""
 
-FORMAT = "1"
-"""Raised when what is made of trivy's output changes: SBOMs of before are made anew."""
-
-FORMAT_ANNOTATION = "io.rosml.sbom.format"
 SCANNER_ANNOTATION = "io.rosml.sbom.scanner"
-
-NAMES = uuid.UUID("6a1c9a4e-3d0b-5f0c-9a57-1f6d0c1a7b21")
-"""Namespace of the identifiers that take the place of random ones."""
-
-ADDRESSES = ("aquasecurity:trivy:RepoDigest", "aquasecurity:trivy:RepoTag", "aquasecurity:trivy:Reference")
-"""Properties that say where the image was read: it may be anywhere."""
 
 
 @dataclass(frozen=True)
 class Sbom:
-    """A canonical SBOM.
+    """An SBOM.
 
     Attributes:
         content: the bytes that are kept.
@@ -44,15 +29,26 @@ class Sbom:
 
     @classmethod
     def of(cls, written: Mapping[str, Any], digest: str) -> Sbom:
-        """The canonical form of what trivy wrote about an image.
+        """What trivy wrote about an image.
 
         Raises:
             ScannerFailed: it is no SBOM, or one of another image.
         """
+        made = cls(json.dumps(written, separators=(",", ":"), ensure_ascii=False).encode())
+        if not made.is_of(digest):
+            raise ScannerFailed(f"trivy's SBOM of {digest} is of something else")
+        return made
+
+    def is_of(self, digest: str) -> bool:
+        """Whether it says that it is of an image.
+
+        Raises:
+            ScannerFailed: it is no CycloneDX.
+        """
         try:
-            return cls(_text(_canonical(written, digest)))
-        except (KeyError, TypeError, AttributeError, ValueError) as error:
-            raise ScannerFailed(f"trivy's SBOM of {digest} cannot be read: {error!r}") from None
+            return digest in self.document["metadata"]["component"]["name"]
+        except (KeyError, TypeError):
+            return False
 
     @cached_property
     def document(self) -> dict[str, Any]:
@@ -114,11 +110,10 @@ class Shelf:
             client: of that registry.
             scanner: name and version of what makes them; those of another version are made anew.
         """
-        self.client = client
-        self.annotations = {FORMAT_ANNOTATION: FORMAT, SCANNER_ANNOTATION: scanner}
+        self.client, self.scanner = client, scanner
 
     def load(self, repository: str, digest: str) -> Sbom | None:
-        """The SBOM of a manifest; None where there is none of our format and scanner.
+        """The SBOM of a manifest; None where there is none of our scanner.
 
         Raises:
             RosmlError: the registry fails.
@@ -127,8 +122,7 @@ class Shelf:
             manifest = self.client.manifest(repository, descriptor["digest"])
             if manifest is None:  # deleted since; its entry may stay in a list that stands in for the API
                 continue
-            found = manifest.content.get("annotations") or {}
-            if all(found.get(name) == text for name, text in self.annotations.items()):
+            if (manifest.content.get("annotations") or {}).get(SCANNER_ANNOTATION) == self.scanner:
                 return Sbom(self.client.blob(repository, manifest.content["layers"][0]["digest"]))
         return None
 
@@ -141,79 +135,5 @@ class Shelf:
         manifest = self.client.manifest(repository, digest)
         if manifest is None:
             raise ScannerFailed(f"{repository}@{digest} is not in the registry", "build it again")
-        self.client.attach(repository, manifest.descriptor, MEDIA_TYPE, sbom.content, MEDIA_TYPE, self.annotations)
-
-
-def _canonical(written: Mapping[str, Any], digest: str) -> dict[str, Any]:
-    """Without what differs from call to call, and from place to place."""
-    top = written["metadata"]["component"]
-    if digest not in top["name"]:
-        raise ValueError(f"it is of {top['name']}")
-    repository = top["name"].partition("@")[0].partition("/")[2]
-    root = _identifier(digest, "root")
-    new = {top["bom-ref"]: root}
-    components = []
-    for item in written["components"]:
-        if _random(item["bom-ref"]):
-            facts = [item["type"], item["name"], item.get("version", ""), item.get("purl", "")]
-            facts += sorted(f"{fact['name']}={fact['value']}" for fact in item.get("properties", []))
-            name, number = _identifier(digest, *facts), 0
-            while name in new.values():
-                number += 1
-                name = _identifier(digest, *facts, str(number))
-            new[item["bom-ref"]] = name
-        components.append({**item, "bom-ref": new.get(item["bom-ref"], item["bom-ref"])})
-    dependencies = [
-        {
-            "ref": new.get(item["ref"], item["ref"]),
-            "dependsOn": sorted(new.get(reference, reference) for reference in item.get("dependsOn", [])),
-        }
-        for item in written.get("dependencies", [])
-    ]
-    properties = [fact for fact in top.get("properties", []) if fact["name"] not in ADDRESSES]
-    return {
-        **{key: written[key] for key in ("$schema", "bomFormat", "specVersion") if key in written},
-        "serialNumber": f"urn:uuid:{_identifier(digest, 'document')}",
-        "version": 1,
-        "metadata": {
-            "tools": _tools(written["metadata"]["tools"]),
-            "component": {
-                "bom-ref": root,
-                "type": top["type"],
-                "name": f"{repository}@{digest}",
-                "purl": _purl(repository, digest),
-                "properties": properties,
-            },
-        },
-        "components": sorted(components, key=lambda item: str(item["bom-ref"])),
-        "dependencies": sorted(dependencies, key=lambda item: str(item["ref"])),
-    }
-
-
-def _purl(repository: str, digest: str) -> str:
-    """A package URL of an image, without a registry."""
-    return f"pkg:oci/{repository.rpartition('/')[2]}@{digest.replace(':', '%3A')}"
-
-
-def _random(reference: str) -> bool:
-    try:
-        return str(uuid.UUID(reference)) == reference
-    except ValueError:
-        return False
-
-
-def _identifier(*facts: str) -> str:
-    return str(uuid.uuid5(NAMES, "\n".join(facts)))
-
-
-def _text(document: Mapping[str, Any]) -> bytes:
-    return json.dumps(document, separators=(",", ":"), ensure_ascii=False, sort_keys=True).encode()
-
-
-def _tools(written: Mapping[str, Any]) -> dict[str, Any]:
-    """Programs with their versions as their publishers write them: 0.65.0, where one that we built says v0.65.0."""
-    return {
-        "components": [
-            {**item, "version": str(item.get("version", "")).removeprefix("v")} for item in written["components"]
-        ]
-    }
+        annotations = {SCANNER_ANNOTATION: self.scanner}
+        self.client.attach(repository, manifest.descriptor, MEDIA_TYPE, sbom.content, MEDIA_TYPE, annotations)

@@ -156,14 +156,6 @@ def test_by_sbom_and_by_digest_the_same_is_found(
     assert len(parts) > 2
 
 
-def test_an_sbom_is_made_the_same_again(trivy: Trivy, joined: Joined, tmp_path: Path) -> None:
-    """By a trivy that never saw a layer of it."""
-    for part in joined.parts:
-        fresh = Trivy(trivy.program, trivy.version, tmp_path / part.name, trivy.environment)
-        one, other = (sbom.Sbom.of(it.sbom(part.reference), part.digest) for it in (trivy, fresh))
-        assert one == other
-
-
 def test_a_database_that_is_too_old(
     trivy: Trivy, rules: policy.Rules, registry: Any, joined: Joined, tmp_path: Path
 ) -> None:

@@ -63,8 +63,8 @@ def run(registry: Place, image_set: ImageSet) -> Callable[[], Run]:
 
 
 def sbom(digest: str) -> Sbom:
-    purl = f"pkg:oci/ros@{digest.replace(':', '%3A')}"
-    document = {"bomFormat": "CycloneDX", "components": [], "metadata": {"component": {"purl": purl}}}
+    component = {"name": f"registry.test/ros@{digest}"}
+    document = {"bomFormat": "CycloneDX", "components": [], "metadata": {"component": component}}
     return Sbom(json.dumps(document).encode())
 
 
