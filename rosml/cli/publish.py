@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from rosml.machine.services import Services
     from rosml.publish.pipeline import Pipeline
     from rosml.scan.judge import Run
+    from rosml.scan.results import Results
 
 
 KEPT = "interrupted: no tag points at what is not finished; what was finished is kept, the next call carries on"
@@ -492,13 +493,15 @@ def everything(**options: Any) -> None:
     for name in ("build", "compose", "test"):
         getattr(pipeline, name)()
     if call.require_scan:
-        _scan(call, pipeline, fetch=False, database="", reports=None)
+        _scan(call, pipeline, fetch=False, database="", reports=None, results=None)
     pipeline.index()
     promote.Promotion(pipeline).run()
     call.report(pipeline)
 
 
-def _scan(call: Call, pipeline: Pipeline, fetch: bool, database: str, reports: Path | None) -> Run:
+def _scan(
+    call: Call, pipeline: Pipeline, fetch: bool, database: str, reports: Path | None, results: Results | None
+) -> Run:
     """Scans by a call's policy, with the database that is there or is fetched."""
     from rosml.machine import trust
     from rosml.scan import policy
@@ -511,7 +514,7 @@ def _scan(call: Call, pipeline: Pipeline, fetch: bool, database: str, reports: P
             trivy.fetch(rules.policy.database, database, say)
     except ScannerFailed as error:  # every image says so
         trivy = error
-    return pipeline.scan(rules, trivy, reports)
+    return pipeline.scan(rules, trivy, reports, results)
 
 
 @cli.command()
@@ -538,17 +541,15 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     """
     from rosml.cli import report
     from rosml.cli.tables import print_scan
-    from rosml.publish.scan_results import Reader
+    from rosml.scan.results import Results
 
     call = Call(**options)
     wait_for_turn()
     pipeline = call.pipeline()
-    reader = Reader(pipeline.registry)
-    if output:
-        pipeline.registry = reader
-    run = _scan(call, pipeline, fetch, database, reports)
-    if output:
-        reader.write(output, pipeline.plan.date)
+    results = Results() if output else None
+    run = _scan(call, pipeline, fetch, database, reports, results)
+    if output and results:
+        results.write(output, pipeline.plan.date)
     if not call.as_json:
         print_scan(run)
     report.show(pipeline, call.as_json)

@@ -36,6 +36,7 @@ from rosml.registry import repositories
 from rosml.scan import judge as scanning
 from rosml.scan import sarif
 from rosml.scan.policy import Rules
+from rosml.scan.results import Kept, Results
 from rosml.scan.sbom import Shelf
 from rosml.scan.trivy import ScannerFailed, Trivy
 
@@ -348,7 +349,13 @@ class Pipeline:
 
     # ---- Scans -------------------------------------------------------------------------------------------------------
 
-    def scan(self, rules: Rules, trivy: Trivy | ScannerFailed, reports: Path | None = None) -> scanning.Run:
+    def scan(
+        self,
+        rules: Rules,
+        trivy: Trivy | ScannerFailed,
+        reports: Path | None = None,
+        results: Results | None = None,
+    ) -> scanning.Run:
         """Scans all images that are there, on whatever architecture: what a scan reads is in the registry.
 
         An image that was held against the same database by the same policy before is left alone.
@@ -357,6 +364,7 @@ class Pipeline:
             rules: the policy.
             trivy: the scanner, with its database; or why there is none.
             reports: a folder for a SARIF file of each image.
+            results: get what was found; then nothing is written into the registry.
         """
         policy = policy_digest(rules)
         state = _database(trivy)
@@ -373,7 +381,7 @@ class Pipeline:
         there = {item.key for item in self.plan.items if item.kind != "part"} & self.plan.present
         whole = images.keys() == there and len(self.plan.images) == len(self.plan.image_set.images)
         started = time.monotonic()
-        run = self._scan(list(images.values()), rules, trivy, moment, whole)
+        run = self._scan(list(images.values()), rules, trivy, moment, whole, results)
         seconds = (time.monotonic() - started) / max(1, len(run.images))
         for found in run.images:
             key = found.target, found.architecture
@@ -386,7 +394,10 @@ class Pipeline:
                 "failing": sorted({finding.id for finding in found.failing}),
             }
             entry = replace(self.plan.known[key], scanned=found.outcome.value, scan=facts, changed=self.plan.date)
-            self._write(self.plan.by_key[key], entry)
+            if results is None:
+                self._write(self.plan.by_key[key], entry)
+            else:
+                results.add(entry)
             clean = found.outcome is scanning.Outcome.CLEAN
             reason = found.reason if clean else f"{found.outcome.value}: {found.reason}"
             self.outcomes.append(Outcome("scan", *key, "done" if clean else "failed", reason, seconds))
@@ -397,12 +408,19 @@ class Pipeline:
         return run
 
     def _scan(
-        self, images: list[scanning.Image], rules: Rules, trivy: Trivy | ScannerFailed, moment: datetime, whole: bool
+        self,
+        images: list[scanning.Image],
+        rules: Rules,
+        trivy: Trivy | ScannerFailed,
+        moment: datetime,
+        whole: bool,
+        results: Results | None,
     ) -> scanning.Run:
         targets = self.plan.image_set.by_target
         if isinstance(trivy, ScannerFailed):
             return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole, targets)
-        shelf = Shelf(self.registry, f"trivy {trivy.version}")
+        scanner = f"trivy {trivy.version}"
+        shelf = Kept(self.registry, scanner, results) if results else Shelf(self.registry, scanner)
         return scanning.scan_images(images, rules, trivy, shelf, now=moment, whole=whole, targets=targets, say=self.say)
 
     def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:

@@ -19,6 +19,7 @@ from rosml.images import locked
 from rosml.images.image_set import ImageSet
 from rosml.publish import scan_results
 from rosml.records import store
+from rosml.scan.results import Kept, Results
 from rosml.scan.sbom import Sbom, Shelf
 
 CORE = ("alpha-core", "amd64")
@@ -69,15 +70,16 @@ def sbom(digest: str) -> Sbom:
 
 
 def scan(found: Run, file: Path, outcome: str = "clean") -> str:
-    """Does what a scan does with the registry: an SBOM, and an entry."""
-    reader = scan_results.Reader(found.registry)
-    found.registry = reader
+    """What a scan hands over: an SBOM, and an entry."""
+    results = Results()
     entry = found.plan.known[CORE]
-    Shelf(reader, "trivy 1").store(f"{PREFIX}/ros", entry.digest, sbom(entry.digest))
+    shelf = Kept(found.registry, "trivy 1", results)
+    assert shelf.load(f"{PREFIX}/ros", entry.digest) is None
+    shelf.store(f"{PREFIX}/ros", entry.digest, sbom(entry.digest))
     changed = store.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
     assert changed
-    found.records.write(changed, found.plan.inputs.of(*CORE))
-    reader.write(file, found.plan.date)
+    results.add(changed)
+    results.write(file, found.plan.date)
     return entry.digest
 
 
@@ -109,50 +111,6 @@ def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp
     scan_results.record(found, tmp_path / "scan.json")
     assert run().plan.known[CORE].scanned == ""
     assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was made anew since it was scanned")]
-
-
-@pytest.mark.parametrize("work", ["tag", "delete", "detach", "mount", "copy_blob"])
-def test_a_scan_does_nothing_else(run: Callable[[], Run], work: str) -> None:
-    """And whoever calls it so is told in one sentence."""
-    reader = scan_results.Reader(run().registry)
-    with pytest.raises(RosmlError, match=f"does not {work.replace('_', ' ')}"):
-        getattr(reader, work)(f"{PREFIX}/ros", "latest", {"annotations": {}}, "m")
-
-
-def test_a_scan_puts_no_manifest_but_entries(run: Callable[[], Run]) -> None:
-    reader = scan_results.Reader(run().registry)
-    with pytest.raises(RosmlError, match="only entries of the records"):
-        reader.put_manifest(f"{PREFIX}/ros", "latest", {"annotations": {}}, "m")
-
-
-class Meanwhile:
-    """A registry in which another publisher does something right after the first look at a tag of the records."""
-
-    def __init__(self, registry: Any, work: Callable[[], object]) -> None:
-        self.registry, self.work = registry, [work]
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(self.registry, name)
-
-    def head(self, repository: str, reference: str) -> str:
-        found = str(self.registry.head(repository, reference))
-        if self.work and repository == f"{PREFIX}/{store.REPOSITORY}":
-            self.work.pop()()
-        return found
-
-
-def test_another_run_may_write_the_entry_meanwhile(run: Callable[[], Run]) -> None:
-    """What it wrote stays, and what it replaced is not the scan's to remove."""
-    here = run()
-    entry = here.plan.known[CORE]
-    book = store.Records(here.registry, PREFIX)
-    other = store.parse(entry.to_json() | {"passed": 77})
-    found = store.parse(entry.to_json() | {"scanned": "clean"})
-    assert other and found
-    reader = scan_results.Reader(Meanwhile(here.registry, lambda: book.write(other)))
-    store.Records(reader, PREFIX).write(found)
-    assert [item["scanned"] for item in reader.entries] == ["clean"]
-    assert book.read(*CORE) == other
 
 
 @pytest.mark.parametrize(

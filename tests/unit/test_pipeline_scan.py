@@ -17,6 +17,7 @@ from rosml.images.image_set import ImageSet
 from rosml.publish.pipeline import policy_digest
 from rosml.scan import judge as judging
 from rosml.scan.judge import Outcome, summarise
+from rosml.scan.results import Results
 from rosml.scan.trivy import ScannerFailed
 
 
@@ -74,6 +75,24 @@ def test_what_the_policy_stops_gets_no_tag(
     assert not mended.failed and not mended.made
     assert "alpha-base-cu1" in registry.tagged("ros-torch")
     registry.check(image_set)
+
+
+def test_what_is_handed_over_is_not_written(registry: Place, image_set: ImageSet, world: World) -> None:
+    """SBOMs and outcomes of every image are for another job."""
+    run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
+    for step in ("build", "test"):
+        do(run, step)
+    for item in run.plan.items:
+        world.part("x", "bash", ros=True)
+        world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]
+    trivy, results, writes = world.trivy(), Results(), registry.registry.writes
+    trivy.fetch(rules().policy.database)
+    run.scan(rules(), trivy, results=results)
+    assert registry.registry.writes == writes
+    assert [(entry["architecture"], entry["scanned"]) for entry in results.entries] == [
+        (item.architecture, "clean") for item in run.plan.items
+    ]
+    assert {kept["digest"] for kept in results.sboms} == {entry["digest"] for entry in results.entries}
 
 
 def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, image_set: ImageSet) -> None:
