@@ -121,12 +121,6 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
         _print_table(outcomes, f"{size(uploaded)} uploaded, {duration(seconds)}")
 
 
-def as_data(pipeline: Pipeline) -> dict[str, Any]:
-    """What a run did, as plain data."""
-    seconds = time.monotonic() - pipeline.started
-    return _data(pipeline.outcomes, pipeline.plan.date, pipeline.uploaded, seconds)
-
-
 def _data(outcomes: list[Outcome], date: str, uploaded: int, seconds: float) -> dict[str, Any]:
     return {
         "date": date,

@@ -91,23 +91,23 @@ def print_shards(plan: Dealt, left_out: int = 0) -> None:
         out.print(f"{len(plan.shards)} shards instead of {plan.allowed}: {units}, which are never split", style="dim")
 
 
-def findings_table(scanned: Scanned, everything: bool = False) -> Table:
-    """An image's findings, the worst first: those that stop it or are ignored, or all of them."""
+def findings_table(scanned: Scanned) -> Table:
+    """An image's findings that stop it or are ignored, the worst first."""
     from rich.text import Text  # slow to import, and only needed here
 
     made = terminal.table(*COLUMNS)
-    for severity, *others in finding_rows([it for it in scanned.findings if everything or it.fails or it.ignored]):
+    for severity, *others in finding_rows([it for it in scanned.findings if it.fails or it.ignored]):
         made.add_row(Text(severity, COLOURS.get(severity, "")), *map(Text, others))
     return made
 
 
-def print_scan(run: Run, everything: bool = False) -> None:
+def print_scan(run: Run) -> None:
     """Prints a run: each image's line and table, what is wrong with the policy's entries, and the run's outcome."""
     said: set[str] = set()
     for image in run.images:
         click.echo(summary(image))
-        if any(everything or finding.fails or finding.ignored for finding in image.findings):
-            terminal.show(findings_table(image, everything))
+        if any(finding.fails or finding.ignored for finding in image.findings):
+            terminal.show(findings_table(image))
         for note in image.notes:
             if note not in said:
                 click.echo(f"note: {note}")

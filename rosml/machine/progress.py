@@ -174,10 +174,6 @@ class BuildProgress:
                 totals[step.phase] = totals.get(step.phase, 0.0) + step.seconds
         return dict(sorted(((k, v) for k, v in totals.items() if v >= 0.05), key=lambda item: -item[1]))
 
-    def reused(self) -> list[Step]:
-        """Steps whose result was there already."""
-        return [step for step in self.steps.values() if step.cached and not step.internal]
-
     def _vertex(self, vertex: dict[str, object]) -> None:
         digest = str(vertex.get("digest", ""))
         step = self.steps.setdefault(digest, Step(str(vertex.get("name", ""))))

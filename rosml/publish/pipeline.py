@@ -137,27 +137,9 @@ class Pipeline:
 
     # ---- Items -------------------------------------------------------------------------------------------------------
 
-    def build(self, targets: Sequence[str] = ()) -> None:
-        """Builds ROS images and parts that are not as they should be, and pushes them by digest.
-
-        Args:
-            targets: of these alone, and what they stand on; all if empty.
-        """
-        wanted = [item for item in self.plan.items if item.kind != "joined"]
-        if targets:
-            keys = self._with_parts(set(targets))
-            wanted = [item for item in wanted if item.target in keys]
-        self._each("build", wanted, self._build)
-
-    def _with_parts(self, targets: set[str]) -> set[str]:
-        todo, found = list(targets), set[str]()
-        while todo:
-            target = todo.pop()
-            found.add(target)
-            todo += [
-                need for item in self.plan.items if item.target == target for need in item.needs if need not in found
-            ]
-        return found
+    def build(self) -> None:
+        """Builds ROS images and parts that are not as they should be, and pushes them by digest."""
+        self._each("build", [item for item in self.plan.items if item.kind != "joined"], self._build)
 
     def compose(self) -> None:
         """Puts images with frameworks together, in the registry."""

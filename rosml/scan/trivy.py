@@ -59,13 +59,11 @@ class Database:
 
     Attributes:
         updated: when it was made.
-        downloaded: when it was fetched; empty where it came by another way.
         digest: sha256 of the file, the same for all who scan with this state.
         source: repository that it came from, with the digest there where that is known.
     """
 
     updated: str
-    downloaded: str
     digest: str
     source: str = ""
 
@@ -232,9 +230,6 @@ class Trivy:
             facts = json.loads((folder / "metadata.json").read_text())
             size, changed = (folder / "trivy.db").stat().st_size, (folder / "trivy.db").stat().st_mtime_ns
             updated = _written_moment(facts["UpdatedAt"])
-            if updated is None:
-                raise ValueError
-            downloaded = _written_moment(facts.get("DownloadedAt", ""))
         except FileNotFoundError:
             raise ScannerFailed(f"there is no database of vulnerabilities in {folder}", "fetch it first") from None
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
@@ -245,9 +240,7 @@ class Trivy:
                 f"take the tag :{DATABASE_FORMAT} of the repository, or pin a trivy that reads it",
             )
         source = folder / "source"
-        return Database(
-            updated, downloaded or "", self._digest(size, changed), source.read_text() if source.exists() else ""
-        )
+        return Database(updated, self._digest(size, changed), source.read_text() if source.exists() else "")
 
     def lacks(self, sources: Iterable[str]) -> list[str]:
         """Of names of advisories' sources, such as `debian 12`, those that the database cannot have.
@@ -387,14 +380,14 @@ def _once(texts: Sequence[str]) -> list[str]:
     return list(dict.fromkeys(texts))
 
 
-def _written_moment(text: str) -> str | None:
-    """A time as trivy writes it, in UTC and whole seconds; None for the year 1, which stands for never.
+def _written_moment(text: str) -> str:
+    """A time as trivy writes it, in UTC and whole seconds.
 
     Raises:
-        ValueError: it is no time.
+        ValueError: it is no time, or the year 1, which stands for never.
     """
-    if not text or text.startswith("0001-"):
-        return None
+    if text.startswith("0001-"):
+        raise ValueError("never")
     moment = datetime.fromisoformat(re.sub(r"\.\d+", "", text).replace("Z", "+00:00")).astimezone(UTC)
     return moment.strftime("%Y-%m-%dT%H:%M:%SZ")
 

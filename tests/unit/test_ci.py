@@ -322,7 +322,8 @@ def test_a_run_says_what_it_uploaded(
 ) -> None:
     """Layers that the builder pushed, without those of the image below, and what the publisher itself wrote."""
     run = registry.publish(image_set, only=["alpha-base"], architectures=("amd64",), serving=("amd64",))
-    said = report.as_data(run)
+    report.show(run, as_json=True)
+    said = json.loads(capsys.readouterr().out)
     built = {item["target"]: item["uploaded"] for item in said["outcomes"] if item["step"] == "build"}
     own = len("alpha-base 1 amd64")
     assert run.pushed == own + len("alpha-core 1 amd64"), "a layer of the image below was counted twice"

@@ -38,6 +38,7 @@ from rosml.bake.inputs import Inputs
 from rosml.base import clock as moments
 from rosml.base.errors import RosmlError
 from rosml.build import file_list, maker, part, sync
+from rosml.build.maker import BuildKitMaker
 from rosml.cli import report
 from rosml.images import image_set as sets
 from rosml.images import locked, selection
@@ -752,7 +753,7 @@ def told(
     assert isinstance(item.thing, sets.Image)
     for name in item.thing.architectures:
         run.plan.known[target, name] = store.Entry(target, name, upstream="sunday")
-    Pipeline(run.plan, run.registry, HOST, PREFIX, lambda line: None).build([target])
+    Pipeline(run.plan, run.registry, HOST, PREFIX, lambda line: None).build()
     (call,) = [call for call in calls if call.target == target and call.name == f"build-{target}-{architecture}"]
     return list(call.sets), dict(call.variables)
 
@@ -769,11 +770,11 @@ def test_packages_are_of_the_plans_moment(
     registry.upstream["alpha"] = "monday, ubuntu noble 0123456789abcdef"
     [system] = {image.os for image in image_set.images if image.target == "alpha-core"}
     for target, targets in (("alpha-core", {names.os_target(system), "alpha-core"}), ("alpha-base", {"alpha-base"})):
-        sets, variables = told(registry.run(image_set), target, monkeypatch, never)
+        sets, variables = told(registry.run(image_set, only=[target]), target, monkeypatch, never)
         assert set(sets) == {f"{target}.tags=", *(f"{name}.contexts.upstream={folder}" for name in targets)}
         assert (folder / "moment").read_text() == "monday, ubuntu noble 0123456789abcdef\n"
         assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "monday"}
-        sets, _ = told(registry.run(image_set, date=NEXT, force=True), target, monkeypatch, never)
+        sets, _ = told(registry.run(image_set, date=NEXT, force=True, only=[target]), target, monkeypatch, never)
         assert set(sets) == {f"{target}.tags=", *(f"{name}.no-cache=true" for name in targets)}
 
 
@@ -782,7 +783,7 @@ def test_a_repository_that_did_not_answer_the_plan(
 ) -> None:
     """Its packages are taken for those of the last build."""
     registry.upstream["alpha"] = "down"
-    _, variables = told(registry.run(image_set), "alpha-core", monkeypatch, never)
+    _, variables = told(registry.run(image_set, only=["alpha-core"]), "alpha-core", monkeypatch, never)
     assert json.loads(variables["ROS_SYNC_DATES"]) == {"alpha": "sunday"}
 
 
@@ -798,7 +799,15 @@ def test_a_part_is_assembled_anew_when_that_is_asked_for(
 
     monkeypatch.setattr(part, "push", push)
     monkeypatch.setattr(file_list, "attach_files", lambda *_: None)
-    for force, date in ((False, DAY), (True, NEXT)):
-        run = registry.run(image_set, date=date, force=force, architectures=("amd64",))
-        Pipeline(run.plan, run.registry, HOST, PREFIX, lambda line: None).build([image_set.parts[0].target])
+    for force in (False, True):
+        here: tuple[Any, ...] = (
+            registry.services,
+            image_set,
+            registry.registry,
+            HOST,
+            PREFIX,
+            lambda line: None,
+            force,
+        )
+        BuildKitMaker(*here).build_part(image_set.parts[0], "amd64")
     assert seen == [False, True]

@@ -10,7 +10,6 @@ from memory_registry import NEXT, place
 from projects import copy
 from stubs import services
 
-from rosml.cli import report
 from rosml.images import load
 from rosml.images.image_set import Image, ImageSet, Part
 from rosml.matrix import source
@@ -46,8 +45,7 @@ def test_a_second_run_over_the_whole_matrix_does_nothing(tmp_path: Path, monkeyp
     here.registry.uploaded = 0
     again = here.publish(image_set, date=NEXT)
     assert (again.made, again.outcomes, here.registry.writes) == ([], [], 0)
-    said = report.as_data(again)
-    assert (said["uploaded"], said["counts"]) == (0, {})
+    assert (again.uploaded, again.outcomes) == (0, [])
     assert here.registry.names == tagged
     one = here.publish(image_set, date=NEXT, packages="2", only=["bookworm-core"], force=True)
     assert one.made and here.registry.writes, "this test cannot tell a run that does something"
