@@ -107,10 +107,10 @@ bench: up ## our images beside those with RUN pip install, what more tags cost, 
 	@$(RUN) python -m bench --target="$$TARGET"
 
 list: .python ## every image of the matrix, or those of groups: make list GROUP="jazzy torch"; JSON=1
-	@$(RUN) scripts/generate_bake.py --list $(patsubst %,--group=%,$(GROUP)) $(if $(JSON),--json)
+	@$(RUN) -m rosml list $(if $(JSON),--json) $(GROUP)
 
 explain: .python ## why an image exists, or why not: make explain TARGET=jazzy-robot; JSON=1
-	@$(RUN) scripts/generate_bake.py --explain "$$TARGET" $(if $(JSON),--json)
+	@$(RUN) -m rosml explain $(if $(JSON),--json) -- "$$TARGET"
 
 generate: .python ## docker-bake.hcl, schemas and the README's tables anew, after a change of matrix.yaml
 	@$(RUN) scripts/generate_bake.py
@@ -119,7 +119,7 @@ plan: .python ## who builds what in CI, with time, download and disk: make plan 
 	@$(RUN) scripts/generate_bake.py --shards "$(SHARDS)" $(if $(JSON),--json)
 
 diff: .python ## which images a change builds anew, and why: make diff REV=HEAD~1; JSON=1
-	@$(RUN) scripts/generate_bake.py --diff "$$REV" $(if $(JSON),--json)
+	@$(RUN) -m rosml diff $(if $(JSON),--json) -- "$$REV"
 
 locks: .python ## the hash-pinned requirements in locks/ anew, after a change of matrix.yaml; UPGRADE=1 moves versions and base images, BASES=1 these alone; STACK=cpu: of one stack; JSON=1
 	@$(RUN) scripts/lock.py $(if $(UPGRADE),--upgrade) $(if $(BASES),--bases) $(patsubst %,--stack=%,$(STACK)) $(if $(REPORT),--report "$$REPORT") $(if $(JSON),--json)

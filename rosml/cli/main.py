@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import json
 import subprocess
 import sys
 from collections.abc import Callable
@@ -51,9 +52,18 @@ def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
       rosml list
       rosml list trixie tensorflow --json
     """
-    from rosml.images import load
+    from rosml.bake.inputs import Inputs
+    from rosml.cli import tables
+    from rosml.images import load, selection
 
-    generate.list_images(load.load(matrix, ROOT), groups, as_json)
+    image_set = load.load(matrix, ROOT)
+    images = selection.members(catalogue, groups)
+    if not images:
+        click.echo(command.in_words(selection.none_in(catalogue, groups)), err=True)
+    if as_json:
+        click.echo(tables.images_as_json(Inputs(ROOT, catalogue), images), nl=False)
+    elif images:
+        tables.print_images(images)
 
 
 @cli.command()
@@ -69,8 +79,10 @@ def explain(name: str, matrix: Path, as_json: bool) -> None:
       rosml explain ros-torch:jazzy-base-cu128
     """
     from rosml.images import load
+    from rosml.images.explain import explained
 
-    generate.say_why(load.load(matrix, ROOT), name, as_json)
+    found = explained(load.load(matrix, ROOT), name)
+    click.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else command.in_words(found.text))
 
 
 @cli.command()
@@ -85,9 +97,19 @@ def diff(version: str, matrix: Path, as_json: bool) -> None:
       rosml diff HEAD          what the uncommitted changes would build anew
       rosml diff v1.2 --json   all of it since a tag, for machines
     """
+    from rosml.bake import diff as changes
+    from rosml.bake.inputs import Inputs
+    from rosml.base import ci
+    from rosml.cli import tables
     from rosml.images import load
+    from rosml.machine import revision
 
-    generate.compare(load.load(matrix, ROOT), version, as_json)
+    found = revision.since(version, Inputs(ROOT, load.load(matrix, ROOT)))
+    ci.summary(changes.markdown(found))
+    if as_json:
+        click.echo(changes.as_json(found), nl=False)
+    else:
+        tables.print_difference(found)
 
 
 @cli.command()

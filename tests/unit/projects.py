@@ -66,5 +66,5 @@ def commit(folder: Path) -> None:
 
 def diff(folder: Path, version: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     """What a project's own command says of how it differs from a version."""
-    command = [sys.executable, "scripts/generate_bake.py", f"--diff={version}", *arguments]
+    command = [sys.executable, "-m", "rosml", "diff", *arguments, "--", version]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=60)

@@ -209,9 +209,9 @@ def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("more", [[], ["--json"]])
 def test_output_on_a_full_disk(more: list[str]) -> None:
-    argv = [sys.executable, str(ROOT / "scripts/generate_bake.py"), "--list", *more]
+    argv = [sys.executable, "-m", "rosml", "list", *more]
     with open("/dev/full", "w") as full:
-        done = subprocess.run(argv, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        done = subprocess.run(argv, cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == 1
     assert re.fullmatch("error: No space left on device\nremedy: free some disk space .*\n", done.stderr)
 

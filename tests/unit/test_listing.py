@@ -17,7 +17,7 @@ from rosml.images import selection
 from rosml.images.image_set import ImageSet
 from rosml.images.locked import with_locks
 
-SCRIPT = str(ROOT / "scripts/generate_bake.py")
+ROSML = [sys.executable, "-m", "rosml"]
 
 
 def targets(image_set: ImageSet, *groups: str) -> list[str]:
@@ -53,9 +53,8 @@ def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) 
     """They are no error, but somebody who mistook one for the other must not take an empty table for an answer."""
     robot = changed("components: [core, base]\n", "components: [core, base, robot]\n")
     (tmp_path / "matrix.yaml").write_text(robot)
-    argv = [sys.executable, SCRIPT, "--matrix", str(tmp_path / "matrix.yaml"), "--list"]
-    argv += [f"--group={name}" for name in groups]
-    done = subprocess.run(argv, capture_output=True, text=True, check=True)
+    argv = [*ROSML, "list", "--matrix", str(tmp_path / "matrix.yaml"), *groups]
+    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=True)
     assert done.stdout == ""
     assert done.stderr.startswith(f"no image is in all of {listed(groups)}; see why: ")
     assert done.stderr.endswith(f": make explain TARGET={NONE[groups]}\n")
@@ -96,9 +95,8 @@ def test_command(real: ImageSet) -> None:
 
 def test_command_for_machines(tmp_path: Path) -> None:
     (tmp_path / "matrix.yaml").write_text(SMALL)
-    argv = [sys.executable, SCRIPT, "--matrix", str(tmp_path / "matrix.yaml"), "--list", "--json"]
-    argv += ["--group", "alpha", "--group", "none"]
-    images = json.loads(subprocess.run(argv, capture_output=True, check=True).stdout)
+    argv = [*ROSML, "list", "--matrix", str(tmp_path / "matrix.yaml"), "--json", "alpha", "none"]
+    images = json.loads(subprocess.run(argv, cwd=ROOT, capture_output=True, check=True).stdout)
     assert [image["target"] for image in images] == ["alpha-core", "alpha-base", "alpha-desktop"]
     assert all(image["inputs"] for image in images)
 
@@ -106,7 +104,8 @@ def test_command_for_machines(tmp_path: Path) -> None:
 def test_a_reader_that_has_seen_enough() -> None:
     """`make list | head` is no error."""
     done = subprocess.run(
-        ["bash", "-c", 'set -o pipefail; "$0" "$1" --list | head -1', sys.executable, SCRIPT],
+        ["bash", "-c", 'set -o pipefail; "$@" list | head -1', "bash", *ROSML],
+        cwd=ROOT,
         capture_output=True,
         text=True,
         check=False,

@@ -16,13 +16,13 @@ from rosml.images.image_set import ImageSet
 CALLS = {
     "locks STACK=cpu": "scripts/lock.py --stack=cpu",
     "locks UPGRADE=1": "scripts/lock.py --upgrade",
-    "list JSON=1": "scripts/generate_bake.py --list --json",
-    "list GROUP=jazzy\\ torch": "scripts/generate_bake.py --list --group=jazzy --group=torch",
+    "list JSON=1": "-m rosml list --json",
+    "list GROUP=jazzy\\ torch": "-m rosml list jazzy torch",
     "locks REPORT=x.md": 'scripts/lock.py --report "$REPORT"',
     "publish ONLY=x": 'scripts/publish.py all --only "$ONLY" --registry "$PLACE" --since "$SINCE" --at-most "4" --serve "$SERVE"',
     "standing": 'scripts/publish.py status --only "$ONLY" --registry "$PLACE"',
     "locks JSON=1": "scripts/lock.py --json",
-    "explain TARGET=x JSON=1": 'scripts/generate_bake.py --explain "$TARGET" --json',
+    "explain TARGET=x JSON=1": '-m rosml explain --json -- "$TARGET"',
     "catalogue JSON=1": 'scripts/catalogue.py --only "$ONLY" --registry "$PLACE" --json',
     "catalogue OUTPUT=x": 'scripts/catalogue.py --only "$ONLY" --registry "$PLACE" --output "$OUTPUT"',
     "bench TARGET=x": 'python -m bench --target="$TARGET"',
@@ -31,7 +31,7 @@ CALLS = {
     "unit": "python -m tests.suite --phase unit",
     "unit COVERAGE=1": "python -m tests.suite --phase unit --coverage",
     "page": "python -m tests.suite --phase page",
-    "diff JSON=1": 'scripts/generate_bake.py --diff "$REV" --json',
+    "diff JSON=1": '-m rosml diff --json -- "$REV"',
 }
 
 
