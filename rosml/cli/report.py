@@ -173,19 +173,18 @@ def markdown(pipeline: Pipeline, outcomes: list[Outcome]) -> str:
     lines = ["", f"## Publishing run of {pipeline.plan.date}", ""]
     lines += [f"- {step}: {number} {state}" for (step, state), number in counts.items()]
     lines += [f"- {skipped} left alone, as they should be", f"- {_effort(pipeline)}", ""]
-    rows = _interesting(outcomes)
-    if rows:
-        lines += ["| step | image | architecture | state | time | size | digest | what |", "|" + " --- |" * 8]
-    for outcome in rows:
+    rows = []
+    for outcome in _interesting(outcomes):
         entry = pipeline.plan.known.get((outcome.target, outcome.architecture or store.INDEX))
         facts = (
             size(entry.size) if entry and entry.size else "",
             f"`{entry.digest[:19]}`" if entry and entry.digest else "",
         )
-        reason = outcome.reason.splitlines()[0].replace("|", "\\|") if outcome.reason else ""
-        lines.append(
-            f"| {outcome.step} | `{outcome.target}` | {outcome.architecture} | {outcome.state} |"
-            f" {duration(outcome.seconds)} | {facts[0]} | {facts[1]} | {reason} |"
-        )
+        first = outcome.reason.partition("\n")[0]
+        what = (outcome.step, f"`{outcome.target}`", outcome.architecture, outcome.state)
+        rows.append((*what, duration(outcome.seconds), *facts, first))
+    if rows:
+        columns = ("step", "image", "architecture", "state", "time", "size", "digest", "what")
+        lines += [ci.table(columns, rows)]
     lines += [f"- waits, {counted(number, 'time')}: {reason}" for reason, number in _waiting(outcomes).items()]
     return "\n".join(lines) + "\n"

@@ -12,6 +12,7 @@ import time
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from itertools import chain, count
 from typing import Any
 
 from rosml.base import clock
@@ -139,20 +140,14 @@ class Promotion:
         repository = self.pipeline.repository(entry.repository)
         tags = tags_of(thing)
         main = tags[0]
-        if (repository, dated(main, entry.date)) in self._settled:
-            pass
-        elif not self.registry.head(repository, dated(main, entry.date)):
-            yield Move(entry.repository, dated(main, entry.date), "", entry.digest)
-        else:  # the day's second one
-            number = 1
-            while (name := dated(main, entry.date) + (f".{number}" if number > 1 else "")) and (
-                there := self.registry.head(repository, name)
-            ):
-                if there == entry.digest:
+        day = dated(main, entry.date)
+        if (repository, day) not in self._settled:
+            for name in chain([day], (f"{day}.{number}" for number in count(2))):  # the day's second one is its .2
+                there = self.registry.head(repository, name)
+                if not there:
+                    yield Move(entry.repository, name, "", entry.digest)
+                if there in ("", entry.digest):
                     break
-                number += 1
-            else:
-                yield Move(entry.repository, name, "", entry.digest)
         spelled = [tag for tag in tags if tag.startswith(f"{main}-")]
         for tag in (*spelled, *(tag for tag in tags if tag not in spelled)):
             if (repository, tag) in self._settled:

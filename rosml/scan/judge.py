@@ -413,7 +413,7 @@ def unscanned(images: Sequence[Image], error: ScannerFailed) -> list[Scanned]:
 
 
 def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool, targets: Collection[str] = ()) -> Run:
-    """A run of images that were scanned here or, in shards, elsewhere: with what is wrong with the policy's own entries.
+    """A run of images, with what is wrong with the policy's own entries.
 
     Args:
         images: all that the run scanned.
@@ -438,9 +438,6 @@ def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool,
         ]
         problems += rules.unmatched(matched, judged)
     texts = [problem.message(rules.document.name) for problem in sorted(problems, key=lambda problem: problem.line)]
-    states = {image.database.digest for image in found if image.database}
-    if len(states) > 1:
-        texts.append(f"the images were held against {len(states)} states of the database: give all shards the same one")
     return Run(found, tuple(texts))
 
 

@@ -551,15 +551,6 @@ def test_shards_are_summed_up(world: World) -> None:
     assert [problem.split(": ")[2][:10] for problem in whole.problems] == ["CVE-2026-9"]
 
 
-def test_shards_with_different_databases(world: World) -> None:
-    one = scanned(world, image("c", world.part("c", "bash", ros=True)))
-    world.advisories = {}
-    two = scanned(world, image("c", world.part("c", "bash", ros=True)))
-    run = judge.summarise([*one.images, *two.images], rules(), NOW.date(), whole=True)
-    assert run.problems == ("the images were held against 2 states of the database: give all shards the same one",)
-    assert run.outcome is Outcome.POLICY_FAILED
-
-
 def test_entries_expire_by_the_runs_date(world: World) -> None:
     """Whatever the machine's clock says by the time an image is scanned."""
     program = world.trivy()
