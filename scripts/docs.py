@@ -8,7 +8,6 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
@@ -28,11 +27,7 @@ CONFIG = "mkdocs.yml"
 BESIDE = ("README.md", "SECURITY.md", "CONTRIBUTING.md")
 """Pages that are not in docs/, since forges look for them elsewhere."""
 
-FOLDER = "repository"
-"""Where files that are not in docs/ are on the site."""
-
-_LINK = re.compile(r"(?<=\]\()(?P<path>[^)\s#]+)(?P<anchor>#[^)\s]*)?(?=\))")
-_FENCE = re.compile(r"^ *(```|~~~)")
+_LINK = re.compile(r"(?<=\]\()[^)\s#]+")
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -69,7 +64,7 @@ def build(folder: Path) -> None:
 
 
 def stage(root: Path, folder: Path) -> None:
-    """Copies every page, and every file of the repository that one links to, to where they are on the site; links follow.
+    """Copies every page, and every file of the repository that one links to, to the same places below the folder `docs`.
 
     A page may so link to a file that is none, as it does on a forge.
     """
@@ -80,57 +75,15 @@ def stage(root: Path, folder: Path) -> None:
     done = set()
     while waiting:
         source = waiting.pop()
-        if source in done:
+        if source in done or not (root / source).is_file():
             continue
         done.add(source)
-        place = folder / "docs" / place_of(source)
+        place = folder / "docs" / source
         place.parent.mkdir(parents=True, exist_ok=True)
-        if not source.endswith(".md"):
-            shutil.copy(root / source, place)
-            continue
-        text = (root / source).read_text(encoding="utf-8")
-        waiting += [target for target in links(source, text) if (root / target).is_file()]
-        place.write_text(moved(root, source, text), encoding="utf-8")
-
-
-def moved(root: Path, source: str, text: str) -> str:
-    """A page's text with links to where their targets are on the site; those to nothing stay, to be found by the build."""
-
-    def follow(match: re.Match[str]) -> str:
-        target = resolved(source, match["path"])
-        if "://" in match["path"] or not (root / target).is_file():
-            return match[0]
-        here = posixpath.dirname(place_of(source))
-        return posixpath.relpath(place_of(target), here or ".") + (match["anchor"] or "")
-
-    return "\n".join(_LINK.sub(follow, line) if prose else line for prose, line in lines(text))
-
-
-def links(source: str, text: str) -> Iterator[str]:
-    """What a page links to, relative to the repository's root."""
-    for prose, line in lines(text):
-        for match in _LINK.finditer(line) if prose else ():
-            if "://" not in match["path"]:
-                yield resolved(source, match["path"])
-
-
-def lines(text: str) -> Iterator[tuple[bool, str]]:
-    """Every line, and whether it is prose, not code."""
-    code = False
-    for line in text.split("\n"):
-        fence = bool(_FENCE.match(line))
-        yield not (code or fence), line
-        code ^= fence
-
-
-def resolved(source: str, path: str) -> str:
-    """A link's path, relative to the repository's root."""
-    return posixpath.normpath(posixpath.join(posixpath.dirname(source), path))
-
-
-def place_of(source: str) -> str:
-    """Where a file of the repository is on the site."""
-    return source.removeprefix("docs/") if source.startswith("docs/") else f"{FOLDER}/{source}"
+        shutil.copy(root / source, place)
+        if source.endswith(".md"):
+            links = _LINK.findall(place.read_text(encoding="utf-8"))
+            waiting += [posixpath.normpath(posixpath.join(posixpath.dirname(source), link)) for link in links]
 
 
 if __name__ == "__main__":

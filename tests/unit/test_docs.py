@@ -122,7 +122,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> dict[Path, Reader]:
 
 def test_the_site_is_built(site: dict[Path, Reader]) -> None:
     names = {f"{file.parent.name}/{file.name}" for file in site}
-    assert {f"repository/{name}.html" for name in ("index", "SECURITY", "CONTRIBUTING")} <= names
+    assert {f"site/{name}.html" for name in ("index", "SECURITY", "CONTRIBUTING")} <= names
     assert len(site) >= len(PAGES)
 
 
@@ -154,7 +154,7 @@ def test_a_site_with_broken_links_is_not_built(tmp_path: Path) -> None:
     """Files and headings that there are not, each told."""
     docs.stage(ROOT, tmp_path)
     gone = ("nothing.md", "../nothing.md", "contract.md#nothing")
-    with (tmp_path / "docs/limits.md").open("a") as page:
+    with (tmp_path / "docs/docs/limits.md").open("a") as page:
         page.write("".join(f"\n[gone]({link})\n" for link in gone))
     with pytest.raises(RosmlError) as caught:
         docs.build(tmp_path)
@@ -173,7 +173,7 @@ def test_every_page_is_in_the_navigation() -> None:
 
     text = re.sub(r"!!python/\S+", "", (ROOT / "mkdocs.yml").read_text())
     nav = list(leaves(yaml.safe_load(text)["nav"]))
-    assert sorted(nav) == sorted({docs.place_of(str(page.relative_to(ROOT))) for page in PAGES})
+    assert sorted(nav) == sorted({str(page.relative_to(ROOT)) for page in PAGES})
 
 
 # ---- What pages say --------------------------------------------------------------------------------------------------
