@@ -24,6 +24,8 @@ from rosml.base.terminal import plain_where_wanted
 INTERRUPTED = 130
 """Exit code after Ctrl-C, as shells have it: 128 and the signal's number."""
 
+ERROR = click.style("error: ", fg="red", bold=True)
+"""Before what is wrong."""
 
 BROKEN_PIPE = 141
 """Exit code where nobody reads the output any more, as of a program that the signal ended: for commands that work."""
@@ -62,12 +64,8 @@ def run(
             sys.stdout.flush()
     except RosmlError as error:
         # Problems of the matrix begin with file and line, where editors and CI look for them.
-        head = "" if isinstance(error, InputError) else click.style("error: ", fg="red", bold=True)
-        message, remedy = in_words(error.message), in_words(error.remedy)
-        click.echo(head + message, err=True)
-        if remedy:
-            click.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
-        return _told(as_json, message, remedy, error.exit_code)
+        head = "" if isinstance(error, InputError) else ERROR
+        return _failed(as_json, in_words(error.message), in_words(error.remedy), error.exit_code, head)
     except click.exceptions.Exit as error:  # --help
         return error.exit_code
     except click.ClickException as error:
@@ -78,18 +76,12 @@ def run(
         return _told(as_json, "interrupted", interrupted, INTERRUPTED)
     except UnicodeDecodeError as error:
         found = error.object[max(0, error.start - 30) : error.start].decode(errors="replace")
-        message = f"a file is not UTF-8, after {found!r}"
-        click.echo(f"{click.style('error:', fg='red', bold=True)} {message}", err=True)
-        return _told(as_json, message, "", 1)
+        return _failed(as_json, f"a file is not UTF-8, after {found!r}", "", 1)
     except BrokenPipeError:  # the reader of our output is gone: `… --list | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains when it ends
         return reader_gone
     except OSError as error:
-        message, remedy = _of_the_system(error)
-        click.echo(f"{click.style('error:', fg='red', bold=True)} {message}", err=True)
-        if remedy:
-            click.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
-        return _told(as_json, message, remedy, 1)
+        return _failed(as_json, *_of_the_system(error), 1)
     return 0
 
 
@@ -119,6 +111,14 @@ def ended(code: int) -> int:
                 stream.flush()
         os._exit(code)
     return code
+
+
+def _failed(as_json: bool, message: str, remedy: str, code: int, head: str = ERROR) -> int:
+    """Prints an error and what to do about it; gives the exit code."""
+    click.echo(head + message, err=True)
+    if remedy:
+        click.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
+    return _told(as_json, message, remedy, code)
 
 
 def _told(as_json: bool, message: str, remedy: str, code: int) -> int:

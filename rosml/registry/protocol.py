@@ -1,8 +1,7 @@
 """What records need of a registry's client: `oci.Registry` is one, and what stands in for it has the same methods.
 
-The records, provenance and SBOMs, and whatever looks through a registry, name this instead of that class: a job that may only
-read hands them a client that keeps what it is told to write (rosml/publish/scan_results.py), and tests one that is in memory. Builds and
-copies, which stream blobs and mount them, need `oci.Registry` itself.
+The records, provenance and SBOMs, and whatever looks through a registry, name this instead of that class: tests hand them one
+that is in memory. Builds and copies, which stream blobs and mount them, need `oci.Registry` itself.
 """
 
 from __future__ import annotations

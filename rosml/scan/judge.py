@@ -10,7 +10,7 @@ Three outcomes are kept apart: the image is clean, the policy stops it, or the s
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from datetime import UTC, date, datetime
 from enum import StrEnum
 from typing import Any, TypeVar
@@ -311,19 +311,17 @@ def part_report(report: Mapping[str, Any], part: Part) -> PartReport:
     return PartReport(packages, tuple(sorted(findings, key=lambda finding: finding.order)), tuple(notes))
 
 
-def scan(target: str, architecture: str, parts: Sequence[Part], rules: Rules, scanner: Scanner, today: date) -> Scanned:
+def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
     """Scans an image. Never raises because of the image: what goes wrong is its outcome.
 
     Args:
-        target: the bake target.
-        architecture: which of its platforms.
-        parts: the ROS image, then the parts.
+        image: the image.
         rules: the policy.
         scanner: with the database that the whole run uses.
         today: the run's date, by which ignore entries expire.
     """
     reports, reasons = [], []
-    for part in parts:
+    for part in image.parts:
         try:
             reports.append(scanner.report(part))
         except ScannerFailed as error:
@@ -333,18 +331,20 @@ def scan(target: str, architecture: str, parts: Sequence[Part], rules: Rules, sc
     findings: list[Finding] = []
     matched: set[int] = set()
     for finding in sorted((finding for report in reports for finding in report.findings), key=lambda it: it.order):
-        covering = [(index, entry) for index, entry in entries if entry.covers(target, finding.id, finding.package)]
+        covering = [
+            (index, entry) for index, entry in entries if entry.covers(image.target, finding.id, finding.package)
+        ]
         matched.update(index for index, _ in covering)
         findings.append(_judged(finding, rules, covering[0][1] if covering else None))
-    outcome, reason = _outcome(findings, reasons, parts)
+    outcome, reason = _outcome(findings, reasons, image.parts)
     return Scanned(
-        target,
-        architecture,
+        image.target,
+        image.architecture,
         outcome,
         reason,
         tuple(findings),
         sum(report.packages for report in reports),
-        {part.name: part.digest for part in parts},
+        _digests(image),
         tuple(note for report in reports for note in report.notes),
         tuple(sorted(matched)),
         scanner.database,
@@ -354,8 +354,7 @@ def scan(target: str, architecture: str, parts: Sequence[Part], rules: Rules, sc
 def _judged(finding: Finding, rules: Rules, entry: Ignored | None) -> Finding:
     policy = rules.policy
     fails = entry is None and finding.severity in policy.fail and (bool(finding.fixed) or not policy.fixable_only)
-    facts = {**asdict(finding), "ignored": entry.reason if entry else "", "fails": fails}
-    return Finding(**facts)
+    return replace(finding, ignored=entry.reason if entry else "", fails=fails)
 
 
 def _outcome(findings: Sequence[Finding], reasons: Sequence[str], parts: Sequence[Part]) -> tuple[Outcome, str]:
@@ -363,8 +362,7 @@ def _outcome(findings: Sequence[Finding], reasons: Sequence[str], parts: Sequenc
         return Outcome.SCANNER_FAILED, "no part was named: nothing was scanned"
     if reasons:
         return Outcome.SCANNER_FAILED, "; ".join(dict.fromkeys(reasons))
-    failing = [finding for finding in findings if finding.fails]
-    if failing:
+    if failing := [finding for finding in findings if finding.fails]:
         names = list(dict.fromkeys(f"{finding.id} in {finding.package}" for finding in failing))
         return Outcome.POLICY_FAILED, f"{counted(len(names), 'finding')} that the policy does not allow: {some(names)}"
     if not findings:
@@ -402,7 +400,7 @@ def scan_images(
     except ScannerFailed as error:
         return summarise(unscanned(images, error), rules, now.date(), whole, targets)
     scanner = Scanner(trivy, shelf, database, say)
-    found = [scan(image.target, image.architecture, image.parts, rules, scanner, now.date()) for image in images]
+    found = [scan(image, rules, scanner, now.date()) for image in images]
     return summarise(found, rules, now.date(), whole, targets)
 
 

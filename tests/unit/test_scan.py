@@ -559,4 +559,4 @@ def test_entries_expire_by_the_runs_date(world: World) -> None:
     part = base(world)
     world.write()
     for day, outcome in ((date(2027, 1, 31), Outcome.CLEAN), (date(2027, 2, 1), Outcome.POLICY_FAILED)):
-        assert judge.scan("alpha-base", "amd64", [part], rules(IGNORE), scanner, day).outcome is outcome
+        assert judge.scan(image("alpha-base", part), rules(IGNORE), scanner, day).outcome is outcome
