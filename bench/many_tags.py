@@ -101,7 +101,7 @@ def measure(
         with Temporary(services.registry, ca_bundle=services.ca_bundle) as temporary:
             made = _Made(temporary, secrets.token_hex(4))
             variants = [made.ros(ros, index) for index in range(number)]
-            with Composer(lambda _: temporary, services.state / "cache" / "files") as composer:
+            with Composer(lambda _: temporary) as composer:
                 start = time.monotonic()
                 results = [
                     composer.compose(str(variant), [str(item) for item in parts], made.target(ros.host, index))

@@ -204,7 +204,7 @@ class BuildKitMaker:
     @cached_property
     def _composer(self) -> Composer:
         """What puts images together; it reads each part once."""
-        return Composer(lambda _: self.registry, self.services.state / "cache" / "files", say=self.say)
+        return Composer(lambda _: self.registry, say=self.say)
 
     @cached_property
     def _repositories(self) -> dict[str, str]:

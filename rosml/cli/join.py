@@ -7,7 +7,6 @@ import os
 
 import click
 
-from rosml import STATE
 from rosml.cli import options
 
 KEPT = "interrupted: no tag was moved; what was pushed is found again by the next call"
@@ -45,7 +44,7 @@ def main(
 
     with (
         oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
-        Composer(clients, STATE / "cache/files", allow_unlisted=allow_unlisted, say=say) as composer,
+        Composer(clients, allow_unlisted=allow_unlisted, say=say) as composer,
     ):
         found = composer.compose(ros_image, parts, tag, platforms)
     if as_json:

@@ -21,7 +21,6 @@ from rosml.cli.options import Function, place_of
 
 if TYPE_CHECKING:
     from rosml.images.image_set import ImageSet
-    from rosml.machine.services import Services
     from rosml.publish.pipeline import Pipeline
     from rosml.scan.judge import Run
     from rosml.scan.results import Results
@@ -206,15 +205,6 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     click.echo(json.dumps(found.to_json(), indent=2) if as_json else found.text())
 
 
-def _list_files(services: Services, image_set: ImageSet, repository: str, digest: str) -> None:
-    """Attaches the list of its files to what was pushed, which compose.py compares."""
-    from rosml.build import file_list
-    from rosml.registry import oci
-
-    with oci.Registry(services.registry) as client:
-        file_list.attach_files(services, image_set, client, repository, digest, say)
-
-
 @cli.command()
 @click.argument("parts", nargs=-1, metavar="[NAME]...", type=completion.Name("parts"))
 @_options("matrix", "namespace", "json")
@@ -240,9 +230,11 @@ def part(
     Examples:
       rosml part cuda-cu128 common-cu128-py311 torch-cu128-py311
     """
+    from rosml.build import file_list
     from rosml.build import part as found
     from rosml.images import load as loading
     from rosml.machine.services import Services
+    from rosml.registry import oci
 
     if as_json and markdown:
         raise click.UsageError("--json and --markdown are two forms of the same; use one of them")
@@ -263,7 +255,8 @@ def part(
     results = []
     for item in wanted:
         results.append(found.publish(services, image_set, item, say, namespace, again, platform))
-        _list_files(services, image_set, f"{namespace}/part", results[-1].digest)
+        with oci.Registry(services.registry) as client:  # what 'join' compares
+            file_list.attach_files(services, image_set, client, f"{namespace}/part", results[-1].digest, say)
         if not (as_json or markdown):
             done = results[-1]
             click.echo(f"{done.reference}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")

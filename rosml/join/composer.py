@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
 from itertools import combinations
-from pathlib import Path
 from typing import Any
 
 from rosml.base.errors import RosmlError
@@ -65,7 +64,6 @@ class Composer:
     def __init__(
         self,
         registries: Callable[[str], Registry],
-        cache: Path,
         *,
         allow_unlisted: bool = False,
         say: Callable[[str], None] = lambda _: None,
@@ -73,12 +71,11 @@ class Composer:
         """
         Args:
             registries: gives the client of a host.
-            cache: folder for lists of files that were downloaded.
             say: told what a person should know, a line at a time.
         """
         self.allow_unlisted = allow_unlisted
         self._registries = registries
-        self._lists = Lists(cache)
+        self._lists = Lists()
         self._say = say
         self._pool = ThreadPoolExecutor(THREADS)
         self._sources: dict[tuple[str, str, str], Source] = {}

@@ -7,14 +7,11 @@ artifact beside the image that it is of, so that whoever joins images in a regis
 from __future__ import annotations
 
 import os
-import tempfile
 import threading
 import zlib
 from dataclasses import dataclass
-from pathlib import Path
 
 from rosml.base.errors import RosmlError
-from rosml.registry import oci
 from rosml.registry.oci import Manifest, Registry
 
 ARTIFACT = "application/vnd.rosml.files.v1"
@@ -81,14 +78,9 @@ def unpacked(data: bytes) -> bytes:
 
 
 class Lists:
-    """Lists of files by the digest of the image; each is downloaded once. Safe to share among threads.
+    """Lists of files by the digest of the image; each is downloaded once. Safe to share among threads."""
 
-    Attributes:
-        cache: folder for what was downloaded.
-    """
-
-    def __init__(self, cache: Path) -> None:
-        self.cache = cache
+    def __init__(self) -> None:
         self._known: dict[tuple[str, str, str], Files | None] = {}
         self._clashes: dict[tuple[int, int], str] = {}
         self._lock = threading.Lock()
@@ -121,26 +113,7 @@ class Lists:
         artifact = registry.manifest(repository, min(entry["digest"] for entry in entries))
         if artifact is None or not artifact.content.get("layers"):
             return None
-        return Files.parse(unpacked(self._blob(registry, repository, artifact.content["layers"][0]["digest"])))
-
-    def _blob(self, registry: Registry, repository: str, digest: str) -> bytes:
-        file = self.cache / digest.replace(":", "-")
-        try:
-            data = file.read_bytes()
-            if oci.digest_of(data) == digest:
-                return data
-        except OSError:
-            pass
-        data = registry.blob(repository, digest)
-        try:
-            self.cache.mkdir(parents=True, exist_ok=True)
-            descriptor, name = tempfile.mkstemp(dir=self.cache)
-            with os.fdopen(descriptor, "wb") as stream:
-                stream.write(data)
-            os.replace(name, file)
-        except OSError:  # a cache that cannot be written saves nothing, and breaks nothing
-            pass
-        return data
+        return Files.parse(unpacked(registry.blob(repository, artifact.content["layers"][0]["digest"])))
 
 
 def attach(registry: Registry, repository: str, manifest: Manifest, data: bytes) -> str:

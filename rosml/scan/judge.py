@@ -56,13 +56,6 @@ class Part:
     digest: str
     ros: bool
 
-    @classmethod
-    def of(cls, name: str, reference: str, ros: bool) -> Part:
-        """A part by its complete reference: registry, repository and digest."""
-        registry, _, rest = reference.partition("/")
-        repository, _, digest = rest.partition("@")
-        return cls(name, registry, repository, digest, ros)
-
     @property
     def reference(self) -> str:
         """What to pull."""

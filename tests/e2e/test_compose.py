@@ -159,7 +159,7 @@ def test_two_hundred_images(mini: Mini) -> None:
         images.append(client.put_manifest(f"{mini.prefix}/ros", "", oci.encoded(content), oci.IMAGE))
     said: list[str] = []
     with (
-        composing.Composer(lambda _: client, mini.folder / "cache", allow_unlisted=True, say=said.append) as composer,
+        composing.Composer(lambda _: client, allow_unlisted=True, say=said.append) as composer,
         ThreadPoolExecutor(8) as pool,
     ):
 

@@ -71,8 +71,9 @@ def joined(services: Services, image_set: ImageSet, registry: Any, published: Ca
     wheels = next(
         (it["digest"] for it in index.get("manifests", []) if it["platform"]["architecture"] == NATIVE), made.digest
     )
+    path, _, digest = ros.reference.removeprefix(services.registry).partition("@")
     parts = (
-        Part.of("bookworm-core", ros.reference, True),
+        Part("bookworm-core", services.registry, path.removeprefix("/"), digest, True),
         Part(item.name, services.registry, f"{NAMESPACE}/part", wheels, False),
     )
     repository = f"{NAMESPACE}/joined"

@@ -35,8 +35,8 @@ TENSORFLOW: tuple[str, ...] = ("common", "tensorflow-cc", "tensorflow")
 class Place:
     """A registry, and who composes in it."""
 
-    def __init__(self, server: StandIn, cache: Path) -> None:
-        self.server, self.cache, self.said = server, cache, list[str]()
+    def __init__(self, server: StandIn) -> None:
+        self.server, self.said = server, list[str]()
         self.registry = Registry(server.address)
         self.others: dict[str, Registry] = {server.address: self.registry}
 
@@ -57,7 +57,7 @@ class Place:
         platforms: Sequence[str] = (),
         allow: bool = False,
     ) -> Composed:
-        with Composer(self.others.__getitem__, self.cache, allow_unlisted=allow, say=self.said.append) as composer:
+        with Composer(self.others.__getitem__, allow_unlisted=allow, say=self.said.append) as composer:
             return composer.compose(images[0], images[1:], f"{self.server.address}/{repository}:{tag}", platforms)
 
     def image(self, digest: str) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -92,7 +92,7 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
     monkeypatch.setattr(oci, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     with standing_in() as server:
-        found = Place(server, tmp_path / "cache")
+        found = Place(server)
         yield found
         for registry in found.others.values():
             registry.close()
@@ -243,7 +243,7 @@ def test_for_a_publishing_run(place: Place) -> None:
         return Reference(place.server.address, repository, image.put_manifest(place.registry, repository)[0])
 
     images = [put(ros(), "me/ros"), *(put(part(kind), "me/part") for kind in TORCH)]
-    with Composer(place.others.__getitem__, place.cache) as composer:
+    with Composer(place.others.__getitem__) as composer:
         found = composer.manifest(images[0], images[1:], place.server.address, "me/mine")
     assert place.registry.tags("me/mine") == []
     assert found.digest == place.compose(place.ros(), *place.stack()).manifests["linux/amd64"]
@@ -452,7 +452,7 @@ def test_the_order_of_the_arguments_does_not_count_for_errors(place: Place) -> N
 
 @pytest.mark.parametrize("tag", ["me/mine", "ghcr.io", "127.0.0.1:1/me@sha256:" + "1" * 64])
 def test_a_tag_that_is_none(place: Place, tag: str) -> None:
-    with Composer(place.others.__getitem__, place.cache) as composer, pytest.raises(RosmlError) as caught:
+    with Composer(place.others.__getitem__) as composer, pytest.raises(RosmlError) as caught:
         composer.compose(place.ros(), place.stack(), tag)
     assert caught.value.exit_code == 2
 
@@ -505,22 +505,14 @@ def test_without_a_list(place: Place) -> None:
 
 
 def test_lists_are_downloaded_once(place: Place) -> None:
+    """However many images a run joins from the same ones."""
     images = [place.ros(), *place.stack()]
-    place.compose(*images)
-    requests = len(place.server.requests)
-    place.compose(*images)
-    digests = [file.name.replace("sha256-", "sha256:") for file in place.cache.iterdir()]
-    assert len(digests) == 4
-    assert not [line for line in place.server.requests[requests:] if any(name in line for name in digests)]
-    for file in place.cache.iterdir():
-        file.write_bytes(b"damaged")
-    place.compose(*images)
-    assert all(oci.digest_of(file.read_bytes()) == file.name.replace("-", ":") for file in place.cache.iterdir())
-
-
-def test_a_cache_that_cannot_be_written(place: Place) -> None:
-    place.cache.write_text("a file")
-    assert place.compose(place.ros(), *place.stack()).layers == 4
+    with Composer(place.others.__getitem__) as composer:
+        for tag in ("one", "two"):
+            before = len(place.server.requests)
+            composer.compose(images[0], images[1:], f"{place.server.address}/me/mine:{tag}")
+            asked = [line for line in place.server.requests[before:] if line.startswith("GET") and "/blobs/" in line]
+            assert bool(asked) == (tag == "one")
 
 
 def test_lists_that_are_damaged() -> None:
