@@ -123,7 +123,6 @@ def around(shop: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
     """Commands of the checkout, on a machine of one kind, which reaches nothing but the registry."""
     for module in (publish, generate_bake, catalogue_script, lock):
         monkeypatch.setattr(module, "ROOT", shop.root)
-    monkeypatch.setattr(compose, "STATE", shop.root / ".state")
     monkeypatch.setattr(load, "load", lambda *_: REAL)
     monkeypatch.setattr(package_state, "state", lambda *_: "monday")
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
