@@ -35,7 +35,7 @@ def attach_files(
     A manifest that has its list keeps it.
 
     Args:
-        services: the builder. catalogue: for the system whose tools make the list.
+        services: the builder. image_set: for the system whose tools make the list.
         registry: where the image is. repository: its path there. digest: of a manifest, or of an index.
         say: told what is going on, a line at a time.
 

@@ -122,7 +122,7 @@ class BuildKitMaker:
     """Builds and tests in the builder, and joins in the registry.
 
     Attributes:
-        services: the builder and the registry of this checkout. catalogue: what there is to make.
+        services: the builder and the registry of this checkout. image_set: what there is to make.
         registry: where images go (`oci.Registry`). host: its address. prefix: path of its repositories.
         say: told what is going on, a line at a time.
         force: whether to build past the builder's cache.

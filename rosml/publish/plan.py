@@ -103,10 +103,10 @@ class Task:
 
 @dataclass
 class Plan:
-    """All items of a catalogue that are asked for, and what is known of them.
+    """All items of an image set that are asked for, and what is known of them.
 
     Attributes:
-        services: what this machine has. catalogue: all that the matrix describes. inputs: of its targets.
+        services: what this machine has. image_set: all that the matrix describes. inputs: of its targets.
         known: entries of the records by target and architecture; kept up to date while work goes on.
         upstream: of when the packages of each distribution are.
         present: the entries whose manifest is in the registry.
@@ -350,7 +350,7 @@ def survey(
         force: make everything anew.
         scanning: digest of the scanner's policy; empty where nothing is scanned.
         date: of the run.
-        inputs: of the catalogue's targets, where they were read before.
+        inputs: of the image set's targets, where they were read before.
         upstream: of when the packages of distributions are, by a plan. All steps of a run take them to be of one moment:
             what moves between two of them is the next run's.
         whole: what images stand on is judged for all of its architectures.

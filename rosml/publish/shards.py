@@ -86,7 +86,7 @@ class Dealt:
 def deal(
     image_set: ImageSet, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
 ) -> Dealt:
-    """Deals a catalogue's images out to machines.
+    """Deals the images of a set out to machines.
 
     Args:
         image_set: all that the matrix describes.
@@ -308,5 +308,5 @@ def facts(shard: Shard) -> dict[str, Any]:
 
 
 def as_json(plan: Dealt) -> str:
-    """plan.json: depends on nothing but the catalogue and the number of shards."""
+    """plan.json: depends on nothing but the image set and the number of shards."""
     return json.dumps({"version": FORMAT, "shards": [facts(shard) for shard in plan.shards]}, indent=2) + "\n"
