@@ -55,19 +55,15 @@ endif
 # A ROS workspace sets them; they would change what our Python imports.
 unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
-# A variable of the command line that is nearly one of ours is a slip, which would build something else in silence.
+# A slip of the command line would build something else in silence: `make image TRAGET=x`, `make image jazzy-base`.
+COMMANDS := help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner \
+  test-scanner signer test-signer room publish standing catalogue down clean status docs
+VARIABLES := TARGET PLATFORM GROUP CHANNEL SNAPSHOT STACK JSON COVERAGE REV SHARDS ONLY REGISTRY SERVE SINCE AT_MOST OUTPUT \
+  REPORT SHARD PROOF UPGRADE BASES BOOTSTRAP RUN PATH SHELL ROSML_% BUILDX_% OS_%
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))
-ifneq ($(GIVEN),)
-ifneq ($(shell python3 tools/make_help.py --variables $(patsubst %,'%',$(GIVEN)) || echo wrong),)
-$(error nothing was done)
-endif
-endif
-
-# So is a word that is no command: `make image jazzy-base` would build the default image.
-ifneq ($(MAKECMDGOALS),)
-ifneq ($(shell python3 tools/make_help.py --commands $(patsubst %,'%',$(MAKECMDGOALS)) || echo wrong),)
-$(error nothing was done)
-endif
+UNKNOWN := $(filter-out $(VARIABLES),$(GIVEN)) $(filter-out $(COMMANDS) .%,$(MAKECMDGOALS))
+ifneq ($(strip $(UNKNOWN)),)
+$(error nothing was done: make has no command or variable $(strip $(UNKNOWN)); see all with: make)
 endif
 
 BOOTSTRAP := python3 scripts/bootstrap.py
@@ -75,10 +71,11 @@ RUN := uv run --quiet
 # Sets up all that tests need, then runs them; the set-up's time counts.
 SUITE := started=$$(date +%s); $(BOOTSTRAP) suite; $(RUN) python -m tests.suite --started "$$started"
 
-.PHONY: help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner test-scanner signer test-signer room publish standing catalogue down clean status docs
+.PHONY: $(COMMANDS)
 
 help: ## this list
-	@python3 tools/make_help.py
+	@awk -F ': make ' '/^[a-z-]+:.* ## / { name = $$1; sub(/:.*/, "", name); sub(/.* ## /, "", $$1); \
+	  printf "  make %-12s %s\n", name, $$1; if ($$2) printf "%20smake %s\n", "", $$2 }' Makefile
 
 image: .python ## build, test, push and tag one image: make image TARGET=bookworm-base-torch-cu128
 	@$(RUN) scripts/publish.py image $(if $(PLATFORM),--platform "$$PLATFORM") --check -- "$$TARGET"

@@ -1,18 +1,334 @@
 #!/usr/bin/env python3
-"""Sets this machine up: tools, local registry, builder. Needs nothing but Python; what it makes is in .state."""
+"""The way from a bare Python to `rosml setup`: finds or installs uv, has it install Python packages, and hands over."""
 
 from __future__ import annotations
 
+import argparse
+import fcntl
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
 import sys
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from types import FrameType
+from typing import NoReturn
 
 if sys.version_info < (3, 9):  # noqa: UP036 (an old one may well call this)
     sys.exit("error: this needs Python 3.9 or newer, and this is {}.{}".format(*sys.version_info[:2]))
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "tools"))
+STATE, VENV = ROOT / ".state", ROOT / ".venv"
+BIN, LOG, RUN = STATE / "bin", STATE / "log", STATE / "run"
+PYTHON = VENV / "bin" / "python"
+OLDEST_UV = [0, 9]
+OLDEST_PYTHON = "3.11"
+"""That the commands run with, as pyproject.toml has it."""
 
-from machine import commands  # noqa: E402
+GROUPS = ("app", "dev", "page")
+"""Of Python packages, each with those before it: of the commands; of linters and tests; of the page's tests."""
+
+COMMANDS = {
+    **dict.fromkeys(("up", "tools", "linters", "emulate"), "dev"),
+    **dict.fromkeys(("suite", "browser"), "page"),
+    **dict.fromkeys(("client", "engine", "scanner", "signer", "room"), "app"),
+    **dict.fromkeys(("down", "status", "clean"), ""),
+}
+"""The commands of `rosml setup`, and the group of packages that each needs; none where those that are there do."""
+
+EPILOG = """\
+Options, and what the environment says, are those of `rosml setup`. `tools --python` only installs uv and Python packages.
+
+Examples:
+  python3 scripts/bootstrap.py up
+  python3 scripts/bootstrap.py status --json
+"""
+
+LAUNCHER = """\
+#!{python}
+import runpy, sys
+sys.path.insert(0, {root!r})
+runpy.run_module("rosml", run_name="__main__")
+"""
+"""The command `rosml` of this checkout, in `.state/bin`."""
+
+
+class Failure(Exception):
+    """The set-up cannot go on: a message and its remedy, which may be empty."""
+
+
+def say(text: str) -> None:
+    """Prints a line at once, also into a pipe."""
+    print(text, flush=True)
+
+
+def output_of(*argv: str) -> str | None:
+    """What a short command prints, or nothing where it is missing, fails or hangs."""
+    try:
+        done = subprocess.run(argv, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=20, cwd=ROOT)
+    except (OSError, subprocess.TimeoutExpired):
+        return None
+    return done.stdout if done.returncode == 0 else None
+
+
+def run(what: str, argv: Sequence[str], log: Path, env: Mapping[str, str], remedy: str = "") -> None:
+    """Runs a command that may take long: its output goes to a log, a sign of life to people.
+
+    Raises:
+        Failure: it fails; with the end of its log.
+    """
+    started, devnull = time.monotonic(), subprocess.DEVNULL
+    with log.open("w") as out:
+        process = subprocess.Popen(argv, stdin=devnull, stdout=out, stderr=out, env=env, cwd=ROOT)
+        try:
+            while process.returncode is None:
+                try:
+                    process.wait(20)
+                except subprocess.TimeoutExpired:
+                    say(f"  {what}: still at work ({time.monotonic() - started:.0f} s)")
+        finally:
+            process.terminate()  # where this was interrupted
+            process.wait()
+    if process.returncode:
+        end = "".join(f"    {line}\n" for line in log.read_text(errors="replace").splitlines()[-20:])
+        text = f"{what}: failed (exit code {process.returncode}). The end of its log:\n{end}  whole log: {log}"
+        raise Failure(text, remedy)
+
+
+def write(file: Path, text: str, mode: int = 0o644) -> None:
+    """Writes a file so that a reader sees the old text or the new one, never a part."""
+    partial = file.with_name(f".{file.name}.{os.getpid()}")
+    partial.write_text(text)
+    partial.chmod(mode)
+    partial.replace(file)
+
+
+@contextmanager
+def lock() -> Iterator[None]:
+    """Lets one set-up at a time work on this checkout. The lock goes with the process, also with what it becomes.
+
+    Raises:
+        Failure: .state cannot be written to.
+    """
+    try:
+        for folder in (BIN, LOG, RUN):
+            folder.mkdir(parents=True, exist_ok=True)
+        stream = (RUN / "lock").open("a")
+    except OSError as error:
+        remedy = "let .state and what is in it be folders that this user may write to"
+        raise Failure(f"{error.filename}: {error.strerror}", remedy) from None
+    with stream:
+        try:
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            say("waiting for another set-up of this checkout to finish")
+            fcntl.flock(stream, fcntl.LOCK_EX)
+        os.set_inheritable(stream.fileno(), True)
+        yield
+
+
+def ca_bundle() -> str:
+    """The user's own CA bundle: absolute path, or empty.
+
+    Raises:
+        Failure: ROSML_CA_BUNDLE, which only this project reads, names no file.
+    """
+    own = os.environ.get("ROSML_CA_BUNDLE", "")
+    if own and not os.path.isfile(own):
+        raise Failure(f"ROSML_CA_BUNDLE={own}: no such file", "set it to a file of PEM certificates, or unset it")
+    others = [os.environ.get(name, "") for name in ("SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE")]
+    return next((os.path.abspath(path) for path in (own, *others) if os.path.isfile(path)), "")
+
+
+def uv_on_path() -> str:
+    """The user's own uv, where it is new enough; `.state/bin` does not count."""
+    entries = os.environ.get("PATH", os.defpath).split(os.pathsep)
+    path = shutil.which("uv", path=os.pathsep.join(entry for entry in entries if entry and Path(entry) != BIN))
+    if path is None:
+        return ""
+    version = [int(part) for part in re.findall(r"\d+", output_of(path, "--version") or "")[:3]]
+    if version >= OLDEST_UV:
+        return path
+    has, oldest = (".".join(map(str, numbers)) for numbers in (version, OLDEST_UV))
+    say(f"uv: the one on PATH ({path}, v{has or '?'}) is older than v{oldest}: not used")
+    return ""
+
+
+def pinned_uv() -> str:
+    """The pinned Python package's program in `.state/bin`, installed where it is not there.
+
+    Raises:
+        Failure: it cannot be had.
+    """
+    requirements, program, stamp = ROOT / "tools" / "requirements.txt", BIN / "uv", BIN / ".uv.pin"
+    wanted = requirements.read_text()
+    if program.exists() and stamp.exists() and stamp.read_text() == wanted:
+        return str(program)
+    started, folder, log = time.monotonic(), STATE / "tools", LOG / "install-uv.log"
+    env = {**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_INPUT": "1", "DEBIAN_FRONTEND": "noninteractive"}
+    if bundle := ca_bundle():
+        env.setdefault("PIP_CERT", bundle)
+    if output_of(sys.executable, "-c", "import ensurepip, venv") is None:
+        say("this changes the system: installs the Debian package python3-venv (installs uv)")
+        install = "apt-get update && apt-get install --yes --no-install-recommends python3-venv"
+        run("python3-venv", ["sh", "-c", install], LOG / "apt.log", env, f"install it by hand: sudo sh -c '{install}'")
+    say("uv: installing its Python package")
+    stamp.unlink(missing_ok=True)
+    run("uv", [sys.executable, "-m", "venv", "--clear", str(folder)], log, env)
+    pip = [str(folder / "bin" / "python"), "-m", "pip", "install", "--require-hashes", "--no-deps", "--no-cache-dir"]
+    run("uv", [*pip, "--requirement", str(requirements)], log, env)
+    os.replace(folder / "bin" / "uv", program)
+    shutil.rmtree(folder, ignore_errors=True)
+    write(stamp, wanted)
+    say(f"uv: installed from its Python package in {time.monotonic() - started:.0f} s")
+    return str(program)
+
+
+def packages(uv: str, group: str) -> None:
+    """Installs the Python packages of `tools/requirements-<group>.txt` into `.venv`, and removes others.
+
+    Args:
+        group: of `GROUPS`. Where a larger one was installed before, it stays: otherwise a command would take away what the
+            tests beside it import.
+
+    Raises:
+        Failure: a package has none of the hashes in the file, or cannot be had.
+    """
+    started, log = time.monotonic(), LOG / "packages.log"
+    env = {name: value for name, value in os.environ.items() if name not in ("UV_QUIET", "VIRTUAL_ENV", "UV_PYTHON")}
+    env["UV_COMPILE_BYTECODE"] = "1"
+    env.setdefault("UV_CACHE_DIR", str(STATE / "uv"))
+    if bundle := ca_bundle():
+        env["SSL_CERT_FILE"] = bundle
+    fresh = output_of(str(PYTHON), "-c", "") is None
+    if fresh:
+        say("Python packages: installing into .venv")
+        make = [uv, "venv", "--clear", "--no-project", "--python", f">={OLDEST_PYTHON}", str(VENV)]
+        run("Python packages", make, log, env)
+    known = VENV / "group"
+    before = known.read_text() if known.exists() else ""
+    group = max(group, before if before in GROUPS else group, key=GROUPS.index)
+    # A build would fetch what it needs by itself, without a hash: wheels alone.
+    sync = [uv, "pip", "sync", "--python", str(PYTHON), "--require-hashes", "--no-build"]
+    run("Python packages", [*sync, str(ROOT / "tools" / f"requirements-{group}.txt")], log, env)
+    write(known, group)
+    write(BIN / "rosml", LAUNCHER.format(python=PYTHON, root=str(ROOT)), 0o755)
+    if fresh:
+        say(f"Python packages: installed into .venv in {time.monotonic() - started:.0f} s")
+
+
+def can_hand_over() -> bool:
+    """Whether the packages that `rosml setup` needs are there."""
+    return output_of(str(PYTHON), "-c", "import rosml.cli.main") is not None
+
+
+def hand_over(command: str, *options: str, uv: str = "", come_back: bool = False) -> int:
+    """Becomes `rosml setup COMMAND`, or calls it and gives its exit code. ROSML_UV says where uv is, and that its packages are
+    there. What a ROS workspace sets would change what our Python imports."""
+    left_out = ("PYTHONPATH", "PYTHONHOME", "PYTHONOPTIMIZE", "PYTHONSAFEPATH")
+    env = {name: value for name, value in os.environ.items() if name not in left_out}
+    env.update(ROSML_UV=uv, ROSML_CA_BUNDLE=ca_bundle())
+    argv = [str(PYTHON), "-m", "rosml", "setup", command, *options]
+    os.chdir(ROOT)
+    if come_back:
+        return subprocess.run(argv, env=env, check=False).returncode
+    os.execve(argv[0], argv, env)
+
+
+def stop() -> None:
+    """Stops the services of this checkout where the packages are lost that know how to do it well."""
+    stopped: dict[int, str] = {}
+    for kind in (signal.SIGTERM, *[0] * 198, signal.SIGKILL):
+        left = {}
+        for file in Path("/proc").glob("[0-9]*/cmdline"):
+            with suppress(OSError):
+                program = Path(os.fsdecode(file.read_bytes().partition(b"\0")[0]))
+                if program in (BIN / "buildkitd", BIN / "registry"):
+                    left[int(file.parent.name)] = program.name
+                    os.kill(int(file.parent.name), kind)
+        if not left:
+            break
+        stopped.update(left)
+        time.sleep(0.1)
+    (STATE / "services.json").unlink(missing_ok=True)
+    say(f"stopped: {', '.join(sorted(stopped.values()))}" if stopped else "nothing was running")
+
+
+def clean() -> int:
+    """Removes all that was made.
+
+    Raises:
+        Failure: something is left.
+    """
+    if left := re.findall(rf" ({re.escape(str(STATE))}/\S*) ", Path("/proc/self/mounts").read_text()):
+        raise Failure(f"still mounted: {', '.join(left)}", f"umount --lazy {left[-1]}")
+    byte_code = [found for name in ("rosml", "scripts", "tests") for found in (ROOT / name).rglob("__pycache__")]
+    before = shutil.disk_usage(ROOT).free
+    folders = [folder for folder in (STATE, VENV, *byte_code) if folder.exists()]
+    for folder in folders:
+        if folder.name != "__pycache__":
+            say(f"removing {folder}")
+        shutil.rmtree(folder, ignore_errors=True)
+        if folder.exists():
+            raise Failure(f"cannot remove all of {folder}", f"remove it as the user who made it: sudo rm -rf {folder}")
+    freed = max(0, shutil.disk_usage(ROOT).free - before) / 1e9
+    say(f"freed {freed:.1f} GB" if folders else "nothing to remove")
+    return 0
+
+
+def work(command: str, options: Sequence[str]) -> int:
+    """Does a command; gives its exit code."""
+    if command == "status":
+        if can_hand_over():
+            return hand_over(command, *options)
+        say(json.dumps({"state": str(STATE), "up": False}) if "--json" in options else "services  not up (make up)")
+        return 0
+    if not sys.platform.startswith("linux"):
+        raise Failure("this set-up needs Linux", "use a Linux machine, a virtual one, or WSL")
+    if command == "clean" and not STATE.exists():
+        return clean()
+    if command == "down" and not STATE.exists():
+        say("nothing was running")
+        return 0
+    with lock():
+        if command in ("down", "clean"):
+            if not can_hand_over():
+                stop()
+            elif code := hand_over(command, *options, come_back=True):
+                return code
+            return clean() if command == "clean" else 0
+        uv = uv_on_path() or pinned_uv()
+        packages(uv, "dev" if "--tests" in options else COMMANDS[command])
+        return 0 if "--python" in options else hand_over(command, *options, uv=uv)
+
+
+def terminate(_number: int, _frame: FrameType | None) -> NoReturn:
+    """SIGTERM ends as Ctrl-C does."""
+    raise KeyboardInterrupt
+
+
+def main(argv: Sequence[str]) -> int:
+    """Runs a command; gives the exit code: 0, 1 (failed), 2 (usage), 130 (interrupted)."""
+    style = argparse.RawDescriptionHelpFormatter
+    parser = argparse.ArgumentParser("bootstrap.py", description=__doc__, epilog=EPILOG, formatter_class=style)
+    parser.add_argument("command", choices=COMMANDS, metavar="COMMAND", help=", ".join(COMMANDS))
+    asked, options = parser.parse_known_args(argv)
+    signal.signal(signal.SIGTERM, terminate)
+    try:
+        return work(asked.command, options)
+    except (Failure, OSError) as error:
+        message, remedy = error.args if isinstance(error, Failure) else (str(error), "")
+        print(f"error: {message}" + (f"\nremedy: {remedy}" if remedy else ""), file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("interrupted; call it again to carry on", file=sys.stderr)
+        return 130
+
 
 if __name__ == "__main__":
-    sys.exit(commands.main(ROOT, sys.argv[1:]))
+    sys.exit(main(sys.argv[1:]))

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import functools
-import json
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -14,7 +12,7 @@ import click
 
 from rosml import IN_CHECKOUT, ROOT, __version__
 from rosml.base.errors import RosmlError
-from rosml.cli import catalogue, command, completion, generate, join, locks, options, publish
+from rosml.cli import catalogue, command, completion, generate, join, locks, options, publish, setup
 
 SETTINGS = {"help_option_names": ["-h", "--help"]}
 
@@ -112,19 +110,6 @@ def diff(version: str, matrix: Path, as_json: bool) -> None:
         tables.print_difference(found)
 
 
-@cli.command()
-@click.argument("what", default="up", metavar="[WORD]", type=click.Choice(["up", "down", "client", "status", "clean"]))
-def setup(what: str) -> None:
-    """Makes this machine ready: tools at pinned versions, a local registry, a builder.
-
-    It takes your Docker. Without Docker it starts a buildkitd of its own, which needs root. WORD is one of: up, which is
-    taken if none is given; down, which stops both; client, for commands that only read or write a registry; status; clean,
-    which stops both and removes all that was made.
-    """
-    program = ROOT / "scripts/bootstrap.py"
-    sys.exit(subprocess.run([sys.executable, str(program), what], check=False).returncode)
-
-
 @cli.group(name="publish", context_settings=SETTINGS)
 def publishing() -> None:
     """The steps of a publishing run, and what is done with published tags.
@@ -165,6 +150,7 @@ cli.add_command(join.main, "join")
 cli.add_command(locks.main, "locks")
 cli.add_command(catalogue.main, "catalogue")
 cli.add_command(generate.main, "generate")
+cli.add_command(setup.main, "setup")
 
 ALONE = {"explain", "join", "list", "catalogue", "status", "undo", "prune"}
 """Commands that need no checkout."""
@@ -174,7 +160,11 @@ for name, step in [*cli.commands.items(), *publishing.commands.items()]:
         assert step.callback
         step.callback = _in_checkout(step.callback)
 
-KEPT = {"join": join.KEPT} | dict.fromkeys(("image", "part", "publish"), publish.KEPT)
+for step in setup.main.commands.values():
+    assert step.callback
+    step.callback = _in_checkout(setup.bootstrapped(step.callback))
+
+KEPT = {"join": join.KEPT, "setup": setup.KEPT} | dict.fromkeys(("image", "part", "publish"), publish.KEPT)
 """What is said after Ctrl-C, by the first word."""
 
 

@@ -1,4 +1,4 @@
-"""The services that builds use: a local registry and a builder, as ``scripts/bootstrap.py up`` left them."""
+"""The services that builds use: a local registry and a builder, as `rosml setup` left them."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ import subprocess
 import urllib.error
 import urllib.request
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from http.client import HTTPException
 from pathlib import Path
 
+from rosml.base import files
 from rosml.base.errors import RosmlError
 
 NAMESPACE = "rosml"
@@ -87,6 +88,17 @@ class Services:
             raise RosmlError(f"cannot read {path}: {error.strerror}", REMEDY) from None
         except (KeyError, TypeError, ValueError):
             raise RosmlError(f"{path} is damaged", f"{REMEDY}, which writes it anew") from None
+
+    def save(self) -> None:
+        """Writes them down for `load`.
+
+        Raises:
+            RosmlError: the file cannot be written.
+        """
+        facts = {name: value for name, value in asdict(self).items() if name != "root"}
+        config = self.buildx_config and str(self.buildx_config)
+        text = json.dumps({**facts, "buildx_config": config}, indent=2) + "\n"
+        files.write(self.state / "services.json", text)
 
     @property
     def state(self) -> Path:

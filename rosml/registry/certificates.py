@@ -1,11 +1,12 @@
 """Certificates of registries that no public authority vouches for, where Docker looks for them: `certs.d/<host>/*.crt`.
 
-`make up` tells the builder and regctl of the same ones: `registry_certificates` in tools/machine/network.py looks likewise.
+`make up` tells the builder and regctl of the same ones.
 buildx, which asks for tokens, and trivy do not look there: they get a bundle with all of them.
 """
 
 from __future__ import annotations
 
+import os
 import ssl
 from pathlib import Path
 
@@ -31,6 +32,15 @@ def of(host: str) -> list[Path]:
             found += sorted(file for file in (folder / host).iterdir() if file.suffix == ".crt")
         except OSError:  # not there, or not this user's to read
             continue
+    return found
+
+
+def by_host() -> dict[str, list[Path]]:
+    """Those of all registries that this user may read."""
+    found: dict[str, list[Path]] = {}
+    for file in [file for folder in folders() for file in sorted(folder.glob("*/*.crt"))]:
+        if os.access(file, os.R_OK):
+            found.setdefault(file.parent.name, []).append(file)
     return found
 
 

@@ -12,9 +12,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from machine import services as setup
 from rosml import ROOT
 from rosml.machine.services import Services
+from rosml.machine.setup.builder import config
 
 
 @dataclass
@@ -32,7 +32,7 @@ def builder(
     folder: Path,
     services: Services,
     root: Path | None = None,
-    certificates: Mapping[str, Sequence[str]] | None = None,
+    certificates: Mapping[str, Sequence[Path]] | None = None,
     env: Mapping[str, str] | None = None,
 ) -> Iterator[Builder]:
     """Starts one. `root`: where it keeps its cache. `certificates`: files that it trusts for registries, by host. `env`:
@@ -43,7 +43,7 @@ def builder(
     socket = folder / "buildkitd.sock"
     own = {"root": root or folder / "root", "socket": socket, "otel": folder / "otel.sock", "runc": runc and runc[1]}
     own_texts = {key: str(value) for key, value in own.items()}
-    text = setup.buildkit_config(services.registry, bool(services.bases), own_texts, certificates)
+    text = config(services.registry, bool(services.bases), own_texts, certificates)
     (folder / "buildkitd.toml").write_text(text)
     command = [str(ROOT / ".state/bin/buildkitd"), "--config", str(folder / "buildkitd.toml")]
     with (folder / "log").open("wb") as log:

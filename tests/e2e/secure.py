@@ -27,9 +27,9 @@ import jwt
 import pytest
 import trustme
 
-from machine import network
 from rosml import ROOT
 from rosml.machine.services import Services
+from rosml.machine.setup import network
 
 NAME, PASSWORD = "robot+ci", "p4ss:wörd/with=odd&letters"
 ISSUER, SERVICE = "a test", "a registry"

@@ -14,12 +14,11 @@ from pathlib import Path
 
 import pytest
 
-from machine import network
-from machine import services as setup
 from rosml.machine import regctl as images
 from rosml.machine.services import Services
+from rosml.machine.setup.registry import regctl_config
 from rosml.records.store import Records
-from rosml.registry import oci
+from rosml.registry import certificates, oci
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.builders import builder
@@ -65,8 +64,8 @@ def trusting(folder: Path, services: Services, name: str) -> Services:
     state = folder / ".state"
     (state / "regctl").unlink()
     (state / "regctl").mkdir()
-    trusted = network.registry_certificates(os.environ)
-    (state / "regctl/config.json").write_text(setup.regctl_config(services.registry, trusted))
+    trusted = certificates.by_host()
+    (state / "regctl/config.json").write_text(regctl_config(services.registry, trusted))
     facts = json.loads((state / "services.json").read_text())
     (state / "services.json").write_text(json.dumps(facts | {"builder": name, "builder_kind": "user"}))
     return Services.load(folder)
@@ -110,7 +109,7 @@ def project(
     """The small project, whose builder was told of the certificates as by `make up`."""
     folder = tmp_path_factory.mktemp("company")
     name = f"company-{os.getpid()}"
-    trusted = network.registry_certificates(os.environ)
+    trusted = certificates.by_host()
     assert set(trusted) == {registry.host, issuing.host}
     with builder(name, folder / "builder", services, certificates=trusted):
         (folder / "project").mkdir()
@@ -277,7 +276,7 @@ def test_a_bundle_for_everything(
     machine = tmp_path / "machine"
     shutil.copytree(company.folder, machine, symlinks=True)
     (machine / "components/part/install-assembler.sh").write_text(NOTHING)  # nothing is tested
-    (machine / ".state/regctl/config.json").write_text(setup.regctl_config(services.registry, {}))
+    (machine / ".state/regctl/config.json").write_text(regctl_config(services.registry, {}))
     name = f"bundle-{os.getpid()}"
     told = {"builder": name, "builder_kind": "user", "ca_bundle": str(bundle)}
     facts = json.loads((machine / ".state/services.json").read_text())

@@ -16,11 +16,11 @@ from typing import Any
 
 import pytest
 
-from machine import network
-from machine.console import Failure
-from machine.install import Installer
-from machine.state import State
 from rosml import ROOT
+from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
+from rosml.machine.setup.installer import Installer
+from rosml.machine.setup.state import State
 from rosml.matrix import source
 from rosml.registry import oci
 from rosml.scan import policy
@@ -58,15 +58,15 @@ def write_database(folder: Path, updated: datetime = UPDATED) -> None:
     content = hashlib.sha256(b"".join((module / name).read_bytes() for name in ("main.go", "go.mod", "go.sum")))
     program = ROOT / ".state" / "cache" / f"trivy_db-{content.hexdigest()[:16]}"
     if not program.exists():
-        state = State(ROOT)
-        installer = Installer(state, network.ca_bundle(os.environ))
+        state = State(ROOT, ca_bundle=os.environ.get("SSL_CERT_FILE", ""))
+        installer = Installer(state)
         try:
             go = installer.go()
-        except Failure as failure:
+        except RosmlError as error:
             pytest.fail(
-                f"the program that writes trivy's database is built: {failure.message}; {failure.remedy}", pytrace=False
+                f"the program that writes trivy's database is built: {error.message}; {error.remedy}", pytrace=False
             )
-        with state.lock():
+        with turn(state.run / "lock", lambda: None):
             env = installer.go_environment()
             subprocess.run([go, "build", "-trimpath", "-o", str(program), "."], cwd=module, env=env, check=True)
             installer.drop_go_caches()

@@ -16,12 +16,12 @@ import pytest
 from shelf import FIRST, Shelf, shown
 
 from bench import synthetic
-from machine.commands import BROWSERS
 from rosml import ROOT
 from rosml.catalogue import site
 from rosml.catalogue.model import Published
 from rosml.catalogue.read import Gatherer
 from rosml.images import load
+from rosml.machine.setup.tools import BROWSERS
 from rosml.matrix import source
 
 NOW = "2026-11-22T06:00:00Z"

@@ -1,1017 +1,262 @@
-"""The set-up's parts that need no network: pins, ports, pid files, configurations, commands it would run."""
+"""What a bare Python does before `rosml setup`: uv, packages, the call itself; and what it does where these are lost."""
 
 from __future__ import annotations
 
-import errno
 import fcntl
-import http.server
 import json
 import os
 import re
 import shlex
 import shutil
 import signal
-import socket
 import subprocess
 import sys
-import threading
 import time
-from collections.abc import Callable, Iterator
-from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 
-from machine import commands, console, install, mounts, network, services
-from machine.console import Failure
-from machine.daemon import Daemon, command_line, wait_until
-from machine.state import LONGEST_SOCKET_PATH, State, read_json, write_atomically
-from rosml.base.errors import RosmlError
-from rosml.machine.services import Services
+from rosml.cli import setup
+from tests.bare import Bootstrap
 
-ROOT = Path(__file__).resolve().parents[2]
+SETUP = """\
+import json, os, sys
+names = ("ROSML_UV", "ROSML_CA_BUNDLE", "PYTHONPATH")
+print(json.dumps([sys.argv[1:], {name: os.environ.get(name) for name in names}]))
+print("remains", file=sys.stderr)
+sys.exit(int(os.environ.get("CODE", "0")))
+"""
+"""In the place of the package `rosml`: says how it was called."""
 
 
 @pytest.fixture
-def state(tmp_path: Path) -> State:
-    made = State(tmp_path)
-    made.prepare()
-    return made
+def bare(tmp_path: Path) -> Bootstrap:
+    return Bootstrap(tmp_path / "checkout")
 
 
-def program(folder: Path, name: str, text: str) -> Path:
-    """Makes a shell program."""
-    folder.mkdir(parents=True, exist_ok=True)
-    path = folder / name
-    path.write_text(f"#!/bin/sh\n{text}\n")
-    path.chmod(0o755)
-    return path
+@pytest.fixture
+def ready(bare: Bootstrap, monkeypatch: pytest.MonkeyPatch) -> Bootstrap:
+    """A checkout with packages, and a machine with a uv that notes its calls."""
+    for folder in ("rosml/cli", "tools", ".venv/bin", "mine", ".state"):
+        (bare.root / folder).mkdir(parents=True)
+    (bare.root / ".venv/bin/python").symlink_to(sys.executable)
+    (bare.root / "rosml/__main__.py").write_text(SETUP)
+    for name in ("rosml/__init__.py", "rosml/cli/__init__.py", "rosml/cli/main.py"):
+        (bare.root / name).touch()
+    uv(bare, "0.13.8")
+    monkeypatch.setenv("PATH", str(bare.root / "mine"), prepend=os.pathsep)
+    for name in ("ROSML_CA_BUNDLE", "SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE"):
+        monkeypatch.delenv(name, raising=False)
+    return bare
 
 
-# ---- pins -----------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("tool", install.GO_TOOLS, ids=lambda tool: tool.name)
-def test_every_go_tool_is_pinned(tool: install.GoTool) -> None:
-    module = ROOT / "tools" / "go" / tool.folder
-    pin = install.parse_pin((module / "go.mod").read_text())
-    assert re.fullmatch(r"v\d+\.\d+\.\d+", pin.version)
-    root = "github.com/distribution/distribution/v3" if pin.package == "." else pin.package.split("/cmd/")[0]
-    assert f"{root} {pin.version} h1:" in (module / "go.sum").read_text()
+def uv(bare: Bootstrap, version: str) -> Path:
+    """Makes the program."""
+    file = bare.root / "mine/uv"
+    file.write_text(f'#!/bin/sh\n[ $1 = --version ] && echo uv {version} || echo "$@" >>{bare.root}/calls\n')
+    file.chmod(0o755)
+    return file
 
 
-def test_the_local_registry_links_no_cloud() -> None:
-    """The stock program links three clouds' drivers: twice the code to fetch, compile and link, for a local folder."""
-    pins = (ROOT / "tools/go/registry/go.sum").read_text().lower()
-    assert not {word for word in ("aws-sdk", "azure", "cloud.google.com", "oauth2") if word in pins}
+def test_its_commands_are_those_of_rosml(bare: Bootstrap) -> None:
+    assert bare.module.COMMANDS.keys() == setup.main.commands.keys()
 
 
-def test_python_tools_are_pinned_by_hash() -> None:
-    text = (ROOT / "tools" / "requirements.txt").read_text()
+def test_its_help(bare: Bootstrap) -> None:
+    """Each example is a command."""
+    done = bare("--help")
+    assert done.returncode == 0 and done.stdout.startswith("usage: bootstrap.py")
+    lines = [line for line in done.stdout.partition("Examples:\n")[2].splitlines() if line.strip()]
+    assert len(lines) > 1
+    assert {shlex.split(line)[2] for line in lines} <= bare.module.COMMANDS.keys()
+
+
+@pytest.mark.parametrize("arguments", [[], ["upp"]])
+def test_wrong_usage(bare: Bootstrap, arguments: list[str]) -> None:
+    done = bare(*arguments)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert not (bare.root / ".state").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "group"),
+    [
+        ("up", "dev"),
+        ("suite", "page"),
+        ("client", "app"),
+        ("scanner", "app"),
+        ("scanner --tests", "dev"),
+        ("tools --python", "dev"),
+        ("down", ""),
+        ("status --json", ""),
+    ],
+)
+def test_it_hands_over(ready: Bootstrap, words: str, group: str) -> None:
+    """To the same words, with the packages that they need, and no word of a ROS workspace."""
+    done = ready(*words.split(), PYTHONPATH="/opt/ros", CODE="3")
+    calls = (ready.root / "calls").read_text() if group else ""
+    assert not group or calls.endswith(f" --require-hashes --no-build {ready.root}/tools/requirements-{group}.txt\n")
+    if "--python" in words:
+        assert (done.returncode, done.stdout) == (0, "")
+        return
+    uv = str(ready.root / "mine/uv") if group else ""
+    called, environment = json.loads(done.stdout)
+    assert called == ["setup", *words.split()]
+    assert environment == {"ROSML_UV": uv, "ROSML_CA_BUNDLE": "", "PYTHONPATH": None}
+    assert done.returncode == 3
+
+
+def test_only_one_set_up_at_a_time(ready: Bootstrap) -> None:
+    """The lock is kept by what it hands over to."""
+    (ready.root / "rosml/__main__.py").write_text("import time\nprint('begins', flush=True)\ntime.sleep(60)\n")
+    argv = [sys.executable, str(ready.file), "up"]
+    with subprocess.Popen(argv, stdout=subprocess.PIPE, text=True) as first:
+        assert first.stdout and first.stdout.readline() == "begins\n"
+        with subprocess.Popen(argv, stdout=subprocess.PIPE, text=True) as second:
+            assert second.stdout
+            assert second.stdout.readline() == "waiting for another set-up of this checkout to finish\n"
+            first.kill()
+            assert second.stdout.readline() == "begins\n"
+            second.kill()
+
+
+@pytest.mark.parametrize(
+    ("version", "used"), [("0.9.0", True), ("0.10", True), ("1.0.1", True), ("0.8.24", False), ("", False)]
+)
+def test_a_uv_on_path_is_used_if_it_is_new_enough(
+    ready: Bootstrap, capsys: pytest.CaptureFixture[str], version: str, used: bool
+) -> None:
+    file = uv(ready, version)
+    assert ready.module.uv_on_path() == (str(file) if used else "")
+    assert ("is older than v0.9: not used" in capsys.readouterr().out) is not used
+
+
+def test_the_uv_of_state_is_not_the_machines(bare: Bootstrap, monkeypatch: pytest.MonkeyPatch) -> None:
+    (bare.root / ".state/bin").mkdir(parents=True)
+    (bare.root / "mine").mkdir()
+    shutil.move(uv(bare, "9.9.9"), bare.root / ".state/bin/uv")
+    monkeypatch.setenv("PATH", str(bare.root / ".state/bin"))
+    assert bare.module.uv_on_path() == ""
+
+
+def test_the_pinned_uv_is_installed_once(bare: Bootstrap, monkeypatch: pytest.MonkeyPatch) -> None:
+    pip: list[list[str]] = []
+
+    def run(what: str, argv: list[str], *_: object) -> None:
+        pip.append(argv)
+        (bare.root / ".state/tools/bin").mkdir(parents=True, exist_ok=True)
+        (bare.root / ".state/tools/bin/uv").touch()
+
+    (bare.root / "tools").mkdir()
+    requirements = bare.root / "tools/requirements.txt"
+    requirements.write_text("uv==1\n")
+    monkeypatch.setattr(bare.module, "run", run)
+    with bare.module.lock():
+        for _ in range(2):
+            assert bare.module.pinned_uv() == f"{bare.root}/.state/bin/uv"
+        assert len(pip) == 2
+        assert {"--require-hashes", "--no-deps", str(requirements)} <= set(pip[1])
+        requirements.write_text("uv==2\n")
+        bare.module.pinned_uv()
+    assert len(pip) == 4
+
+
+def test_uv_is_pinned_by_hash() -> None:
+    text = (ROOT / "tools/requirements.txt").read_text()
     assert re.search(r"^uv==\d+\.\d+\.\d+ ", text, re.MULTILINE)
     assert text.count("--hash=sha256:") == 2
     assert "http" not in text
 
 
-def test_parse_pin_takes_the_module_of_the_tool() -> None:
-    go_mod = """module x.invalid/tools
-
-go 1.26.8
-
-tool example.org/a/v3/cmd/a
-
-require (
-\texample.org/a v1.0.0 // indirect
-\texample.org/a/v3 v3.1.2 // indirect
-\texample.org/b v0.1.0 // indirect
-)
-"""
-    assert install.parse_pin(go_mod) == install.Pin("example.org/a/v3/cmd/a", "v3.1.2")
+def test_the_users_certificates(ready: Bootstrap, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "ca.pem").touch()
+    monkeypatch.setenv("SSL_CERT_FILE", str(tmp_path / "gone"))
+    assert json.loads(ready("up").stdout)[1]["ROSML_CA_BUNDLE"] == ""
+    monkeypatch.setenv("CURL_CA_BUNDLE", str(tmp_path / "ca.pem"))
+    assert json.loads(ready("up").stdout)[1]["ROSML_CA_BUNDLE"] == str(tmp_path / "ca.pem")
+    done = ready("up", ROSML_CA_BUNDLE=str(tmp_path / "gone"))
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith(f"error: ROSML_CA_BUNDLE={tmp_path}/gone: no such file\nremedy: ")
 
 
-def test_parse_pin_takes_the_module_that_an_own_program_requires() -> None:
-    go_mod = "module x.invalid/tools\n\nrequire example.org/a/v3 v3.1.2\n\nrequire (\n\texample.org/b v0.1.0 // indirect\n)\n"
-    assert install.parse_pin(go_mod) == install.Pin(".", "v3.1.2")
-
-
-@pytest.mark.parametrize("text", ["", "tool example.org/a/cmd/a\n"])
-def test_parse_pin_without_a_pin(text: str) -> None:
-    with pytest.raises(ValueError, match=r"tool|module"):
-        install.parse_pin(text)
-
-
-@pytest.mark.parametrize(
-    ("text", "version"),
-    [
-        ("VCSTag:     v0.11.7\nVCSRef: unknown", (0, 11, 7)),
-        ("uv 0.13.8 (x86_64)", (0, 13, 8)),
-        ("go version go1.26.8 linux/amd64", (1, 26, 8)),
-        ("github.com/docker/buildx v0.33.0 abc", (0, 33, 0)),
-        ("unknown", ()),
-    ],
-)
-def test_version_in(text: str, version: tuple[int, ...]) -> None:
-    assert install.version_in(text) == version
-
-
-# ---- tools ----------------------------------------------------------------------------------------------------------
-def test_a_tool_on_path_is_used_if_it_is_new_enough(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    mine = program(state.root / "mine", "regctl", "echo VCSTag: v0.11.9")
-    monkeypatch.setenv("PATH", str(mine.parent))
-    installer = install.Installer(state, "")
-    assert installer.found("regctl", ["version"], (0, 11)) == str(mine)
-    assert installer.found("regctl", ["version"], (0, 12)) is None
-    assert installer.have == ["regctl v0.11.9 (found on PATH)"]
-
-
-@pytest.mark.parametrize("name", ["trivy", "cosign"])
-@pytest.mark.parametrize(("version", "used"), [("0.65.0", True), ("0.64.9", False), ("0.66.0", False), ("dev", False)])
-def test_a_scanner_or_signer_on_path_is_used_if_it_is_the_pinned_one(
-    state: State,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-    version: str,
-    used: bool,
-    name: str,
-) -> None:
-    """Neither older nor newer: what is found must not depend on the machine."""
-    module = state.root / "tools" / "go" / name
-    module.mkdir(parents=True)
-    (module / "go.mod").write_text(f"tool example.org/{name}/cmd/{name}\nrequire example.org/{name} v0.65.0\n")
-    (module / "go.sum").write_text("")
-    mine = program(state.root / "mine", name, f"echo Version: {version}; echo Vulnerability DB:; echo Version: 2")
-    go = program(
-        state.root / "go-bin",
-        "go",
-        """case $1 in
-  version) echo go version go1.26.8 linux/amd64 ;;
-  build) while [ "$1" != -o ]; do shift; done; echo built >"$2" ;;
-esac""",
+def test_a_failure_of_uv_ends_it(ready: Bootstrap) -> None:
+    (ready.root / "mine/uv").write_text(
+        "#!/bin/sh\n[ $1 = --version ] && echo uv 1.0 && exit\nseq 30; echo no index >&2; exit 2\n"
     )
-    monkeypatch.setenv("PATH", f"{mine.parent}:{go.parent}:/usr/bin:/bin")
-    {"trivy": commands.scanner, "cosign": commands.signer}[name](state)
-    found = read_json({"trivy": state.scanner, "cosign": state.signer}[name])
-    assert found == {name: str(mine if used else state.bin / name)}
-    assert ("is not v0.65.0, which is pinned: not used" in capsys.readouterr().out) is not used
+    done = ready("up")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("error: Python packages: failed (exit code 2). The end of its log:\n    12\n")
+    assert f"    no index\n  whole log: {ready.root}/.state/log/packages.log" in done.stderr
 
 
-def test_set_up_does_not_build_the_scanner_and_the_signer(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Each takes ten minutes or more; most who build an image never scan or sign one."""
-    built: list[str] = []
-
-    def go_tool(self: install.Installer, tool: install.GoTool) -> str:
-        built.append(tool.name)
-        return tool.name
-
-    monkeypatch.setattr(install.Installer, "go_tool", go_tool)
-    monkeypatch.setattr(install.Installer, "apt", lambda self, packages: "apt-get")
-    for name in ("debian_packages", "fetching"):
-        monkeypatch.setattr(install.Installer, name, lambda self, wanted: nullcontext())
-    monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group: None)
-    monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "uv")
-    monkeypatch.setattr(commands, "choose_builder", lambda installer, hub: ("buildkitd", "rosml"))
-    monkeypatch.setenv("PATH", "/nowhere")
-    commands.install_tools(state, hub=True, bundle="")
-    assert "regctl" in built
-    assert not {"trivy", "cosign", "actionlint"} & set(built)
-
-
-@pytest.fixture
-def bare(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A checkout on a machine that has uv and stand-ins for Go and apt, which note their calls, and nothing else."""
-    calls = state.root / "calls"
-    for tool in install.GO_TOOLS:
-        module = state.root / "tools/go" / tool.folder
-        module.mkdir(parents=True)
-        (module / "go.mod").write_text(
-            f"tool example.org/{tool.folder}/cmd/x\nrequire example.org/{tool.folder} v1.2.3\n"
-        )
-    script = f"""case $1 in
-  version) echo go version go1.26.8 linux/amd64 ;;
-  mod) echo "fetch $(basename $PWD)" >>{calls} ;;
-  build) echo "build $(basename $PWD)" >>{calls}; mkdir -p $GOCACHE; while [ "$1" != -o ]; do shift; done; echo >"$2" ;;
-esac"""
-    folder = program(state.root / "mine", "go", script).parent
-    program(folder, "apt-get", f'case $* in *install*) echo "apt ${{*##*recommends }}" >>{calls} ;; esac')
-    program(folder, "uv", f'case $* in *sync*) echo "uv $*" >>{calls} ;; *) echo uv 0.13.8 ;; esac')
-    for name in ("sh", "basename", "mkdir", "rm"):
-        os.symlink(str(shutil.which(name)), folder / name)
-    monkeypatch.setenv("PATH", str(folder))
-    monkeypatch.setattr(install, "which_system", lambda name: str(folder / name) if (folder / name).exists() else None)
-    monkeypatch.setattr(commands, "which_system", install.which_system)
-    monkeypatch.setattr(os, "geteuid", lambda: 0)
-    return calls
-
-
-@pytest.mark.parametrize("tests", [False, True])
-def test_set_up_of_a_bare_machine(state: State, bare: Path, capsys: pytest.CaptureFixture[str], tests: bool) -> None:
-    """One call of apt, one of uv, each module fetched and each program built once, and the compiler's caches dropped
-    after the last of them: otherwise the standard library would be compiled twice."""
-    found = commands.install_tools(state, hub=False, bundle="", tests=tests)
-    calls = bare.read_text().splitlines()
-    folders = ["actionlint"] * tests + ["buildkit", "buildx", "regctl", "registry"]
-    assert sorted(call for call in calls if call.startswith("build ")) == [f"build {name}" for name in folders]
-    for_tests = " docker.io chromium" if tests else ""
-    assert [call for call in calls if call.startswith("apt ")] == [f"apt runc mmdebstrap{for_tests}"]
-    (sync,) = [call for call in calls if call.startswith("uv ")]
-    assert sync.startswith("uv pip sync ") and sync.endswith(f"tools/requirements-{'page' if tests else 'dev'}.txt")
-    assert not (state.folder / "go").exists()
-    assert (found.regctl, found.buildx) == (str(state.bin / "regctl"), (str(state.bin / "buildx"),))
-    said = capsys.readouterr().out
-    assert "fetching them in the background" in said and "installs the Debian packages runc (" in said
-    bare.unlink()
-    commands.install_tools(state, hub=False, bundle="", tests=tests)
-    assert not [call for call in bare.read_text().splitlines() if call.startswith(("build ", "fetch "))]
-
-
-def test_what_may_not_be_installed_is_told_before_minutes_of_compiling(
-    state: State, bare: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    monkeypatch.setattr(commands, "choose_builder", lambda installer, hub: ("docker", "rosml"))
-    with pytest.raises(Failure, match=r"docker\.io .*chromium .*only root may") as caught:
-        commands.install_tools(state, hub=True, bundle="", tests=True)
-    assert "apt-get install --no-install-recommends docker.io chromium" in caught.value.remedy
-    assert not bare.exists()
-
-
-def test_a_failure_of_uv_ends_the_set_up(state: State, bare: Path) -> None:
-    uv = shutil.which("uv") or ""
-    program(Path(uv).parent, "uv", "case $* in *sync*) echo no index >&2; exit 2 ;; *) echo uv 0.13.8 ;; esac")
-    with pytest.raises(Failure, match=r"(?s)Python packages: failed.*no index"):
-        commands.install_tools(state, hub=True, bundle="")
-
-
-def test_modules_are_fetched_in_the_background_and_no_longer_than_they_are_needed(state: State, go: Path) -> None:
-    began = state.root / "began"
-    program(go.parent, "go", f"case $1 in version) echo go1.26.8 ;; mod) echo $$ >{began}; exec sleep 60 ;; esac")
-    with install.Installer(state, "").fetching([install.REGCTL]):
-        assert wait_until(lambda: began.exists() and bool(began.read_text()), 20)
-        pid = int(began.read_text())
-        assert command_line(pid)
-    assert wait_until(lambda: not command_line(pid), 10), "a signal takes a moment"
-
-
-def test_a_client_of_a_registry_builds_no_program(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Jobs that only read and write a registry have no use for a local one, a builder, buildx or regctl."""
-    groups: list[str] = []
-    monkeypatch.setattr(install.Installer, "go_tool", lambda self, tool: pytest.fail(f"{tool.name} was built"))
-    monkeypatch.setattr(
-        install.Installer, "debian_packages", lambda self, wanted: pytest.fail("packages of the system")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_interrupted(ready: Bootstrap, number: signal.Signals) -> None:
+    """What it waits for ends as well."""
+    (ready.root / "mine/uv").write_text(
+        f"#!/bin/sh\n[ $1 = --version ] && echo uv 1.0 && exit\necho $$ >{ready.root}/pid; exec sleep 60\n"
     )
-    monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "/uv")
-    monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="dev": groups.append(group))
-    monkeypatch.setenv("PATH", "/nowhere")
-    path = state.root / "path"
-    monkeypatch.setenv("GITHUB_PATH", str(path))
-    commands.client(state)
-    assert groups == ["app"], "neither linters nor tests"
-    assert path.read_text() == f"{state.bin}\n"
-    found = Services.load(state.root)
-    assert not found.bases, "base images are the official ones, on the machines that build"
-    for ask in (found.require_registry, found.require_builder, lambda: found.place):
-        with pytest.raises(RosmlError) as caught:
-            ask()
-        assert caught.value.remedy == "run 'make up'"
-    assert commands.status(state)["up"] is False
-    assert "not up (make up)" in bootstrap(state.root, "status").stdout
-
-
-def test_a_client_leaves_services_that_are_up(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "/uv")
-    monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="dev": None)
-    facts = services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, "")
-    write_atomically(state.services, json.dumps(facts))
-    commands.client(state)
-    assert read_json(state.services) == facts
-    assert Services.load(state.root).place == "127.0.0.1:1/rosml"
-
-
-def test_our_own_folder_does_not_count_as_the_machines(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    program(state.bin, "regctl", "echo v9.9.9")
-    monkeypatch.setenv("PATH", str(state.bin))
-    assert install.Installer(state, "").found("regctl", ["version"], (0, 11)) is None
-
-
-@pytest.fixture
-def go(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A checkout with one tool to build, and a stand-in for Go that writes the file it was asked for."""
-    module = state.root / "tools" / "go" / "regctl"
-    module.mkdir(parents=True)
-    (module / "go.mod").write_text("tool example.org/r/cmd/regctl\nrequire example.org/r v1.2.3\n")
-    (module / "go.sum").write_text("")
-    script = """case $1 in
-  version) echo go version go1.26.8 linux/amd64 ;;
-  build) while [ "$1" != -o ]; do shift; done; echo "$GOFLAGS|$CGO_ENABLED|$GOMODCACHE" >"$2" ;;
-esac"""
-    path = program(state.root / "go-bin", "go", script)
-    monkeypatch.setenv("PATH", f"{path.parent}:/usr/bin:/bin")
-    monkeypatch.setenv("GOFLAGS", "-mod=mod")
-    return path
-
-
-def test_go_tool_is_built_once(state: State, go: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    built = Path(install.Installer(state, "").go_tool(install.REGCTL))
-    assert built.read_text() == f"-mod=readonly -modcacherw -buildvcs=false|0|{state.folder}/go/modules\n"
-    assert "regctl v1.2.3: built from its Go module in" in capsys.readouterr().out
-    go.unlink()
-    again = install.Installer(state, "")
-    again.go_tool(install.REGCTL)
-    assert again.have == ["regctl v1.2.3"]
-
-
-@pytest.mark.parametrize("changed", ["go.sum", "main.go"])
-def test_go_tool_is_built_anew_when_a_pin_changes(state: State, go: Path, changed: str) -> None:
-    install.Installer(state, "").go_tool(install.REGCTL)
-    (state.root / "tools/go/regctl" / changed).write_text("changed")
-    (state.bin / "regctl").write_text("old")
-    assert "readonly" in Path(install.Installer(state, "").go_tool(install.REGCTL)).read_text()
-
-
-def test_a_failed_build_shows_the_log_and_leaves_no_tool(state: State, go: Path) -> None:
-    program(go.parent, "go", "[ $1 = version ] && echo go1.26.8 && exit 0; seq 100; echo no such module >&2; exit 3")
-    with pytest.raises(Failure) as caught:
-        install.Installer(state, "").go_tool(install.REGCTL)
-    message = caught.value.message
-    assert "exit code 3" in message
-    assert "no such module" in message
-    assert str(state.log / "build-regctl.log") in message
-    assert len(message.splitlines()) == console.TAIL_LINES + 2
-    assert not (state.bin / "regctl").exists()
-
-
-@pytest.mark.parametrize(("text", "says"), [("", "not installed"), ("echo go version go1.19.8 linux/amd64", "too old")])
-def test_no_go(state: State, go: Path, monkeypatch: pytest.MonkeyPatch, text: str, says: str) -> None:
-    go.unlink()
-    which = shutil.which
-    monkeypatch.setattr(shutil, "which", lambda name, path: which(name, path=str(go.parent)))
-    if text:
-        program(go.parent, "go", text)
-    with pytest.raises(Failure, match=says) as caught:
-        install.Installer(state, "").go_tool(install.REGCTL)
-    assert "install Go" in caught.value.remedy
-
-
-def test_go_build_needs_disk(state: State, go: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(install, "BUILD_BYTES", 10**18)
-    with pytest.raises(Failure, match="of disk are free"):
-        install.Installer(state, "").go_tool(install.REGCTL)
-
-
-def test_debian_packages_by_a_plain_user(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    monkeypatch.setattr(install, "which_system", lambda name: f"/usr/bin/{name}")
-    with pytest.raises(Failure, match="only root may") as caught:
-        install.Installer(state, "").debian_packages({"runc": "runs build steps"})
-    assert "sudo sh -c 'apt-get update && apt-get install --no-install-recommends runc'" in caught.value.remedy
-
-
-def test_debian_packages_say_so_before(
-    state: State, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    calls = state.root / "calls"
-    apt = program(state.root / "apt", "apt-get", f'echo "$@" >>{calls}')
-    monkeypatch.setattr(os, "geteuid", lambda: 0)
-    monkeypatch.setattr(install, "which_system", lambda name: str(apt))
-    install.Installer(state, "").debian_packages({"runc": "runs build steps", "mmdebstrap": "makes images"})
-    said = capsys.readouterr().out.splitlines()
-    assert (
-        said[0]
-        == "this changes the system: installs the Debian packages runc (runs build steps), mmdebstrap (makes images)"
-    )
-    update, installs = calls.read_text().splitlines()
-    assert update.endswith("update")
-    assert installs.endswith("install --yes --no-install-recommends runc mmdebstrap")
-
-
-def test_no_apt(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(install, "which_system", lambda name: None)
-    with pytest.raises(Failure, match="no apt-get"):
-        install.Installer(state, "").debian_packages({"runc": "runs build steps"})
-
-
-def test_no_package_is_installed_without_need(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    install.Installer(state, "").debian_packages({})
-    monkeypatch.setattr(commands, "which_system", lambda name: None)
-    assert list(commands.missing_packages("buildkitd", hub=False)) == ["runc", "mmdebstrap"]
-    assert list(commands.missing_packages("docker", hub=True)) == []
-    monkeypatch.setattr(commands, "which_system", lambda name: name if name == "crun" else None)
-    assert list(commands.missing_packages("buildkitd", hub=True)) == []
-
-
-@pytest.mark.parametrize(
-    ("answers", "there", "root", "asked", "remedy"),
-    [
-        (True, ["apt-get"], True, [], ""),
-        (False, ["dockerd", "apt-get"], True, [], ""),
-        (False, ["apt-get"], True, ["docker.io"], ""),
-        (
-            False,
-            ["apt-get"],
-            False,
-            [],
-            "sudo sh -c 'apt-get update && apt-get install --no-install-recommends docker.io'",
-        ),
-        (False, [], True, [], "install docker.io"),
-    ],
-)
-def test_an_engine_for_the_tests_of_the_contract(
-    state: State,
-    monkeypatch: pytest.MonkeyPatch,
-    answers: bool,
-    there: list[str],
-    root: bool,
-    asked: list[str],
-    remedy: str,
-) -> None:
-    """Installed only where no Docker answers; where it cannot be, tests would be missing: that is a failure."""
-    monkeypatch.setattr(commands, "docker_is_there", lambda installer: answers)
-    assert installed(commands.engine, state, monkeypatch, there, root) == (asked, remedy)
-
-
-def installed(
-    work: Callable[[State], None], state: State, monkeypatch: pytest.MonkeyPatch, there: list[str], root: bool
-) -> tuple[list[str], str]:
-    """What a command has apt install on a machine with some programs, and the remedy that it gives where it fails."""
-    packages: list[str] = []
-    monkeypatch.setattr(commands, "which_system", lambda name: name if name in there else None)
-    monkeypatch.setattr(install, "which_system", lambda name: name if name in there else None)
-    monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
-    monkeypatch.setattr(install, "run", lambda what, argv, *_, **__: packages.extend(argv[-1:] * ("install" in argv)))
-    try:
-        work(state)
-    except Failure as failure:
-        return packages, failure.remedy
-    return packages, ""
-
-
-@pytest.mark.parametrize(
-    ("there", "root", "asked", "remedy"),
-    [
-        (["google-chrome", "apt-get"], True, [], ""),
-        (["apt-get"], True, ["chromium"], ""),
-        (["apt-get"], False, [], "sudo sh -c 'apt-get update && apt-get install --no-install-recommends chromium'"),
-        ([], True, [], "install chromium"),
-    ],
-)
-def test_a_browser_for_the_tests_of_the_page(
-    state: State, monkeypatch: pytest.MonkeyPatch, there: list[str], root: bool, asked: list[str], remedy: str
-) -> None:
-    groups: list[str] = []
-    monkeypatch.setattr(install.Installer, "uv", lambda self, oldest: "uv")
-    monkeypatch.setattr(install.Installer, "packages", lambda self, uv, group="": groups.append(group))
-    assert installed(commands.browser, state, monkeypatch, there, root) == (asked, remedy)
-    assert groups == ["page"]
-
-
-@pytest.mark.parametrize(
-    ("docker", "hub", "image", "root", "kind"),
-    [
-        (True, True, False, False, "docker"),
-        (True, False, True, False, "docker"),
-        (True, False, False, True, "buildkitd"),  # Docker could not pull BuildKit
-        (False, True, False, True, "buildkitd"),
-        (False, True, False, False, ""),
-    ],
-)
-def test_choice_of_the_builder(
-    state: State, monkeypatch: pytest.MonkeyPatch, docker: bool, hub: bool, image: bool, root: bool, kind: str
-) -> None:
-    monkeypatch.delenv("BUILDX_BUILDER", raising=False)
-    monkeypatch.setattr(commands, "docker_is_there", lambda installer: docker)
-    monkeypatch.setattr(commands, "docker_has_buildkit", lambda installer: image)
-    monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
-    installer = install.Installer(state, "")
-    if kind:
-        assert commands.choose_builder(installer, hub) == (kind, "rosml")
-    else:
-        with pytest.raises(Failure, match="needs root"):
-            commands.choose_builder(installer, hub)
-    monkeypatch.setenv("BUILDX_BUILDER", "mine")
-    assert commands.choose_builder(installer, hub) == ("user", "mine")
-
-
-def test_buildkit_in_docker_is_of_the_pinned_release() -> None:
-    assert re.fullmatch(r"moby/buildkit:v\d+\.\d+\.\d+", commands.buildkit_image(State(ROOT)))
-
-
-# ---- network --------------------------------------------------------------------------------------------------------
-def test_ca_bundle(tmp_path: Path) -> None:
-    pem = tmp_path / "ca.pem"
-    pem.write_text("")
-    assert network.ca_bundle({}) == ""
-    assert network.ca_bundle({"SSL_CERT_FILE": str(tmp_path / "gone"), "CURL_CA_BUNDLE": str(pem)}) == str(pem)
-    with pytest.raises(Failure, match="no such file"):
-        network.ca_bundle({"ROSML_CA_BUNDLE": str(tmp_path / "gone")})
-
-
-def test_docker_hub_can_be_decided_by_the_user() -> None:
-    assert network.docker_hub_answers({"ROSML_DOCKER_HUB": "1"}, "")
-    assert not network.docker_hub_answers({"ROSML_DOCKER_HUB": "0"}, "")
-    with pytest.raises(Failure, match="neither 0 nor 1"):
-        network.docker_hub_answers({"ROSML_DOCKER_HUB": "yes"}, "")
-
-
-@pytest.fixture
-def answer(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[tuple[int, dict[str, str]]]]:
-    """A server in the place of Docker Hub; the list's one entry is what it answers."""
-    wanted: list[tuple[int, dict[str, str]]] = []
-
-    class Handler(http.server.BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            code, headers = wanted[0]
-            self.send_response(code)
-            for name, value in headers.items():
-                self.send_header(name, value)
-            self.end_headers()
-
-        def log_message(self, format: str, *args: object) -> None:
-            pass
-
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        monkeypatch.setattr(network, "HUB_API", f"http://127.0.0.1:{server.server_port}/v2/")
-        monkeypatch.setenv("no_proxy", "127.0.0.1")
-        yield wanted
-        server.shutdown()
-
-
-REGISTRY_HEADER = {"Docker-Distribution-Api-Version": "registry/2.0"}
-
-
-@pytest.mark.parametrize(
-    ("code", "headers", "answers"),
-    [
-        (401, REGISTRY_HEADER, True),
-        (200, REGISTRY_HEADER, True),
-        (403, REGISTRY_HEADER, False),
-        (503, REGISTRY_HEADER, False),
-        (200, {}, False),  # a sign-in page of a hotel
-        (401, {}, False),  # a proxy that wants a password
-    ],
-)
-def test_docker_hub_answers(
-    answer: list[tuple[int, dict[str, str]]], code: int, headers: dict[str, str], answers: bool
-) -> None:
-    answer.append((code, headers))
-    assert network.docker_hub_answers({}, "") is answers
-
-
-@pytest.mark.timeout(60)
-def test_docker_hub_that_hangs(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(network, "HUB_SECONDS", 0.2)
-    monkeypatch.setenv("no_proxy", "127.0.0.1")
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        monkeypatch.setattr(network, "HUB_API", f"http://127.0.0.1:{server.getsockname()[1]}/v2/")
-        assert not network.docker_hub_answers({}, "")
-
-
-def test_ports() -> None:
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        port = server.getsockname()[1]
-        assert not network.port_is_free(port)
-    assert network.port_is_free(port)
-    assert network.free_port() > 1023
-    assert not network.registry_answers(f"127.0.0.1:{port}")
-
-
-# ---- state ----------------------------------------------------------------------------------------------------------
-def test_socket_of_a_short_path() -> None:
-    assert State(Path("/work/x")).socket("b.sock") == Path("/work/x/.state/run/b.sock")
-
-
-@pytest.mark.parametrize("root", ["/" + "deep/" * 30, "/with space", "/ümlaut"])
-def test_socket_of_a_path_that_cannot_hold_one(root: str) -> None:
-    path = State(Path(root)).socket("buildkitd.sock")
-    assert str(path).startswith(f"/tmp/rosml-{os.getuid()}-")
-    assert len(str(path)) <= LONGEST_SOCKET_PATH
-    assert path != State(Path(root + "x")).socket("buildkitd.sock")
-
-
-def test_socket_folder_of_somebody_else(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    folder = tmp_path / "short"
-    monkeypatch.setattr(State, "short_run", property(lambda self: folder))
-    state = State(tmp_path)
-    state.prepare_socket(folder / "s")
-    assert folder.stat().st_mode & 0o777 == 0o700
-    monkeypatch.setattr(os, "getuid", lambda: 12345)
-    with pytest.raises(Failure, match="somebody else"):
-        state.prepare_socket(folder / "s")
-
-
-def test_the_second_set_up_waits(state: State, capsys: pytest.CaptureFixture[str]) -> None:
-    with (state.run / "lock").open("a") as held:
-        fcntl.flock(held, fcntl.LOCK_EX)
-        threading.Timer(0.3, lambda: fcntl.flock(held, fcntl.LOCK_UN)).start()
-        with state.lock():
-            pass
-    assert capsys.readouterr().out == "waiting for another set-up of this checkout to finish\n"
-
-
-@pytest.mark.parametrize("text", ["", "{", "[1]", "null"])
-def test_damaged_json_reads_as_none(tmp_path: Path, text: str) -> None:
-    (tmp_path / "x").write_text(text)
-    assert read_json(tmp_path / "x") is None
-    assert read_json(tmp_path / "gone") is None
-
-
-# ---- daemons --------------------------------------------------------------------------------------------------------
-@pytest.fixture
-def sleeper(state: State) -> Iterator[Daemon]:
-    config = state.run / "sleeper.conf"
-    config.write_text("1")
-    code = "import time; time.sleep(60)"
-    daemon = Daemon(state, "sleeper", (sys.executable, "-c", code, str(config)), config, dict(os.environ))
-    yield daemon
-    daemon.stop()
-
-
-def test_daemon_starts_and_stops(sleeper: Daemon) -> None:
-    assert sleeper.pid() is None
-    sleeper.start()
-    pid = sleeper.pid()
-    assert pid is not None
-    assert os.getsid(pid) == pid
-    assert sleeper.current()
-    sleeper.config.write_text("2")
-    assert not sleeper.current()
-    assert sleeper.stop()
-    assert sleeper.pid() is None
-    assert not sleeper.stop()
-
-
-def test_daemon_without_a_record_is_found(sleeper: Daemon) -> None:
-    """As after a set-up that was killed between the start and the record."""
-    sleeper.start()
-    pid = sleeper.pid()
-    sleeper.pid_file.unlink()
-    assert sleeper.pid() == pid
-    assert not sleeper.current()
-
-
-def test_a_foreign_process_is_never_stopped(sleeper: Daemon) -> None:
-    with subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"]) as foreign:
-        write_atomically(sleeper.pid_file, json.dumps({"pid": foreign.pid, "config": ""}))
-        assert sleeper.pid() is None
-        assert not sleeper.stop()
-        assert foreign.poll() is None
-        foreign.kill()
-
-
-def test_daemon_that_ignores_sigterm_is_killed(state: State) -> None:
-    config = state.run / "stubborn.conf"
-    config.write_text("")
-    code = "import signal, time; signal.signal(signal.SIGTERM, signal.SIG_IGN); open('ready', 'w'); time.sleep(60)"
-    daemon = Daemon(state, "stubborn", (sys.executable, "-c", code, str(config)), config, dict(os.environ))
-    daemon.start()
-    while not (state.folder / "ready").exists():
-        time.sleep(0.01)
-    assert daemon.stop(patience=0.3)
-    assert daemon.pid() is None
-
-
-def test_daemon_that_cannot_be_run(state: State) -> None:
-    config = state.run / "x"
-    with pytest.raises(Failure, match="cannot run /nowhere/at/all"):
-        Daemon(state, "x", ("/nowhere/at/all",), config, {}).start()
-
-
-def test_command_line_of_nobody() -> None:
-    assert command_line(2**22 + 1) == ()
-    assert command_line(os.getpid())
-
-
-# ---- services -------------------------------------------------------------------------------------------------------
-def tools(kind: str, buildx: str = "buildx") -> services.Tools:
-    return services.Tools(kind, "rosml", (buildx,), "regctl", "registry", "uv")
-
-
-def test_registry_config_is_yaml_of_a_plain_registry() -> None:
-    config = json.loads(services.registry_config(Path("/a b/.state/registry"), 5001))
-    assert config["http"] == {"addr": "127.0.0.1:5001"}
-    assert config["storage"]["delete"] == {"enabled": True}
-    assert config["storage"]["filesystem"]["rootdirectory"] == "/a b/.state/registry"
-
-
-def test_registry_port_is_remembered(state: State) -> None:
-    assert services.registry_port(state) is None
-    (state.run / "registry.yaml").write_text(services.registry_config(state.folder, 5001))
-    assert services.registry_port(state) == 5001
-
-
-def test_registry_environment(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("REGISTRY_HTTP_ADDR", "0.0.0.0:80")
-    env = services.registry_daemon(state, "registry").env
-    assert "REGISTRY_HTTP_ADDR" not in env
-
-
-def test_buildkit_config(tmp_path: Path) -> None:
-    own = {"root": '/r "x"', "socket": "/s", "otel": "/o", "runc": "/usr/sbin/runc"}
-    text = services.buildkit_config("127.0.0.1:5001", True, own)
-    tomllib = pytest.importorskip("tomllib", reason="Python 3.10 cannot read TOML")
-    toml = tomllib.loads(text)
-    assert toml["root"] == '/r "x"'
-    assert toml["grpc"]["address"] == ["unix:///s"]
-    assert toml["registry"]["docker.io"]["mirrors"] == ["127.0.0.1:5001"]
-    assert toml["registry"]["127.0.0.1:5001"] == {"http": True, "insecure": True}
-    assert toml["worker"]["oci"]["gcpolicy"] == [{"all": True, "maxUsedSpace": "40GB", "minFreeSpace": "12GB"}]
-    certificate = tmp_path / "ca.crt"
-    certificate.write_text("one")
-    trusted = {"reg.example:5000": [str(certificate)], "127.0.0.1:5001": ["ours"], "docker.io": ["a mirror's"]}
-    text = services.buildkit_config("127.0.0.1:5001", False, None, trusted)
-    assert tomllib.loads(text)["registry"] == {
-        "127.0.0.1:5001": {"http": True, "insecure": True},
-        "reg.example:5000": {"http": False, "ca": [str(certificate)]},
-    }
-    certificate.write_text("another")
-    assert services.buildkit_config("127.0.0.1:5001", False, None, trusted) != text, "a builder in Docker has copies"
-    hosts = json.loads(services.regctl_config("127.0.0.1:5001", {"reg.example:5000": [str(certificate)] * 2}))["hosts"]
-    assert hosts["reg.example:5000"]["regcert"] == "anotheranother" and hosts["reg.example:5000"]["tls"] == "enabled"
-    assert hosts["127.0.0.1:5001"]["tls"] == "disabled"
-    in_docker = services.buildkit_config("127.0.0.1:5001", False)
-    assert "docker.io" not in in_docker
-    assert "root" not in in_docker
-
-
-@pytest.fixture
-def buildx(state: State) -> Path:
-    """A stand-in for buildx that notes its calls and keeps records of builders as buildx does."""
-    return program(
-        state.root / "fake",
-        "buildx",
-        f"""echo "$@" >>{state.root}/calls
-case $1 in
-  inspect) if [ -e {state.root}/broken ]; then echo no connection >&2; exit 1; fi; printf 'Name: rosml\\nStatus: running\\n' ;;
-  create) mkdir -p "$BUILDX_CONFIG/instances" && touch "$BUILDX_CONFIG/instances/$3" ;;
-esac""",
-    )
-
-
-def test_builder_in_docker(state: State, buildx: Path) -> None:
-    docker = tools("docker", str(buildx))
-    calls = state.root / "calls"
-    services.up_builder(state, docker, "127.0.0.1:5001", False, "moby/buildkit:v0.29.0")
-    assert calls.read_text().splitlines() == [
-        "rm --force --keep-state rosml",
-        "create --name rosml --driver docker-container --driver-opt network=host,image=moby/buildkit:v0.29.0"
-        f" --buildkitd-config {state.run}/buildkitd-docker.new.toml",
-        "inspect --bootstrap rosml",
-    ]
-    calls.unlink()
-    services.up_builder(state, docker, "127.0.0.1:5001", False, "moby/buildkit:v0.29.0")
-    assert calls.read_text().splitlines() == ["inspect --bootstrap rosml"]
-    services.up_builder(state, docker, "127.0.0.1:5002", False, "moby/buildkit:v0.29.0")
-    assert "create" in calls.read_text(), "a new port of the registry needs a new configuration"
-    (state.root / "broken").touch()
-    with pytest.raises(Failure, match="no connection"):
-        services.up_builder(state, docker, "127.0.0.1:5002", False, "moby/buildkit:v0.29.0")
-
-
-def test_builder_in_docker_is_stopped(state: State, buildx: Path) -> None:
-    facts = services.describe(state, tools("docker", str(buildx)), "127.0.0.1:1", True, "")
-    for remove, action in ((False, "stop rosml"), (True, "rm --force rosml")):
-        write_atomically(state.services, json.dumps(facts))
-        assert services.down(state, remove) == ["builder in Docker"]
-        assert (state.root / "calls").read_text().splitlines()[-1] == action
-        assert not state.services.exists()
-
-
-def test_builder_of_the_user(state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv("BUILDX_CONFIG", raising=False)
-    user = tools("user", str(buildx))
-    services.up_builder(state, user, "127.0.0.1:5001", False, "")
-    assert (state.root / "calls").read_text() == "inspect --bootstrap rosml\n"
-    assert "BUILDX_CONFIG" not in services.buildx_environment(state, "user")
-    (state.root / "broken").touch()
-    with pytest.raises(Failure, match="BUILDX_BUILDER=rosml") as caught:
-        services.up_builder(state, user, "127.0.0.1:5001", False, "")
-    assert "unset BUILDX_BUILDER" in caught.value.remedy
-
-
-def test_a_builder_that_answers_is_not_cut_off(tmp_path: Path) -> None:
-    """Its record is lost, or tells of another folder: somebody may be building with it."""
-    state = State(tmp_path / ".state")
-    address = state.socket("buildkitd.sock")
-    state.prepare_socket(address)
-    state.run.mkdir(parents=True, exist_ok=True)
-    with socket.socket(socket.AF_UNIX) as server:
-        server.bind(str(address))
-        server.listen()
-        with pytest.raises(Failure, match="another buildkitd answers") as caught:
-            services.up_builder(state, tools("buildkitd"), "127.0.0.1:1", True, "")
-        assert "pkill buildkitd" in caught.value.remedy
-        assert address.exists()
-
-
-def test_own_builder_in_a_path_that_overlays_cannot_have(tmp_path: Path) -> None:
-    with pytest.raises(Failure, match="overlay"):
-        services.up_builder(State(tmp_path / "a:b"), tools("buildkitd"), "127.0.0.1:1", True, "")
-
-
-def test_services_json(state: State) -> None:
-    facts = services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, "/ca.pem")
-    assert facts == {
-        "registry": "127.0.0.1:1",
-        "buildx": ["buildx"],
-        "builder": "rosml",
-        "builder_kind": "buildkitd",
-        "buildx_config": str(state.buildx_config),
-        "regctl": "regctl",
-        "uv": "uv",
-        "ca_bundle": "/ca.pem",
-        "docker_hub": False,
-        "bases": [f"{state.root}/.venv/bin/python", f"{state.root}/tools/offline"],
-    }
-    assert services.describe(state, tools("buildkitd"), "127.0.0.1:1", True, "")["bases"] == []
-
-
-def test_build_steps_of_a_killed_builder_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
-    text = (
-        "126 72 0:52 / / rw - overlay overlay rw,lowerdir=/a\\040b/.state/buildkit/x/3,upperdir=/y\n"
-        "127 126 0:55 / /proc rw - proc proc rw\n"
-    )
-    monkeypatch.setattr(Path, "read_text", lambda self, errors="": text)
-    assert services.is_build_step(1, Path("/a b/.state/buildkit"))
-    assert not services.is_build_step(1, Path("/a/.state/buildkit"))
-    assert not services.is_build_step(1, Path("/a b/.state/build"))
-
-
-def test_no_other_process_is_a_build_step(state: State) -> None:
-    assert not services.is_build_step(os.getpid(), state.folder / "buildkit")
-    assert not services.is_build_step(2**22 + 1, state.folder / "buildkit")
-
-
-# ---- console --------------------------------------------------------------------------------------------------------
-def test_run_shows_signs_of_life(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(console, "HEARTBEAT_SECONDS", 0.1)
-    console.run("nap", ["sleep", "0.25"], tmp_path / "log")
-    assert "  nap: still at work (0 s)\n" in capsys.readouterr().out
-
-
-def test_run_of_a_missing_program(tmp_path: Path) -> None:
-    with pytest.raises(Failure, match="cannot run nothing-like-this"):
-        console.run("x", ["nothing-like-this"], tmp_path / "log")
-
-
-def test_interrupt_ends_what_runs(tmp_path: Path) -> None:
-    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
-    with pytest.raises(KeyboardInterrupt):
-        console.run("nap", ["sh", "-c", f"sleep 60 & echo $! >{tmp_path}/pid; wait"], tmp_path / "log")
-    child = int((tmp_path / "pid").read_text())
-    assert wait_until(lambda: command_line(child) == (), 5.0)  # it was told at the same time as its parent
-
-
-def test_interrupt_waits_for_what_must_not_be_torn(tmp_path: Path) -> None:
-    threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
-    with pytest.raises(KeyboardInterrupt):
-        console.run(
-            "dpkg", ["sh", "-c", f"sleep 0.6; touch {tmp_path}/done"], tmp_path / "log", finish_on_interrupt=True
-        )
-    assert (tmp_path / "done").exists()
-
-
-def test_uninterrupted_holds_a_signal_back() -> None:
-    done = False
-    with pytest.raises(KeyboardInterrupt), console.uninterrupted():
-        os.kill(os.getpid(), signal.SIGINT)
-        done = True
-    assert done
-
-
-# ---- commands -------------------------------------------------------------------------------------------------------
-def bootstrap(root: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Calls the command as a user does, in a copy of the checkout that has only the set-up."""
-    copy = root / "scripts" / "bootstrap.py"
-    if not copy.exists():
-        copy.parent.mkdir(parents=True)
-        copy.write_text((ROOT / "scripts/bootstrap.py").read_text())
-        shutil.copytree(ROOT / "tools", root / "tools", ignore=shutil.ignore_patterns("__pycache__"))
-    env = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}  # which `clean` would find
-    return subprocess.run(
-        [sys.executable, str(copy), *arguments], capture_output=True, text=True, timeout=60, check=False, env=env
-    )
-
-
-@pytest.mark.parametrize("arguments", [["--help"], ["up", "--help"], ["status", "--help"]])
-def test_help(tmp_path: Path, arguments: list[str]) -> None:
-    done = bootstrap(tmp_path, *arguments)
-    assert done.returncode == 0
-    assert "usage: bootstrap.py" in done.stdout
-
-
-@pytest.mark.parametrize("arguments", [[], ["upp"], ["up", "--fast"]])
-def test_wrong_usage(tmp_path: Path, arguments: list[str]) -> None:
-    assert bootstrap(tmp_path, *arguments).returncode == 2
-
-
-def test_help_has_examples(tmp_path: Path) -> None:
-    """Each is one that the parser reads."""
-    _, found, examples = bootstrap(tmp_path, "--help").stdout.partition("Examples:\n")
-    assert found
-    lines = [line.strip() for line in examples.splitlines() if line.strip()]
-    assert len(lines) >= 2
-    for line in lines:
-        words = shlex.split(line.removeprefix("python3 scripts/bootstrap.py "))
-        assert commands.parser().parse_args(words).command == words[0]
-
-
-@pytest.mark.parametrize(
-    ("typed", "says"),
-    [
-        ("upp", "no command 'upp'; did you mean up?\n"),
-        ("emulation", "no command 'emulation'; did you mean emulate?\n"),
-        ("xyzxyz", "no command 'xyzxyz'\n"),
-    ],
-)
-def test_a_command_that_is_mistyped(tmp_path: Path, typed: str, says: str) -> None:
-    done = bootstrap(tmp_path, typed)
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"error: {says}remedy: see all with: python3 scripts/bootstrap.py --help\n"
-    assert not (tmp_path / ".state").exists()
-
-
-def test_down_and_clean_with_nothing_there(tmp_path: Path) -> None:
-    assert bootstrap(tmp_path, "down").stdout == "nothing was running\n"
-    assert bootstrap(tmp_path, "clean").stdout == "nothing to remove\n"
-    assert not (tmp_path / ".state").exists()
-
-
-def test_status_with_nothing_there(tmp_path: Path) -> None:
-    assert "not up (make up)" in bootstrap(tmp_path, "status").stdout
-    facts = json.loads(bootstrap(tmp_path, "status", "--json").stdout)
-    assert facts["up"] is False
-    assert not (tmp_path / ".state").exists()
-
-
-def test_status_after_the_services_died(tmp_path: Path) -> None:
-    state = State(tmp_path)
-    write_atomically(state.services, json.dumps(services.describe(state, tools("buildkitd"), "127.0.0.1:1", False, "")))
-    assert bootstrap(tmp_path, "status").stdout.count("DOES NOT ANSWER (make up)") == 2
-
-
-def test_clean_removes_what_was_made(tmp_path: Path) -> None:
-    for path in (".state/registry/blob", ".venv/bin/python", "mine.txt"):
-        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / path).write_text("x" * 100)
-    done = bootstrap(tmp_path, "clean")
-    assert done.returncode == 0
-    assert "freed" in done.stdout
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["mine.txt", "scripts", "tools"]
-
-
-def test_failure_is_told_without_a_traceback(tmp_path: Path) -> None:
-    (tmp_path / ".state").write_text("a file")
-    done = bootstrap(tmp_path, "up")
-    assert done.returncode == 1
-    assert done.stderr.startswith(f"error: {tmp_path}/.state is in the way")
-    assert "remedy: " in done.stderr
-    assert "Traceback" not in done.stderr
-
-
-def test_mount_points_are_read_as_the_kernel_writes_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    text = "overlay /a\\040b/.state/buildkit/x overlay rw 0 0\nproc /proc proc rw 0 0\n"
-    monkeypatch.setattr(Path, "read_text", lambda self: text)
-    assert mounts.mounted_below(Path("/a b/.state")) == ["/a b/.state/buildkit/x"]
-
-
-# ---- CI -------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("where", ["", "self-hosted", "github-hosted"])
-def test_room_is_made_on_githubs_machines_only(
-    state: State, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
-) -> None:
-    big = tmp_path / "android"
-    (big / "sdk").mkdir(parents=True)
-    program(tmp_path / "bin", "sudo", 'exec "$@"')
-    monkeypatch.setenv("PATH", str(tmp_path / "bin"), prepend=os.pathsep)
-    monkeypatch.setenv("RUNNER_ENVIRONMENT", where)
-    monkeypatch.setattr(commands, "PREINSTALLED", (str(big), str(tmp_path / "nowhere")))
-    commands.room(state)
-    assert big.exists() == (where != "github-hosted")
-
-
-def test_later_steps_of_a_job_find_the_tools(state: State, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv("GITHUB_PATH", raising=False)
-    commands.offer_path(state)
-    monkeypatch.setenv("GITHUB_PATH", str(tmp_path / "path"))
-    commands.offer_path(state)
-    assert (tmp_path / "path").read_text() == f"{state.bin}\n"
+    with subprocess.Popen([sys.executable, str(ready.file), "up"], stderr=subprocess.PIPE, text=True) as process:
+        while not (ready.root / "pid").exists() or not (ready.root / "pid").read_text():
+            time.sleep(0.01)
+        process.send_signal(number)
+        _, said = process.communicate(timeout=20)
+    assert (process.returncode, said) == (130, "interrupted; call it again to carry on\n")
+    assert not Path(f"/proc/{(ready.root / 'pid').read_text().strip()}").exists()
 
 
 @pytest.mark.parametrize("name", [".state", ".state/log"])
-def test_a_file_in_a_folders_place_is_named(tmp_path: Path, name: str) -> None:
-    (tmp_path / name).parent.mkdir(exist_ok=True)
-    (tmp_path / name).write_text("")
-    with pytest.raises(Failure) as caught:
-        State(tmp_path).prepare()
-    assert caught.value.message == f"{tmp_path / name} is in the way: a folder is needed there"
-    assert caught.value.remedy
+def test_a_file_in_a_folders_place_is_named(bare: Bootstrap, name: str) -> None:
+    (bare.root / name).parent.mkdir(exist_ok=True)
+    (bare.root / name).write_text("")
+    done = bare("up")
+    assert done.returncode == 1
+    assert done.stderr.startswith(f"error: {bare.root}/.state") and "remedy: let .state" in done.stderr
 
 
-def test_state_that_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def refused(*_: object) -> None:
-        raise PermissionError(errno.EACCES, "Permission denied")
+# ---- where packages are lost, or nothing was ever set up ---------------------------------------------------------------
+def test_nothing_there(bare: Bootstrap) -> None:
+    assert bare("down").stdout == "nothing was running\n"
+    assert bare("clean").stdout == "nothing to remove\n"
+    assert bare("status").stdout == "services  not up (make up)\n"
+    assert json.loads(bare("status", "--json").stdout)["up"] is False
+    assert not (bare.root / ".state").exists()
 
-    monkeypatch.setattr(Path, "write_bytes", refused)
-    with pytest.raises(Failure, match=r"cannot write to .*: Permission denied") as caught:
-        State(tmp_path).prepare()
-    assert caught.value.remedy
+
+def test_clean_removes_what_was_made(ready: Bootstrap) -> None:
+    (ready.root / "mine.txt").touch()
+    (ready.root / "rosml/__pycache__").mkdir()
+    failed = ready("clean", CODE="1")
+    assert failed.returncode == 1 and (ready.root / ".state").exists(), "something still runs"
+    done = ready("clean")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout.splitlines()[0])[0] == ["setup", "clean"]
+    assert done.stdout.endswith(" GB\n")
+    assert sorted(path.name for path in ready.root.iterdir()) == ["mine", "mine.txt", "rosml", "scripts", "tools"]
+    assert not (ready.root / "rosml/__pycache__").exists()
+
+
+@pytest.mark.parametrize("word", ["down", "clean"])
+def test_services_that_outlived_the_packages_are_stopped(ready: Bootstrap, word: str) -> None:
+    (ready.root / ".venv/bin/python").unlink()
+    (ready.root / ".state/bin").mkdir()
+    program = Path(shutil.copy(shutil.which("sleep") or "", ready.root / ".state/bin/registry"))
+    with subprocess.Popen([program, "60"]) as service:
+        done = ready(word)
+        assert service.wait(10) == -signal.SIGTERM
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("stopped: registry\n")
+    assert (ready.root / ".state").exists() == (word == "down")
+
+
+def test_what_cannot_be_removed_is_named(ready: Bootstrap, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shutil, "rmtree", lambda *_, **__: None)
+    with pytest.raises(ready.module.Failure) as caught:
+        ready.module.clean()
+    message, remedy = caught.value.args
+    assert message == f"cannot remove all of {ready.root}/.state" and "sudo rm -rf" in remedy
+
+
+def test_the_lock_is_that_of_other_set_ups(bare: Bootstrap) -> None:
+    with bare.module.lock(), (bare.root / ".state/run/lock").open("a") as other, pytest.raises(BlockingIOError):
+        fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -16,7 +16,6 @@ import pytest
 import trustme
 from stubs import services
 
-from machine import network
 from rosml.base.errors import RosmlError
 from rosml.machine import regctl, trust
 from rosml.registry import certificates, oci
@@ -30,7 +29,6 @@ DAY = datetime.timedelta(days=1)
 def docker(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     monkeypatch.setattr(certificates, "SYSTEM", tmp_path / "system")
-    monkeypatch.setattr(network, "CERTIFICATES", str(tmp_path / "system"))
     monkeypatch.setattr(oci, "WAIT", 0.001)
     return tmp_path / "docker/certs.d"
 
@@ -80,11 +78,11 @@ def test_set_up_and_publisher_find_the_same(docker: Path, tmp_path: Path) -> Non
             (folder / host / "client.key").write_text("not for us")
     put(docker, "own.example:8443", authority)
     (docker / "a file").write_text("")
-    found = network.registry_certificates({"DOCKER_CONFIG": str(docker.parent)})
+    found = certificates.by_host()
     assert set(found) == {"reg.example", "127.0.0.1:5000", "own.example:8443"}
     for host, files in found.items():
-        assert files == [str(file) for file in certificates.of(host)]
-    assert [Path(file).name for file in found["reg.example"]] == ["a.crt", "b.crt"] * 2
+        assert files == certificates.of(host)
+    assert [file.name for file in found["reg.example"]] == ["a.crt", "b.crt"] * 2
     assert certificates.of("other.example") == [] == certificates.of("a file")
 
 

@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from machine import emulation
-from machine.console import Failure
+from rosml.base.errors import RosmlError
+from rosml.machine.setup import emulation
+from rosml.machine.setup.state import State
 
 ENTRY = ":qemu-aarch64:M::\\x7fELF:\\xff:/usr/libexec/qemu:POF\n"
 
@@ -20,6 +21,7 @@ class Installer:
 
     def __init__(self, entries: Path) -> None:
         self.entries, self.asked = entries, dict[str, str]()
+        self.state = State(entries, print)
 
     def debian_packages(self, packages: Mapping[str, str]) -> None:
         self.asked.update(packages)
@@ -68,7 +70,7 @@ def test_a_kernel_that_knows_needs_no_new_builder(machine: Installer) -> None:
 
 def test_a_plain_user(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    with pytest.raises(Failure, match="only root") as caught:
+    with pytest.raises(RosmlError, match="only root") as caught:
         ensure(machine)
     assert "--install arm64" in caught.value.remedy
 
@@ -77,11 +79,11 @@ def test_a_kernel_that_refuses(machine: Installer) -> None:
     register = machine.entries.parent / "table/register"
     register.unlink()
     register.mkdir()
-    with pytest.raises(Failure, match="the kernel does not take QEMU's entry"):
+    with pytest.raises(RosmlError, match="the kernel does not take QEMU's entry"):
         ensure(machine)
 
 
 def test_another_processor(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(platform, "machine", lambda: "riscv64")
-    with pytest.raises(Failure, match="no emulation is known for riscv64"):
+    with pytest.raises(RosmlError, match="no emulation is known for riscv64"):
         ensure(machine)

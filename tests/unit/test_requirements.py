@@ -18,9 +18,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
-from machine.console import Failure
-from machine.install import Installer
-from machine.state import State
+from tests.bare import Bootstrap
 
 FILES = ("app", "dev", "page")
 
@@ -114,76 +112,77 @@ def wheel(folder: Path, name: str, needs: str = "") -> str:
 
 
 @pytest.fixture
-def installer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Installer:
-    """Of an empty checkout, on a machine whose only packages are those in a folder."""
+def bare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bootstrap:
+    """The set-up of an empty checkout, on a machine whose only packages are those in a folder."""
     for name in [name for name in os.environ if name.startswith("UV_") or name == "VIRTUAL_ENV"]:
         monkeypatch.delenv(name)
     wanted = {"UV_NO_INDEX": "1", "UV_FIND_LINKS": str(tmp_path / "wheels"), "UV_CACHE_DIR": str(tmp_path / "cache")}
     for name, value in wanted.items():
         monkeypatch.setenv(name, value)
-    state = State(tmp_path / "checkout")
-    (state.root / "tools").mkdir(parents=True)
-    (state.root / "pyproject.toml").write_text((ROOT / "pyproject.toml").read_text())
-    state.prepare()
-    return Installer(state, "")
+    made = Bootstrap(tmp_path / "checkout")
+    (made.root / "tools").mkdir()
+    (made.root / "pyproject.toml").write_text((ROOT / "pyproject.toml").read_text())
+    return made
 
 
-def uv() -> str:
+def install(bare: Bootstrap, group: str) -> None:
+    """Installs a group of packages."""
     found = os.environ.get("UV") or shutil.which("uv") or str(ROOT / ".state/bin/uv")
     assert Path(found).exists(), "make up installs uv"
-    return found
+    with bare.module.lock():
+        bare.module.packages(found, group)
 
 
-def installed(installer: Installer) -> set[str]:
-    return {path.name for path in (installer.state.root / ".venv").rglob("*-1.0.dist-info")}
+def installed(bare: Bootstrap) -> set[str]:
+    return {path.name for path in (bare.root / ".venv").rglob("*-1.0.dist-info")}
 
 
-def test_a_package_with_another_hash_is_refused(installer: Installer, tmp_path: Path) -> None:
+def test_a_package_with_another_hash_is_refused(bare: Bootstrap, tmp_path: Path) -> None:
     digest = wheel(tmp_path / "wheels", "one")
-    file = installer.state.root / "tools/requirements-app.txt"
+    file = bare.root / "tools/requirements-app.txt"
     file.write_text(f"one==1.0 --hash=sha256:{'0' * 64}\n")
-    with pytest.raises(Failure, match=r"(?i)hash"):
-        installer.packages(uv(), "app")
-    assert not installed(installer)
+    with pytest.raises(bare.module.Failure, match=r"(?i)hash"):
+        install(bare, "app")
+    assert not installed(bare)
     file.write_text(f"one==1.0 --hash=sha256:{digest}\n")
-    installer.packages(uv(), "app")
-    assert installed(installer) == {"one-1.0.dist-info"}
+    install(bare, "app")
+    assert installed(bare) == {"one-1.0.dist-info"}
 
 
-def test_a_package_without_a_hash_is_refused(installer: Installer, tmp_path: Path) -> None:
+def test_a_package_without_a_hash_is_refused(bare: Bootstrap, tmp_path: Path) -> None:
     wheel(tmp_path / "wheels", "one")
-    (installer.state.root / "tools/requirements-app.txt").write_text("one==1.0\n")
-    with pytest.raises(Failure, match=r"(?i)hash"):
-        installer.packages(uv(), "app")
+    (bare.root / "tools/requirements-app.txt").write_text("one==1.0\n")
+    with pytest.raises(bare.module.Failure, match=r"(?i)hash"):
+        install(bare, "app")
 
 
-def test_what_a_package_requires_is_not_chosen_during_installation(installer: Installer, tmp_path: Path) -> None:
+def test_what_a_package_requires_is_not_chosen_during_installation(bare: Bootstrap, tmp_path: Path) -> None:
     digest = wheel(tmp_path / "wheels", "one", needs="two")
     wheel(tmp_path / "wheels", "two")
-    (installer.state.root / "tools/requirements-app.txt").write_text(f"one==1.0 --hash=sha256:{digest}\n")
-    installer.packages(uv(), "app")
-    assert installed(installer) == {"one-1.0.dist-info"}
+    (bare.root / "tools/requirements-app.txt").write_text(f"one==1.0 --hash=sha256:{digest}\n")
+    install(bare, "app")
+    assert installed(bare) == {"one-1.0.dist-info"}
 
 
-def ask(installer: Installer, group: str, wanted: Mapping[str, str]) -> set[str]:
+def ask(bare: Bootstrap, group: str, wanted: Mapping[str, str]) -> set[str]:
     """Installs a group of packages, given by name and sha256; what is there then."""
     text = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in wanted.items())
-    (installer.state.root / f"tools/requirements-{group}.txt").write_text(text)
-    installer.packages(uv(), group)
-    return installed(installer)
+    (bare.root / f"tools/requirements-{group}.txt").write_text(text)
+    install(bare, group)
+    return installed(bare)
 
 
-def test_what_is_no_longer_asked_for_goes(installer: Installer, tmp_path: Path) -> None:
+def test_what_is_no_longer_asked_for_goes(bare: Bootstrap, tmp_path: Path) -> None:
     one, two = ({name: wheel(tmp_path / "wheels", name)} for name in ("one", "two"))
-    assert ask(installer, "dev", one | two) == {"one-1.0.dist-info", "two-1.0.dist-info"}
-    assert ask(installer, "dev", one) == {"one-1.0.dist-info"}
+    assert ask(bare, "dev", one | two) == {"one-1.0.dist-info", "two-1.0.dist-info"}
+    assert ask(bare, "dev", one) == {"one-1.0.dist-info"}
 
 
-def test_a_smaller_group_takes_nothing_away(installer: Installer, tmp_path: Path) -> None:
+def test_a_smaller_group_takes_nothing_away(bare: Bootstrap, tmp_path: Path) -> None:
     """A test calls a command of make, which asks for less than the tests beside it import."""
     one, two = ({name: wheel(tmp_path / "wheels", name)} for name in ("one", "two"))
-    both = ask(installer, "page", one | two)
-    assert ask(installer, "app", one) == both == {"one-1.0.dist-info", "two-1.0.dist-info"}
+    both = ask(bare, "page", one | two)
+    assert ask(bare, "app", one) == both == {"one-1.0.dist-info", "two-1.0.dist-info"}
 
 
 def test_uv_resolves_nothing_by_itself() -> None:

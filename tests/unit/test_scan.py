@@ -241,7 +241,7 @@ def test_another_version(world: World) -> None:
 def test_no_program(tmp_path: Path, text: str | None) -> None:
     (tmp_path / ".state").mkdir()
     (tmp_path / "tools/go/trivy").mkdir(parents=True)
-    (tmp_path / "tools/go/trivy/go.mod").write_text(f"\tgithub.com/aquasecurity/trivy v{VERSION} // indirect\n")
+    (tmp_path / "tools/go/trivy/go.mod").write_text(f"\tgithub.com/aquasecurity/trivy v{VERSION}\n")
     if text is not None:
         (tmp_path / ".state/scanner.json").write_text(text)
     with pytest.raises(ScannerFailed) as caught:

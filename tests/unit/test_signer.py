@@ -41,7 +41,7 @@ esac
 def root(tmp_path: Path) -> Path:
     """A checkout with a stand-in for cosign."""
     (tmp_path / "tools/go/cosign").mkdir(parents=True)
-    (tmp_path / "tools/go/cosign/go.mod").write_text("\tgithub.com/sigstore/cosign/v3 v3.1.3 // indirect\n")
+    (tmp_path / "tools/go/cosign/go.mod").write_text("\tgithub.com/sigstore/cosign/v3 v3.1.3\n")
     (tmp_path / ".state").mkdir()
     program = executable(tmp_path / "cosign", COSIGN.format(folder=tmp_path))
     (tmp_path / ".state/signer.json").write_text(json.dumps({"cosign": program}))

@@ -12,8 +12,8 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from machine.console import Failure, say
-from machine.install import Installer, which_system
+from rosml.base.errors import RosmlError
+from rosml.machine.setup.installer import Installer, which_system
 
 TABLE = Path("/proc/sys/fs/binfmt_misc")
 ENTRIES = Path("/usr/lib/binfmt.d")
@@ -28,18 +28,20 @@ def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -
     """Makes sure that the kernel runs programs of the other architecture; gives whether it did not before.
 
     Raises:
-        Failure: this user may not, the kernel cannot, or there is no QEMU for it.
+        RosmlError: this user may not, the kernel cannot, or there is no QEMU for it.
     """
     architecture, name = OTHER.get(platform.machine(), ("", ""))
     if not name:
-        raise Failure(f"no emulation is known for {platform.machine()}", "use a machine of the architecture itself")
+        raise RosmlError(f"no emulation is known for {platform.machine()}", "use a machine of the architecture itself")
     known = (table / name).exists()
     if known and which_system(PROBE):
-        say(f"emulation: {architecture} runs already")
+        installer.state.say(f"emulation: {architecture} runs already")
         return False
     if os.geteuid() != 0:
         by_hand = "docker run --privileged --rm tonistiigi/binfmt --install " + architecture
-        raise Failure(f"only root may let the kernel run programs of {architecture}", f"call it as root, or: {by_hand}")
+        raise RosmlError(
+            f"only root may let the kernel run programs of {architecture}", f"call it as root, or: {by_hand}"
+        )
     entry = _entry(entries, name)
     missing = {} if entry else {PACKAGE: f"runs programs of {architecture}"}
     if not which_system(PROBE):
@@ -48,17 +50,17 @@ def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -
         installer.debian_packages(missing)
         entry = _entry(entries, name)
     if entry is None:
-        raise Failure(f"{PACKAGE} brings no {name}.conf in {entries}", "register QEMU by hand")
+        raise RosmlError(f"{PACKAGE} brings no {name}.conf in {entries}", "register QEMU by hand")
     if not (table / "register").exists():
         _run(["mount", "-t", "binfmt_misc", "binfmt_misc", str(table)])
     if not (table / name).exists():  # installing the package may have done it
         try:
             (table / "register").write_text(entry)
         except OSError as error:
-            raise Failure(
+            raise RosmlError(
                 f"the kernel does not take QEMU's entry: {error}", "try a machine of the architecture itself"
             ) from None
-    say(f"emulation: {architecture} runs, through QEMU, until this machine restarts")
+    installer.state.say(f"emulation: {architecture} runs, through QEMU, until this machine restarts")
     return not known
 
 
@@ -71,4 +73,4 @@ def _entry(folder: Path, name: str) -> str | None:
 def _run(argv: Sequence[str]) -> None:
     done = subprocess.run(argv, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise Failure(f"{' '.join(argv)}: {done.stderr.strip()}", "a container needs its host to do this")
+        raise RosmlError(f"{' '.join(argv)}: {done.stderr.strip()}", "a container needs its host to do this")

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import os
 import signal
-import subprocess
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from machine.console import Failure, uninterrupted
-from machine.state import State, read_json, write_atomically
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.machine.setup.process import detached
+from rosml.machine.setup.state import State
+
+START_SECONDS = 60.0
+"""Longest that a service may take until it answers."""
 
 LOG_LIMIT = 10_000_000
 """Bytes at which a log is put aside when its service starts."""
@@ -24,7 +27,7 @@ class Daemon:
     """One service.
 
     Attributes:
-        name: also the name of its log and its pid file.
+        name: also the name of its log.
         argv: its command line; it names a file of this checkout, so no other checkout has the same.
         config: the file it reads when it starts. A change means a restart.
         env: its environment.
@@ -39,64 +42,48 @@ class Daemon:
     launcher: tuple[str, ...] = ()
 
     @property
-    def pid_file(self) -> Path:
-        return self.state.run / f"{self.name}.json"
-
-    @property
     def log(self) -> Path:
         return self.state.log / f"{self.name}.log"
 
-    def pid(self) -> int | None:
-        """The running service, or nothing. A process that only has the recorded number does not count.
+    @property
+    def _read(self) -> Path:
+        """The file that has the digest of what the service read when it started."""
+        return self.state.run / f"{self.name}.read"
 
-        Looks through all processes if the record is missing: a set-up killed at the wrong moment leaves none.
-        """
-        recorded = (read_json(self.pid_file) or {}).get("pid")
-        if isinstance(recorded, int) and command_line(recorded) == self.argv:
-            return recorded
+    def pid(self) -> int | None:
+        """The running service, or nothing."""
         return next((pid for pid in processes() if command_line(pid) == self.argv), None)
 
     def current(self) -> bool:
         """Whether the running service read the configuration as it is now."""
-        return (read_json(self.pid_file) or {}).get("config") == fingerprint(self.config)
+        return self._read.exists() and self._read.read_text() == fingerprint(self.config)
 
     def start(self) -> None:
-        """Starts it in a session of its own, so that Ctrl-C in a terminal does not reach it."""
+        """Starts it. Safe to interrupt: what it read is written down before it reads it, and it is known without a record.
+
+        Raises:
+            RosmlError: it cannot be run.
+        """
         if self.log.exists() and self.log.stat().st_size > LOG_LIMIT:
             self.log.replace(self.log.with_suffix(".log.old"))
-        with self.log.open("ab") as stream, uninterrupted():
-            try:
-                process = subprocess.Popen(
-                    (*self.launcher, *self.argv),
-                    stdin=subprocess.DEVNULL,
-                    stdout=stream,
-                    stderr=subprocess.STDOUT,
-                    env=dict(self.env),
-                    cwd=self.state.folder,
-                    start_new_session=True,
-                )
-            except OSError as error:
-                raise Failure(f"{self.name}: cannot run {(*self.launcher, *self.argv)[0]}: {error.strerror}") from None
-            record = {"pid": process.pid, "config": fingerprint(self.config)}
-            write_atomically(self.pid_file, json.dumps(record) + "\n")
-            # The kernel reports the start as done a little before the new command line can be read.
-            wait_until(lambda: command_line(process.pid) == self.argv or process.poll() is not None, 5.0, 0.01)
+        files.write(self._read, fingerprint(self.config))
+        process = detached(self.name, (*self.launcher, *self.argv), self.log, self.env, self.state.folder)
+        # The kernel reports the start as done a little before the new command line can be read.
+        wait_until(lambda: command_line(process.pid) == self.argv or process.poll() is not None, 5.0, 0.01)
 
     def stop(self, patience: float = 20.0) -> bool:
         """Stops it: SIGTERM, after ``patience`` seconds SIGKILL. Says whether it was running."""
         pid = self.pid()
-        if pid is not None:
-            for kind, seconds in ((signal.SIGTERM, patience), (signal.SIGKILL, 10.0)):
-                if command_line(pid) == self.argv:
-                    try:
-                        os.kill(pid, kind)
-                    except PermissionError:
-                        raise Failure(
-                            f"{self.name} (process {pid}) belongs to another user", f"sudo kill {pid}"
-                        ) from None
-                if wait_until(lambda: command_line(pid) != self.argv, seconds):
-                    break
-        self.pid_file.unlink(missing_ok=True)
+        for kind, seconds in ((signal.SIGTERM, patience), (signal.SIGKILL, 10.0)):
+            if pid is None or command_line(pid) != self.argv:
+                break
+            try:
+                os.kill(pid, kind)
+            except PermissionError:
+                text = f"{self.name} (process {pid}) belongs to another user"
+                raise RosmlError(text, f"sudo kill {pid}") from None
+            wait_until(lambda: self.pid() != pid, seconds)
+        self._read.unlink(missing_ok=True)
         return pid is not None
 
 

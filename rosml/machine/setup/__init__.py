@@ -1,0 +1,1 @@
+"""What makes this machine ready: programs at pinned versions, the local registry, the builder."""

@@ -1,0 +1,269 @@
+"""Programs: taken from the machine where they are, installed into ``.state/bin`` where they are not."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+import shutil
+import subprocess
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.programs import Pin, parse_pin
+from rosml.base.units import duration, size
+from rosml.machine.setup.process import detached, end_group, output_of, run
+from rosml.machine.setup.state import State
+
+Version = tuple[int, ...]
+
+BUILD_BYTES = 6_000_000_000
+"""Disk that the builds of the services' Go tools need together, and those of trivy and cosign each by itself; removed
+afterwards."""
+
+OLDEST_GO: Version = (1, 21)
+"""From this release on Go fetches the newer toolchain that a go.mod asks for by itself."""
+
+
+GO_PROGRAMS = ("regctl", "registry", "buildx", "buildkitd", "trivy", "cosign", "actionlint")
+"""Programs built from their Go modules; `tools/go/<name>` pins each and all its dependencies by hash."""
+
+
+VERSIONS = {
+    "buildx": "github.com/docker/buildx/version.Version",
+    "buildkitd": "github.com/moby/buildkit/version.Version",
+    "trivy": "github.com/aquasecurity/trivy/pkg/version/app.ver",
+}
+"""What the linker sets, so that a program knows its version, which it would have from its own repository."""
+
+
+def version_in(text: str) -> Version:
+    """The first dotted number in a text: ``VCSTag: v0.11.7`` -> (0, 11, 7). Empty where there is none."""
+    match = re.search(r"\d+(?:\.\d+)+", text)
+    return tuple(int(number) for number in match[0].split(".")) if match else ()
+
+
+def dotted(version: Version) -> str:
+    """(0, 11, 7) -> ``0.11.7``."""
+    return ".".join(str(number) for number in version)
+
+
+class Installer:
+    """Finds or installs programs for one checkout."""
+
+    def __init__(self, state: State) -> None:
+        self.state = state
+        self.have: list[str] = []
+
+    def report(self) -> None:
+        """Says in one line what was there already; lets the next steps of a job in CI find the programs."""
+        if self.have:
+            self.state.say(f"tools: {', '.join(self.have)}")
+        if path := os.environ.get("GITHUB_PATH"):
+            with open(path, "a", encoding="utf-8") as stream:
+                stream.write(f"{self.state.bin}\n")
+
+    # ---- what the machine has -------------------------------------------------------------------------------------
+    def found(self, name: str, ask: Sequence[str], wanted: Version, exactly: bool = False) -> str | None:
+        """A program on the user's PATH (``.state/bin`` does not count), if its version will do.
+
+        Args:
+            ask: how it tells its version.
+            wanted: the oldest version that will do. exactly: the only one.
+        """
+        path = shutil.which(name, path=self.outer_path())
+        if path is None:
+            return None
+        version = version_in(output_of([path, *ask]))
+        if version == wanted or (version > wanted and not exactly):
+            self.have.append(f"{name} v{dotted(version)} (found on PATH)")
+            return path
+        has = f"v{dotted(version)}" if version else "of unknown version"
+        what = f"not v{dotted(wanted)}, which is pinned" if exactly else f"older than v{dotted(wanted)}"
+        self.state.say(f"{name}: the one on PATH ({path}, {has}) is {what}: not used")
+        return None
+
+    def found_exactly(self, name: str, ask: str) -> str | None:
+        """A program on the user's PATH that is of the very version that is pinned: for one whose findings depend on it."""
+        return self.found(name, [ask], version_in(self.pin(name).version), exactly=True)
+
+    def outer_path(self) -> str:
+        """PATH without our own folder."""
+        entries = os.environ.get("PATH", os.defpath).split(os.pathsep)
+        return os.pathsep.join(entry for entry in entries if entry and Path(entry) != self.state.bin)
+
+    # ---- Go -------------------------------------------------------------------------------------------------------
+    def module(self, name: str) -> Path:
+        """Folder of the Go module that pins a program."""
+        return self.state.root / "tools" / "go" / name
+
+    def pin(self, name: str) -> Pin:
+        """What pins a Go program."""
+        return parse_pin((self.module(name) / "go.mod").read_text())
+
+    def is_built(self, name: str) -> bool:
+        """Whether a program is in ``.state/bin``, and the file that vouches for it says that it is as it is pinned now."""
+        program, stamp = self.state.bin / name, self._stamp(name)
+        return program.exists() and stamp.exists() and stamp.read_text() == self._stamp_text(name)
+
+    def _stamp(self, name: str) -> Path:
+        return self.state.bin / f".{name}.pin"
+
+    def _stamp_text(self, name: str) -> str:
+        module = sorted(self.module(name).iterdir())
+        pins = b"".join(file.read_bytes() for file in module if file.name.endswith((".go", ".mod", ".sum")))
+        return f"{self.pin(name).version} {hashlib.sha256(pins).hexdigest()[:16]}\n"
+
+    @contextmanager
+    def fetching(self, names: Sequence[str]) -> Iterator[None]:
+        """Fetches the modules of Go programs that are not built yet in the background, while others compile.
+
+        A failure is not told: the build, which waits for what it needs, tells it. Nothing runs on after the block.
+        """
+        wanted = [name for name in names if not self.is_built(name)]
+        go = shutil.which("go", path=self.go_path())
+        if not wanted or go is None:
+            yield
+            return
+        self.state.say(f"Go modules of {', '.join(wanted)}: fetching them in the background")
+        script = 'go=$1; shift; for folder; do cd "$folder" && "$go" mod download; done'
+        argv = ["sh", "-c", script, "sh", go, *(str(self.module(name)) for name in wanted)]
+        process = detached("Go", argv, self.state.log / "go-modules.log", self.go_environment())
+        try:
+            yield
+        finally:
+            end_group(process)
+
+    def go_program(self, name: str) -> str:
+        """Path of a Go program in ``.state/bin``, built if it is not there or its pins have changed.
+
+        Safe to interrupt: the build goes to another name, and the stamp that vouches for the program comes last.
+
+        Raises:
+            RosmlError: there is no Go, or no room; or the build fails.
+        """
+        pin, program = self.pin(name), self.state.bin / name
+        title = f"{name} {pin.version}"
+        if self.is_built(name):
+            self.have.append(title)
+            return str(program)
+        go = self.go()
+        free = shutil.disk_usage(self.state.folder).free
+        if free < BUILD_BYTES:
+            needed = f"building {name} takes {size(BUILD_BYTES)} for the moment"
+            raise RosmlError(f"{size(free)} of disk are free; {needed}", "free some disk space")
+        self.state.say(f"{title}: building from its Go module")
+        started = time.monotonic()
+        self._stamp(name).unlink(missing_ok=True)
+        for left in self.state.bin.glob(f".{name}.*.partial"):
+            left.unlink()
+        partial = self.state.bin / f".{name}.{os.getpid()}.partial"  # a killed set-up's build may still be running
+        link = f"-s -w -X {VERSIONS[name]}={pin.version}" if name in VERSIONS else "-s -w"
+        build = [go, "build", "-trimpath", "-ldflags", link, "-o", str(partial), pin.package]
+        log = self.state.log / f"build-{name}.log"
+        run(self.state.say, title, build, log, env=self.go_environment(), cwd=self.module(name))
+        partial.replace(program)
+        files.write(self._stamp(name), self._stamp_text(name))
+        self.state.say(f"{title}: built from its Go module in {duration(time.monotonic() - started)}")
+        return str(program)
+
+    def go(self) -> str:
+        """Path of the Go command.
+
+        Raises:
+            RosmlError: there is none, or it is too old to fetch the release that the pins need.
+        """
+        path = shutil.which("go", path=self.go_path())
+        remedy = f"install Go {dotted(OLDEST_GO)} or newer (https://go.dev/dl) and call this again"
+        if path is None:
+            raise RosmlError("Go is not installed; it builds the tools that this machine lacks", remedy)
+        version = version_in(output_of([path, "version"]))
+        if version < OLDEST_GO:
+            raise RosmlError(
+                f"{path} is Go {dotted(version)}; too old to build the tools that this machine lacks", remedy
+            )
+        return path
+
+    def go_path(self) -> str:
+        """Where Go is looked for: on PATH, and where its own archive is unpacked."""
+        return f"{self.outer_path()}{os.pathsep}/usr/local/go/bin"
+
+    def go_environment(self) -> dict[str, str]:
+        """Environment of a Go build: caches in the state folder, none of the user's flags, no C compiler needed."""
+        left_out = ("GOOS", "GOARCH", "GO111MODULE", "GOEXPERIMENT")
+        env = {name: value for name, value in os.environ.items() if name not in left_out}
+        cache = self.state.folder / "go"
+        (cache / "tmp").mkdir(parents=True, exist_ok=True)
+        env |= {"GOMODCACHE": str(cache / "modules"), "GOCACHE": str(cache / "build"), "GOTMPDIR": str(cache / "tmp")}
+        env |= {"GOFLAGS": "-mod=readonly -modcacherw -buildvcs=false", "GOWORK": "off", "CGO_ENABLED": "0"}
+        if self.state.ca_bundle:
+            env["SSL_CERT_FILE"] = self.state.ca_bundle
+        return env
+
+    def drop_go_caches(self) -> None:
+        """Removes what the builds left, more than 2 GB: beside the work, as it can take a minute.
+
+        The module cache is writable: ``-modcacherw``.
+        """
+        old = self.state.folder / f"go-{os.getpid()}"
+        try:
+            (self.state.folder / "go").rename(old)
+            subprocess.Popen(["rm", "-rf", str(old)], stdin=subprocess.DEVNULL, start_new_session=True)
+        except OSError:
+            shutil.rmtree(self.state.folder / "go", ignore_errors=True)
+
+    # ---- Debian ---------------------------------------------------------------------------------------------------
+    def apt(self, packages: Mapping[str, str]) -> str:
+        """Path of apt-get, which may install packages. ``packages``: as in ``debian_packages``.
+
+        Raises:
+            RosmlError: this is no Debian or Ubuntu, or this user may not.
+        """
+        missing = f"missing: {reasons_of(packages)}"
+        apt = which_system("apt-get")
+        if apt is None:
+            raise RosmlError(f"{missing}; and this machine has no apt-get", f"install {' '.join(packages)}")
+        if os.geteuid() != 0:
+            raise RosmlError(f"{missing}; only root may install it", f"sudo sh -c '{by_hand(packages)}'")
+        return apt
+
+    def debian_packages(self, packages: Mapping[str, str]) -> None:
+        """Installs Debian packages, and says so before. ``packages``: their names, and what each is for.
+
+        Raises:
+            RosmlError: this is no Debian or Ubuntu, this user may not, or apt fails.
+        """
+        if not packages:
+            return
+        apt, say = self.apt(packages), self.state.say
+        say(f"this changes the system: installs the Debian packages {reasons_of(packages)}")
+        started = time.monotonic()
+        env = dict(os.environ, DEBIAN_FRONTEND="noninteractive", LC_ALL="C.UTF-8")
+        options = ["-o", "DPkg::Lock::Timeout=300", "-o", "Dpkg::Use-Pty=0", "-o", "Acquire::Retries=3"]
+        log = self.state.log / "apt.log"
+        install = [apt, *options, "install", "--yes", "--no-install-recommends", *packages]
+        try:
+            run(say, "apt-get update", [apt, *options, "update"], log, env=env)
+            run(say, "apt-get install", install, log, env=env, finish_on_interrupt=True)
+        except RosmlError as error:
+            raise RosmlError(error.message, f"put it right by hand: {by_hand(packages)}") from None
+        say(f"Debian packages {' '.join(packages)}: installed in {duration(time.monotonic() - started)}")
+
+
+def reasons_of(packages: Mapping[str, str]) -> str:
+    """``runc (runs build steps), mmdebstrap (...)``."""
+    return ", ".join(f"{package} ({why})" for package, why in packages.items())
+
+
+def by_hand(packages: Mapping[str, str]) -> str:
+    """The command that installs Debian packages."""
+    return f"apt-get update && apt-get install --no-install-recommends {' '.join(packages)}"
+
+
+def which_system(name: str) -> str | None:
+    """A program on PATH or in the system folders that a plain user's PATH leaves out."""
+    return shutil.which(name) or shutil.which(name, path="/usr/local/sbin:/usr/sbin:/sbin")

@@ -1,0 +1,90 @@
+"""What can be reached: Docker Hub, the local registry, loopback ports and sockets."""
+
+from __future__ import annotations
+
+import os
+import socket
+import ssl
+import threading
+
+import httpx
+
+from rosml.base import web
+from rosml.base.errors import RosmlError
+
+HUB_API = "https://registry-1.docker.io/v2/"
+HUB_SECONDS = 5.0
+
+
+def docker_hub_answers(ca_bundle: str) -> bool:
+    """Whether Docker Hub can be used: its registry API answers in time. ROSML_DOCKER_HUB=0 or 1 decides without asking.
+
+    Only an answer of a registry counts: a proxy that turns a request down answers as well.
+
+    Raises:
+        RosmlError: ROSML_DOCKER_HUB is neither.
+    """
+    wish = os.environ.get("ROSML_DOCKER_HUB", "")
+    if wish in ("0", "1"):
+        return wish == "1"
+    if wish:
+        raise RosmlError(f"ROSML_DOCKER_HUB={wish} is neither 0 nor 1", "unset it to let the set-up find out")
+    answers: list[bool] = []
+    # A thread, since the time limit of a request does not hold for the look-up of the name.
+    asking = threading.Thread(target=lambda: answers.append(_ask_docker_hub(ca_bundle)), daemon=True)
+    asking.start()
+    asking.join(HUB_SECONDS + 1)
+    return answers == [True]
+
+
+def _ask_docker_hub(ca_bundle: str) -> bool:
+    try:
+        trusted = ssl.create_default_context(cafile=ca_bundle or None)
+        with web.client(verify=trusted, timeout=HUB_SECONDS) as client:
+            return _is_registry(client.get(HUB_API))
+    except (httpx.HTTPError, httpx.InvalidURL, OSError, RosmlError):
+        return False
+
+
+def _is_registry(answer: httpx.Response) -> bool:
+    """Whether an answer to ``GET /v2/`` is a registry's: 200, or 401 that says where to get a token."""
+    known = answer.headers.get("Docker-Distribution-Api-Version", "").startswith("registry/")
+    return known and answer.status_code in (200, 401)
+
+
+def registry_answers(address: str) -> bool:
+    """Whether a registry answers on a loopback address; never through a proxy."""
+    try:
+        return _is_registry(httpx.get(f"http://{address}/v2/", timeout=3.0, trust_env=False))
+    except httpx.HTTPError:
+        return False
+
+
+def port_is_free(port: int) -> bool:
+    """Whether a service could listen on this loopback port now."""
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(("127.0.0.1", port))
+        except OSError:
+            return False
+        return True
+
+
+def free_port() -> int:
+    """A loopback port that nothing listens on."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
+def socket_answers(path: str) -> bool:
+    """Whether something accepts connections on a unix socket."""
+    with socket.socket(socket.AF_UNIX) as probe:
+        probe.settimeout(3.0)
+        try:
+            probe.connect(path)
+        except OSError:
+            return False
+        return True

@@ -1,0 +1,100 @@
+"""The local registry: started, checked, restarted, on a port that stays while it is free."""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.units import duration
+from rosml.machine.setup import network
+from rosml.machine.setup.daemon import START_SECONDS, Daemon, wait_until
+from rosml.machine.setup.process import tail
+from rosml.machine.setup.state import State
+
+
+def config(storage: Path, port: int) -> str:
+    """Configuration of the registry. JSON is YAML: paths need no further quoting."""
+    content = {
+        "version": 0.1,
+        "log": {"level": "warn", "accesslog": {"disabled": True}},
+        "storage": {
+            "filesystem": {"rootdirectory": str(storage)},
+            "delete": {"enabled": True},
+            "maintenance": {
+                "uploadpurging": {"enabled": True, "age": "24h", "interval": "6h", "dryrun": False},
+            },
+        },
+        "http": {"addr": f"127.0.0.1:{port}"},
+    }
+    return json.dumps(content, indent=2) + "\n"
+
+
+def daemon(state: State) -> Daemon:
+    """The registry. REGISTRY_* variables would change its configuration, and it would look for a trace collector."""
+    env = {name: value for name, value in os.environ.items() if not name.startswith(("REGISTRY_", "OTEL_"))}
+    env["OTEL_TRACES_EXPORTER"] = "none"
+    file = state.run / "registry.yaml"
+    return Daemon(state, "registry", (str(state.bin / "registry"), "serve", str(file)), file, env)
+
+
+def last_port(state: State) -> int | None:
+    """Port of the last run."""
+    try:
+        return int(json.loads((state.run / "registry.yaml").read_text())["http"]["addr"].rpartition(":")[2])
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):  # never run, or damaged
+        return None
+
+
+def up(state: State) -> str:
+    """Makes sure that the registry runs and answers; gives its address. Keeps the port while it is free.
+
+    Raises:
+        RosmlError: it does not start; with the end of its log.
+    """
+    registry, port, say = daemon(state), last_port(state), state.say
+    if port and registry.pid() and registry.current() and network.registry_answers(f"127.0.0.1:{port}"):
+        say(f"registry: runs at 127.0.0.1:{port}")
+        return f"127.0.0.1:{port}"
+    if registry.stop(patience=5.0):
+        say("registry: does not answer; restarting it")
+    started = time.monotonic()
+    for _attempt in range(3):
+        if port and not network.port_is_free(port):
+            say(f"registry: port {port} is taken by something else; choosing another")
+            port = None
+        port = port or network.free_port()
+        files.write(registry.config, config(state.folder / "registry", port))
+        registry.start()
+        if wait_until(partial(_settled, registry, port), START_SECONDS) and registry.pid():
+            say(f"registry: started at 127.0.0.1:{port} in {duration(time.monotonic() - started)}")
+            return f"127.0.0.1:{port}"
+        registry.stop()
+        if network.port_is_free(port):  # so that was not the reason
+            break
+    raise RosmlError(f"the registry does not start. {tail(registry.log)}")
+
+
+def _settled(registry: Daemon, port: int) -> bool:
+    """Whether a registry that was just started answers, or has ended."""
+    return not registry.pid() or network.registry_answers(f"127.0.0.1:{port}")
+
+
+def regctl_config(registry: str, certificates: Mapping[str, Sequence[Path]]) -> str:
+    """regctl's config.json. The registry speaks plain http, and its port may have changed since regctl was told.
+
+    Args:
+        registry: address of the local registry.
+        certificates: files with the authorities that are trusted for registries, by host; regctl takes their text.
+    """
+    hosts = {
+        host: {"tls": "enabled", "hostname": host, "regcert": "".join(file.read_text() for file in trusted)}
+        for host, trusted in certificates.items()
+    }
+    hosts[registry] = {"tls": "disabled", "hostname": registry}
+    return json.dumps({"hosts": hosts}, indent=2) + "\n"

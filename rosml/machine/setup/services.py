@@ -1,0 +1,88 @@
+"""The local registry and the builder together: started and written down, stopped, looked at."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.machine.services import Services
+from rosml.machine.setup import builder, registry, tools
+from rosml.machine.setup.installer import GO_PROGRAMS
+from rosml.machine.setup.process import run
+from rosml.machine.setup.state import State
+from rosml.registry import certificates
+
+
+def up(state: State, found: Services) -> None:
+    """Starts what does not run, and writes services.json.
+
+    Args:
+        found: what they run with.
+
+    Raises:
+        RosmlError: one of them does not start.
+    """
+    services = replace(found, registry=registry.up(state))
+    builder.up(state, services, tools.buildkit_image(state))
+    regctl = state.folder / "regctl"
+    regctl.mkdir(exist_ok=True)
+    files.write(regctl / "config.json", registry.regctl_config(services.registry, certificates.by_host()))
+    services.save()
+
+
+def down(state: State, remove: bool = False) -> list[str]:
+    """Stops what was started; gives what was stopped. ``remove``: also the container and volume of one in Docker."""
+    stopped: list[str] = []
+    services = written(state)
+    if services and services.builder_kind == "docker":
+        argv = [*services.buildx, *(["rm", "--force"] if remove else ["stop"]), services.builder]
+        with suppress(RosmlError):
+            run(state.say, "builder in Docker", argv, state.log / "builder.log", env=services.environment())
+            stopped.append("builder in Docker")
+    if builder.stop(state):
+        stopped.append("buildkitd")
+    if registry.daemon(state).stop():
+        stopped.append("registry")
+    (state.folder / "services.json").unlink(missing_ok=True)
+    shutil.rmtree(state.short_run, ignore_errors=True)
+    return stopped
+
+
+def written(state: State) -> Services | None:
+    """What services.json says; None where it is missing or damaged."""
+    try:
+        return Services.load(state.root)
+    except RosmlError:
+        return None
+
+
+def status(state: State) -> dict[str, Any]:
+    """What runs here, with which tools and how much room."""
+    services = written(state) or Services.load(state.root, required=False)
+    return {
+        "state": str(state.folder),
+        "up": bool(services.registry),
+        "registry": {"address": services.registry, "answers": _answers(services.require_registry)},
+        "builder": {
+            "name": services.builder,
+            "kind": services.builder_kind,
+            "answers": _answers(services.require_builder),
+        },
+        "docker_hub": not services.bases if services.registry else None,
+        "ca_bundle": services.ca_bundle,
+        "installed": sorted(name for name in GO_PROGRAMS if (state.bin / f".{name}.pin").exists()),
+        "disk_free_gb": round(shutil.disk_usage(state.root).free / 1e9, 1),
+    }
+
+
+def _answers(ask: Callable[[], None]) -> bool:
+    try:
+        ask()
+    except RosmlError:
+        return False
+    return True

@@ -1,0 +1,139 @@
+"""Which tools the services, builds and tests need, and where each comes from."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+
+from rosml.base.errors import RosmlError
+from rosml.base.programs import pinned_version
+from rosml.machine.services import Services
+from rosml.machine.setup.installer import Installer, dotted, version_in, which_system
+from rosml.machine.setup.process import output_of
+from rosml.machine.setup.state import State
+
+OLDEST_REGCTL = (0, 11)
+OLDEST_BUILDX = (0, 26)
+BUILDER = "rosml"
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chromium-headless-shell")
+"""What the tests of the catalogue's page take: the first one that is there."""
+
+
+def docker_is_there(installer: Installer) -> bool:
+    """Whether the user's Docker daemon can be reached."""
+    return _docker(installer, "info", "--format", "{{.ServerVersion}}").strip() != ""
+
+
+def docker_has_buildkit(installer: Installer) -> bool:
+    """Whether the user's Docker has BuildKit's image already, so that Docker Hub need not answer."""
+    return _docker(installer, "image", "inspect", buildkit_image(installer.state)) != ""
+
+
+def _docker(installer: Installer, *arguments: str) -> str:
+    program = shutil.which("docker", path=installer.outer_path())
+    return output_of([program, *arguments], 10.0) if program else ""
+
+
+def buildkit_image(state: State) -> str:
+    """BuildKit's image of the same release as the buildkitd that is built where there is no Docker."""
+    return f"moby/buildkit:v{pinned_version(state.root, 'buildkitd', RosmlError)}"
+
+
+def buildx_of(installer: Installer) -> tuple[str, ...]:
+    """The machine's own buildx that is new enough: Docker's plugin, or one on PATH; empty where there is none."""
+    for argv in (("docker", "buildx"), ("buildx",)):
+        program = shutil.which(argv[0], path=installer.outer_path())
+        version = version_in(output_of([program, *argv[1:], "version"])) if program else ()
+        if program and version >= OLDEST_BUILDX:
+            installer.have.append(f"{' '.join(argv)} v{dotted(version)} (found on PATH)")
+            return argv if argv[0] == "docker" else (program,)
+    return ()
+
+
+def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
+    """Kind and name of the builder: the one that BUILDX_BUILDER names, one in Docker, or buildkitd on its own.
+
+    Raises:
+        RosmlError: there is no Docker, and this user may not run buildkitd.
+    """
+    name = os.environ.get("BUILDX_BUILDER", "")
+    if name and name != BUILDER:
+        return "user", name
+    if docker_is_there(installer) and (hub or docker_has_buildkit(installer)):
+        return "docker", BUILDER
+    if os.geteuid() != 0:
+        raise RosmlError(
+            "no Docker daemon answers, and without one the builder needs root",
+            "start Docker (or get access to it), or call this as root",
+        )
+    return "buildkitd", BUILDER
+
+
+def missing_packages(kind: str, hub: bool) -> dict[str, str]:
+    """Debian packages to install, and what each is for."""
+    packages: dict[str, str] = {}
+    if kind == "buildkitd" and not (which_system("runc") or which_system("crun")):
+        packages["runc"] = "runs build steps"
+    if not hub and not which_system("mmdebstrap"):
+        packages["mmdebstrap"] = "makes Debian base images, since Docker Hub does not answer"
+    return packages
+
+
+def engine_packages(installer: Installer) -> dict[str, str]:
+    """Docker, where neither a daemon answers nor one can be started."""
+    there = docker_is_there(installer) or which_system("dockerd")
+    return {} if there else {"docker.io": "runs images for the tests of the runtime contract"}
+
+
+def browser_packages() -> dict[str, str]:
+    """Chromium, where there is no browser of its kind."""
+    there = any(which_system(name) for name in BROWSERS)
+    return {} if there else {"chromium": "opens the catalogue's page in its tests"}
+
+
+def install(state: State, hub: bool, tests: bool = False) -> Services:
+    """Finds or installs all that the services and builds need; with ``tests`` also what `make test` needs.
+
+    apt waits for the network for the most part, so it works beside Go's compiler.
+
+    Args:
+        hub: whether Docker Hub answers.
+
+    Returns:
+        What runs with these tools, without a registry, which is not started here.
+    """
+    installer = Installer(state)
+    kind, builder = choose_builder(installer, hub)
+    packages = missing_packages(kind, hub)
+    if tests:
+        packages = {**packages, **engine_packages(installer), **browser_packages()}
+    if packages:
+        installer.apt(packages)  # whether it may is told now, not after minutes of compiling
+    regctl = installer.found("regctl", ["version"], OLDEST_REGCTL)
+    buildx = buildx_of(installer)
+    linter = not tests or installer.found_exactly("actionlint", "--version")
+    there = {"regctl": regctl, "buildx": buildx, "actionlint": linter, "registry": "", "buildkitd": kind != "buildkitd"}
+    wanted = [name for name, found in there.items() if not found]
+    with ThreadPoolExecutor(1) as pool, installer.fetching(wanted):
+        others = pool.submit(installer.debian_packages, packages)
+        for name in wanted:
+            if others.done():
+                others.result()  # a failure ends it now
+            installer.go_program(name)
+        others.result()
+    installer.drop_go_caches()
+    installer.report()
+    return Services(
+        root=state.root,
+        registry="",
+        buildx=buildx or (str(state.bin / "buildx"),),
+        builder=builder,
+        builder_kind=kind,
+        buildx_config=None if kind == "user" else state.folder / "buildx",
+        regctl=regctl or str(state.bin / "regctl"),
+        uv=state.uv,
+        ca_bundle=state.ca_bundle,
+        bases=() if hub else (str(state.root / ".venv/bin/python"), str(state.root / "tools/offline")),
+    )
