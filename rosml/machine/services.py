@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-import urllib.error
-import urllib.request
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
-from http.client import HTTPException
 from pathlib import Path
+
+import httpx
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -149,22 +148,25 @@ class Services:
             raise RosmlError(f"the local registry at {self.registry} does not answer", REMEDY) from None
 
     def get(self, path: str, accept: str = "*/*", method: str = "GET") -> tuple[Mapping[str, str], bytes]:
-        """Asks the registry: headers (their names in lower case) and body of its answer.
+        """Asks the registry: headers and body of its answer.
 
         Raises:
             RosmlError: no answer, or one that is not a success.
         """
-        request = urllib.request.Request(f"http://{self.registry}{path}", headers={"Accept": accept}, method=method)
-        opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         try:
-            with opener.open(request, timeout=REGISTRY_SECONDS) as answer:
-                return {name.lower(): value for name, value in answer.headers.items()}, answer.read()
-        except urllib.error.HTTPError as error:
-            raise RosmlError(
-                f"the registry at {self.registry} answers {error.code} to {method} {path}", REMEDY
-            ) from None
-        except (OSError, HTTPException) as error:
+            answer = httpx.request(
+                method,
+                f"http://{self.registry}{path}",
+                headers={"Accept": accept},
+                timeout=REGISTRY_SECONDS,
+                trust_env=False,
+            )
+        except httpx.HTTPError as error:
             raise RosmlError(f"the registry at {self.registry} does not answer: {error}", REMEDY) from None
+        if not answer.is_success:
+            text = f"the registry at {self.registry} answers {answer.status_code} to {method} {path}"
+            raise RosmlError(text, REMEDY)
+        return answer.headers, answer.content
 
     def require_builder(self, platform: str = "") -> None:
         """Checks that buildx reaches the builder, and that it runs programs of a platform.

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 import os
 import platform
-import subprocess
-from collections.abc import Sequence
 from pathlib import Path
 
 from rosml.base.errors import RosmlError
 from rosml.machine.setup.installer import Installer, which_system
+from rosml.machine.setup.process import output_of
 
 TABLE = Path("/proc/sys/fs/binfmt_misc")
 ENTRIES = Path("/usr/lib/binfmt.d")
@@ -52,14 +51,13 @@ def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -
     if entry is None:
         raise RosmlError(f"{PACKAGE} brings no {name}.conf in {entries}", "register QEMU by hand")
     if not (table / "register").exists():
-        _run(["mount", "-t", "binfmt_misc", "binfmt_misc", str(table)])
+        output_of(["mount", "-t", "binfmt_misc", "binfmt_misc", str(table)])
     if not (table / name).exists():  # installing the package may have done it
         try:
             (table / "register").write_text(entry)
         except OSError as error:
-            raise RosmlError(
-                f"the kernel does not take QEMU's entry: {error}", "try a machine of the architecture itself"
-            ) from None
+            remedy = "in a container, let its host do this; or take a machine of the architecture itself"
+            raise RosmlError(f"the kernel does not take QEMU's entry: {error}", remedy) from None
     installer.state.say(f"emulation: {architecture} runs, through QEMU, until this machine restarts")
     return not known
 
@@ -68,9 +66,3 @@ def _entry(folder: Path, name: str) -> str | None:
     """QEMU's line for the kernel's table; the name of its file differs between releases."""
     files = (folder / f"{name}.conf", folder / f"{name}-static.conf")
     return next((file.read_text() for file in files if file.exists()), None)
-
-
-def _run(argv: Sequence[str]) -> None:
-    done = subprocess.run(argv, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        raise RosmlError(f"{' '.join(argv)}: {done.stderr.strip()}", "a container needs its host to do this")
