@@ -241,12 +241,12 @@ def hand_over(command: str, *options: str, uv: str = "", come_back: bool = False
 
 
 def stop() -> None:
-    """Stops the services of this checkout where the packages are lost that know how to do it well."""
+    """Stops the services of this checkout, where the packages are lost that do it well."""
     stopped: dict[int, str] = {}
     for kind in (signal.SIGTERM, *[0] * 198, signal.SIGKILL):
         left = {}
         for file in Path("/proc").glob("[0-9]*/cmdline"):
-            with suppress(OSError):
+            with suppress(FileNotFoundError, ProcessLookupError):  # it ended meanwhile
                 program = Path(os.fsdecode(file.read_bytes().partition(b"\0")[0]))
                 if program in (BIN / "buildkitd", BIN / "registry"):
                     left[int(file.parent.name)] = program.name
