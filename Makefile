@@ -10,7 +10,7 @@ CHANNEL :=
 SNAPSHOT :=
 # Stacks whose locks `make locks` makes anew; all if empty.
 STACK ?=
-# Anything but nothing: list, explain, plan, diff, locks, standing, status and catalogue print JSON, and catalogue writes nothing.
+# Anything but nothing: list, explain, plan, diff, locks, status, machine and catalogue print JSON, and catalogue writes nothing.
 JSON ?=
 # Anything but nothing: `make unit` measures what the tests run of rosml/, and fails below pyproject.toml's fail_under.
 COVERAGE ?=
@@ -28,7 +28,7 @@ export PATH := $(CURDIR)/.state/bin:$(PATH)
 export UV_COMPILE_BYTECODE := 1
 export UV_CACHE_DIR ?= $(CURDIR)/.state/uv
 export HYPOTHESIS_STORAGE_DIRECTORY ?= $(CURDIR)/.state/cache/hypothesis
-# For publish, standing and catalogue: images by target, pattern or group; where they go; the architectures that are served there.
+# For publish, status and catalogue: images by target, pattern or group; where they go; the architectures that are served there.
 ONLY ?=
 REGISTRY ?=
 SERVE ?=
@@ -57,7 +57,7 @@ unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
 # A slip of the command line would build something else in silence: `make image TRAGET=x`, `make image jazzy-base`.
 COMMANDS := help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner \
-  test-scanner signer test-signer room publish standing catalogue down clean status docs
+  test-scanner signer test-signer room publish status catalogue down clean machine docs
 VARIABLES := TARGET PLATFORM GROUP CHANNEL SNAPSHOT STACK JSON COVERAGE REV SHARDS ONLY REGISTRY SERVE SINCE AT_MOST OUTPUT \
   REPORT SHARD PROOF UPGRADE BASES BOOTSTRAP RUN PATH SHELL ROSML_% BUILDX_% OS_%
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))
@@ -150,7 +150,7 @@ room: ## in CI, before up: remove what GitHub's machines bring and nobody needs 
 publish: up ## all that is not as it should be, to the local registry or another one: make publish ONLY="bookworm-*" REGISTRY=ghcr.io/me/rosml SERVE=amd64; SINCE=main
 	@$(RUN) scripts/publish.py all --only "$$ONLY" --registry "$$PLACE" --since "$$SINCE" --at-most "$(AT_MOST)" --serve "$$SERVE"
 
-standing: .python ## how the images stand: published, outdated, failed, missing; ONLY and REGISTRY as above
+status: .python ## how the images stand: published, outdated, failed, missing; ONLY and REGISTRY as above
 	@$(RUN) scripts/publish.py status --only "$$ONLY" --registry "$$PLACE" $(if $(JSON),--json)
 
 catalogue: .python ## a page and catalogue.json of what is published, for any static host: make catalogue REGISTRY=ghcr.io/me/rosml OUTPUT=public; JSON=1
@@ -162,7 +162,7 @@ down: ## stop the registry and the builder; what they stored stays
 clean: ## stop them and remove all that was made
 	@$(BOOTSTRAP) clean
 
-status: ## what is running
+machine: ## what set-up installed, and what runs
 	@$(BOOTSTRAP) status $(if $(JSON),--json)
 
 docs: .python ## the documentation as a site in .state/docs/site, without a broken link

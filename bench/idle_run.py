@@ -83,7 +83,7 @@ def measure(services: Services, image_set: ImageSet, prefix: str, date: str, say
         before, started = client.uploaded, time.monotonic()
         run = Pipeline(_survey(services, image_set, client, prefix, date), client, services.registry, prefix, say)
         _require_idle(run.plan)
-        for step in (run.build, run.compose, run.test, run.index, Promotion(run).run):
+        for step in (run.build, run.join, run.test, run.index, Promotion(run).run):
             step()
         seconds, uploaded = time.monotonic() - started, client.uploaded - before
     done = sum(outcome.state != "waits" for outcome in run.outcomes)

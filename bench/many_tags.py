@@ -1,4 +1,4 @@
-"""How publishing grows with the number of tags: images that are composed in the registry, beside the usual way, where every
+"""How publishing grows with the number of tags: images that are joined in the registry, beside the usual way, where every
 tag is built. And what a run over the whole matrix takes where nothing changed.
 
 Each tag stands on a ROS image of its own, as if so many components had changed overnight: a config of its own over layers
@@ -24,7 +24,7 @@ from rosml.base.terminal import console, show, table
 from rosml.base.units import duration, size
 from rosml.build.maker import Maker
 from rosml.join import file_lists
-from rosml.join.composer import Composer
+from rosml.join.joiner import Joiner
 from rosml.publish import plan
 from rosml.publish.pipeline import Pipeline
 from rosml.registry import oci
@@ -69,7 +69,7 @@ def measure(
     sizes: Sequence[int] = TAGS,
     maker: Maker | None = None,
 ) -> Grown:
-    """Composes images of a target's parts and removes them again.
+    """Joins images of a target's parts and removes them again.
 
     Args:
         here: with the bench's own namespace. target: an image with a framework. usual: what one build of it took.
@@ -97,14 +97,14 @@ def measure(
     )
     rows = []
     for number in sizes:
-        here.say(f"{number} tags, composed in the registry")
+        here.say(f"{number} tags, joined in the registry")
         with Temporary(services.registry, ca_bundle=services.ca_bundle) as temporary:
             made = _Made(temporary, secrets.token_hex(4))
             variants = [made.ros(ros, index) for index in range(number)]
-            with Composer(lambda _: temporary) as composer:
+            with Joiner(lambda _: temporary) as joiner:
                 start = time.monotonic()
                 results = [
-                    composer.compose(str(variant), [str(item) for item in parts], made.target(ros.host, index))
+                    joiner.join(str(variant), [str(item) for item in parts], made.target(ros.host, index))
                     for index, variant in enumerate(variants)
                 ]
                 seconds = time.monotonic() - start
@@ -144,7 +144,7 @@ class _Made:
         return variant
 
     def target(self, host: str, index: int) -> str:
-        """The tag of a composed image."""
+        """The tag of a joined image."""
         return f"{host}/{NAMESPACE}/growth-{self.run}:{index}"
 
 
@@ -156,7 +156,7 @@ def cells(row: Growth) -> tuple[str, ...]:
 
 def print_table(found: Grown, target: str) -> None:
     """Prints both ways side by side."""
-    numbers = ("composed", "new in registry", "every tag built", "new in registry", "a tag")
+    numbers = ("joined", "new in registry", "every tag built", "new in registry", "a tag")
     made = table(f"tags of {target}", *numbers, right=numbers)
     for row in found.rows:
         made.add_row(*cells(row), f"{row.seconds / row.tags:.2f} s")

@@ -105,7 +105,7 @@ def _growth(data: Mapping[str, Any]) -> list[str]:
     again = idle_run.text(IdleRun(**found["again"]))
     return [
         "## So many tags, after a change of ROS\n",
-        _table(("tags", "composed", "new in the registry", "every tag built", "new in the registry"), rows),
+        _table(("tags", "joined", "new in the registry", "every tag built", "new in the registry"), rows),
         "![Time and bytes by the number of tags](growth.svg)\n",
         "Every tag built: one build was measured, above, and multiplied.",
         f"{idle_run.HEADING[0].upper()}{idle_run.HEADING[1:]}: {again}.\n",
@@ -188,7 +188,7 @@ def _growth_chart(rows: Sequence[Mapping[str, Any]]) -> Figure:
     tags = [row["tags"] for row in rows]
     keys = (("seconds", "usual_seconds", 1, "s"), ("uploaded", "usual_bytes", MEGABYTE, "MB new in the registry"))
     for axes, (ours, usual, scale, unit) in zip(panels, keys, strict=True):
-        axes.plot(tags, [row[ours] / scale for row in rows], "o-", color=OURS, label="composed")
+        axes.plot(tags, [row[ours] / scale for row in rows], "o-", color=OURS, label="joined")
         axes.plot(tags, [row[usual] / scale for row in rows], "s--", color=USUAL, label="every tag built")
         axes.set_yscale("log")
         axes.set_xticks(tags)

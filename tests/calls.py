@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parent.parent
 SCRIPTS = {
     "catalogue": "catalogue.py",
     "generate": "generate_bake.py",
-    "join": "compose.py",
+    "join": "join.py",
     "locks": "lock.py",
     "main": "rosml",
     "publish": "publish.py",

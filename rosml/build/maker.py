@@ -22,7 +22,7 @@ from rosml.build.push import push_by_digest, write_excerpt
 from rosml.build.variables import base, variables
 from rosml.images import missing
 from rosml.images.image_set import Image, ImageSet, Part, repository_of
-from rosml.join.composer import Composer
+from rosml.join.joiner import Joiner
 from rosml.machine import base_images, buildx
 from rosml.machine.services import Services
 from rosml.matrix import names
@@ -167,12 +167,12 @@ class BuildKitMaker:
             Reference(self.host, self._repository(self._repositories[target]), digest)
             for target, digest in parts.items()
         )
-        return self._composer.manifest(ros, others, self.host, self._repository(image.repository)).digest
+        return self._joiner.manifest(ros, others, self.host, self._repository(image.repository)).digest
 
     def test(self, image: Image, architecture: str, digest: str, parts: Mapping[str, str]) -> Checked:
         """Tests an image in a root file system of the layers that its manifest names.
 
-        A ROS image is taken by its digest. A composed one is joined in the builder from the same parts by their digests:
+        A ROS image is taken by its digest. A joined one is joined in the builder from the same parts by their digests:
         its layers are theirs, and parts that were unpacked once need not be unpacked for each image.
         """
         self._require_builder(architecture)
@@ -202,9 +202,9 @@ class BuildKitMaker:
         return variables(self.services, self.image_set, image, architecture, self._place, self.say, moment)
 
     @cached_property
-    def _composer(self) -> Composer:
+    def _joiner(self) -> Joiner:
         """What puts images together; it reads each part once."""
-        return Composer(lambda _: self.registry, say=self.say)
+        return Joiner(lambda _: self.registry, say=self.say)
 
     @cached_property
     def _repositories(self) -> dict[str, str]:
@@ -249,7 +249,7 @@ class BuildKitMaker:
         return {known.get(target, target): digest for target, digest in parts.items()}
 
     def _require_same_layers(self, image: Image, parts: Mapping[str, str], manifest: Mapping[str, Any]) -> None:
-        """Checks that a composed image is the sum of its parts, which is what the tests see.
+        """Checks that a joined image is the sum of its parts, which is what the tests see.
 
         Raises:
             RosmlError: it is not.
@@ -259,4 +259,4 @@ class BuildKitMaker:
             found = self.registry.manifest(self._repository(self._repositories[target]), digest)
             layers += [layer["digest"] for layer in found.content["layers"]] if found else []
         if layers != [layer["digest"] for layer in manifest["layers"]]:
-            raise RosmlError(f"{image.target} does not consist of its parts' layers", "compose it again: --force")
+            raise RosmlError(f"{image.target} does not consist of its parts' layers", "join it again: --force")

@@ -147,10 +147,10 @@ class Image(Tagged):
 
 
 class Part(Tagged):
-    """A part of a stack, which can be added to any image with the same Python."""
+    """What is built once for a stack, and can be added to any image with the same Python."""
 
     name: str
-    part: str
+    kind: str
     stack: str
     python: str = Field(description="`any` where it is the same for all")
     platforms: tuple[str, ...]

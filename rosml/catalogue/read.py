@@ -281,7 +281,7 @@ class Gatherer:
         return Part(
             **self._tagged(part, found, table),
             name=part.name,
-            part=part.kind,
+            kind=part.kind,
             stack=part.stack,
             python=part.python,
             platforms=part.platforms,

@@ -25,7 +25,7 @@ KEPT = "interrupted: no tag was moved; what was pushed is found again by the nex
 def main(
     ros_image: str, parts: tuple[str, ...], tag: str, platforms: tuple[str, ...], allow_unlisted: bool, as_json: bool
 ) -> None:
-    """Composes ROS_IMAGE and PARTs, and moves a tag to the result.
+    """Joins ROS_IMAGE and PARTs, and moves a tag to the result.
 
     All are complete references, in any registry. Layers are mounted where they are in the tag's registry, and copied where
     they are not. For every platform that all of them have. Credentials are those of 'docker login'.
@@ -36,7 +36,7 @@ def main(
         ghcr.io/me/rosml/part:{common-cpu-py311,tensorflow-cc-cpu,tensorflow-cpu-py311} --tag ghcr.io/me/mine:latest
     """
     from rosml.base.units import duration, size
-    from rosml.join.composer import Composer
+    from rosml.join.joiner import Joiner
     from rosml.registry import oci
 
     def say(line: str) -> None:
@@ -44,9 +44,9 @@ def main(
 
     with (
         oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
-        Composer(clients, allow_unlisted=allow_unlisted, say=say) as composer,
+        Joiner(clients, allow_unlisted=allow_unlisted, say=say) as joiner,
     ):
-        found = composer.compose(ros_image, parts, tag, platforms)
+        found = joiner.join(ros_image, parts, tag, platforms)
     if as_json:
         click.echo(json.dumps(found.to_json(), indent=2))
         return

@@ -195,7 +195,7 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
     there = {target.removeprefix("part-") for target, name in run.plan.by_key if run.plan.made((target, name))}
     disk.require(services.state, disk.needed_mb(image_set, wanted, there), wanted.target)
     run.build()
-    run.compose()
+    run.join()
     run.test([wanted.target])
     moves = None
     if architecture == native and not run.failed:
@@ -456,7 +456,7 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
 
 
 _step("build", "Builds ROS images and parts that are not as they should be, and pushes them by digest.")
-_step("compose", "Puts images with frameworks together in the registry, from ROS images and parts; pulls nothing.")
+_step("join", "Puts images with frameworks together in the registry, from ROS images and parts; pulls nothing.")
 _step("test", "Runs the structure tests of images that have not passed them, on their architecture.")
 _step("index", "Makes indexes of images whose architectures are all there, tested and alike. No tag moves.", _GATED)
 _step("promote", "Moves tags to the indexes of images that passed everything; remembers where they were.", _GATED)
@@ -466,7 +466,7 @@ _step("promote", "Moves tags to the indexes of images that passed everything; re
 @_options("registry", "matrix", "only", "since", "at-most", "architecture", "serve", "force", "date")
 @_options("require-scan", "policy", "sign", "json")
 def everything(**options: Any) -> None:
-    """Builds, composes, tests and publishes all that is not as it should be: every step, one after the other.
+    """Builds, joins, tests and publishes all that is not as it should be: every step, one after the other.
 
     Scans where --require-scan is given, with the database that 'scan --fetch' left. Signs where --sign is given, with
     cosign ('make signer').
@@ -483,7 +483,7 @@ def everything(**options: Any) -> None:
     call = Call(**options)
     wait_for_turn()
     pipeline = call.pipeline()
-    for name in ("build", "compose", "test"):
+    for name in ("build", "join", "test"):
         getattr(pipeline, name)()
     if call.require_scan:
         _scan(call, pipeline, fetch=False, database="", reports=None, results=None)
@@ -606,13 +606,13 @@ def status(**options: Any) -> None:
     """
     from rosml.base.clock import now
     from rosml.cli import tables
-    from rosml.publish import status as standing
+    from rosml.publish import status as states
 
     call = Call(**options)
     pipeline = call.pipeline(reading=True)
-    found = list(standing.standings(pipeline.plan, pipeline.registry, pipeline.prefix, now(), pipeline.serving))
+    found = list(states.read(pipeline.plan, pipeline.registry, pipeline.prefix, now(), pipeline.serving))
     if call.as_json:
-        click.echo(standing.as_json(found))
+        click.echo(states.as_json(found))
     else:
         tables.print_status(found)
 

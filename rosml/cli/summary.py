@@ -134,7 +134,7 @@ def of_image(run: Pipeline, image: Image, architecture: str, moves: list[Move] |
         failed=len(entry.failures),
         versions=dict(entry.versions),
         seconds=seconds,
-        made=[outcome.target for outcome in done if outcome.step in ("build", "compose")],
+        made=[outcome.target for outcome in done if outcome.step in ("build", "join")],
         builder=buildx.command_on_it(plan.services),
     )
     if moves is not None:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 from collections import Counter
 
-from rosml.publish.status import STATES, Standing, age
+from rosml.publish.status import STATES, ImageStatus, age
 from rosml.scan.sarif import COLUMNS, finding_rows, summary
 
 COLOURS = {"critical": "bold red", "high": "red", "medium": "yellow"}
@@ -120,7 +120,7 @@ def print_scan(run: Run) -> None:
     click.echo(f"{counted(len(run.images), 'image')}: {run.outcome.value}")
 
 
-def print_status(found: list[Standing]) -> None:
+def print_status(found: list[ImageStatus]) -> None:
     """A line for each image, and how many there are of each state."""
     table = terminal.table("image", "state", "age", "platforms", "why", wrapped=["why"])
     for item in found:

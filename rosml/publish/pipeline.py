@@ -1,4 +1,4 @@
-"""The steps of a publishing run: build, compose, test, scan, index, promote. Each does what the plan says is missing.
+"""The steps of a publishing run: build, join, test, scan, index, promote. Each does what the plan says is missing.
 
 A step works item by item, and writes an item's entry in the records when it is done: whatever ends the run, the next one
 goes on from there. An item that fails is written down as failed, and is no other item's trouble, but for those that are
@@ -141,9 +141,9 @@ class Pipeline:
         """Builds ROS images and parts that are not as they should be, and pushes them by digest."""
         self._each("build", [item for item in self.plan.items if item.kind != "joined"], self._build)
 
-    def compose(self) -> None:
+    def join(self) -> None:
         """Puts images with frameworks together, in the registry."""
-        self._each("compose", [item for item in self.plan.items if item.kind == "joined"], self._compose)
+        self._each("join", [item for item in self.plan.items if item.kind == "joined"], self._join)
 
     def test(self, targets: Sequence[str] = ()) -> None:
         """Runs the structure tests of images that have not passed them.
@@ -242,7 +242,7 @@ class Pipeline:
     # ---- Where an image came from ------------------------------------------------------------------------------------
 
     def _attest(self, item: Item, made: Made, started: str) -> None:
-        """Attaches to what was made, or composed, what it was made from; what is attached already is not said again."""
+        """Attaches to what was made, or joined, what it was made from; what is attached already is not said again."""
         place = self.repository(item.repository)
         definition = provenance.Definition(
             self._parameters(item), self.plan.inputs.digest(*item.key), tuple(self._dependencies(item, made))
@@ -278,7 +278,7 @@ class Pipeline:
         for target, digest in made.parts.items():
             part = self.plan.by_key[target, item.architecture]
             yield provenance.image(target, self.reference(part.repository), digest)
-        if item.kind != "joined":  # those of a composed image are its parts'
+        if item.kind != "joined":  # those of a joined image are its parts'
             used = self.plan.inputs.of(*item.key)
             yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
         if isinstance(item.thing, Image) and item.kind == "ros":
@@ -306,7 +306,7 @@ class Pipeline:
     def _platform(self, architecture: str) -> str:
         return self.plan.image_set.matrix.architectures[architecture].platform
 
-    def _compose(self, item: Item, entry: Entry) -> Entry:
+    def _join(self, item: Item, entry: Entry) -> Entry:
         started, parts = now(), self._parts(item)
         assert isinstance(item.thing, Image)
         digest = self._maker.join(item.thing, item.architecture, parts)
@@ -522,9 +522,7 @@ class Pipeline:
     def _config(self, repository: str, digest: str) -> dict[str, Any]:
         manifest = self.registry.manifest(repository, digest)
         if manifest is None:
-            raise RosmlError(
-                f"{repository}@{digest} is not in the registry any more", "run 'build' and 'compose' again"
-            )
+            raise RosmlError(f"{repository}@{digest} is not in the registry any more", "run 'build' and 'join' again")
         content = json.loads(self.registry.blob(repository, manifest.content["config"]["digest"]))
         return content if isinstance(content, dict) else {}
 

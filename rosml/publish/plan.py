@@ -28,7 +28,7 @@ from rosml.registry.protocol import Client
 from rosml.registry.repositories import repository_path
 
 Kind = Literal["ros", "part", "joined"]
-Step = Literal["build", "compose", "test", "scan"]
+Step = Literal["build", "join", "test", "scan"]
 
 ELSEWHERE = "left to a machine for it"
 WAITING = "waiting for a builder"
@@ -55,7 +55,7 @@ class Item:
 
     @property
     def kind(self) -> Kind:
-        """ROS images and parts are built; a joined image is composed of them."""
+        """ROS images and parts are built; a joined image is joined of them."""
         if isinstance(self.thing, Part):
             return "part"
         return "joined" if self.thing.stack else "ros"
@@ -73,7 +73,7 @@ class Item:
     @property
     def making(self) -> Step:
         """The step that makes it."""
-        return "compose" if self.kind == "joined" else "build"
+        return "join" if self.kind == "joined" else "build"
 
 
 @dataclass(frozen=True)

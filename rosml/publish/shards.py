@@ -31,7 +31,7 @@ class Work:
     """What is to be done, by target and architecture.
 
     Attributes:
-        made: images and parts that are built or composed. tested: images whose tests run.
+        made: images and parts that are built or joined. tested: images whose tests run.
     """
 
     made: frozenset[tuple[str, str]]

@@ -29,7 +29,7 @@ pass; nothing was published; a lock is missing; it cannot be made on this machin
 
 
 @dataclass(frozen=True)
-class Standing:
+class ImageStatus:
     """How an image stands.
 
     Attributes:
@@ -54,7 +54,7 @@ class Standing:
         return {**vars(self), "platforms": list(self.platforms)}
 
 
-def standings(plan: Plan, registry: Client, prefix: str, now: str, serving: Sequence[str] = ()) -> Iterator[Standing]:
+def read(plan: Plan, registry: Client, prefix: str, now: str, serving: Sequence[str] = ()) -> Iterator[ImageStatus]:
     """How every image, and part, that is asked for stands.
 
     Args:
@@ -73,7 +73,7 @@ def standings(plan: Plan, registry: Client, prefix: str, now: str, serving: Sequ
         state, reason = _state(plan, thing, found.digest if found else "", serving)
         if odd := _odd(date, now):
             reason = f"{reason}; {odd}" if reason else odd
-        yield Standing(
+        yield ImageStatus(
             thing.target,
             state,
             reason,
@@ -156,7 +156,7 @@ def age(seconds: float | None) -> str:
     return f"{max(0, int(seconds))} s"
 
 
-def as_json(found: list[Standing]) -> str:
+def as_json(found: list[ImageStatus]) -> str:
     """All of it, and how many there are of each state."""
     counts = Counter(item.state for item in found)
     return json.dumps({"counts": dict(counts), "images": [item.to_json() for item in found]}, indent=2)

@@ -1,4 +1,4 @@
-"""Stand-ins for ROS's apt repositories, for GitHub's release of ros-apt-source, and for an image that uses them.
+"""Local replacements for ROS's apt repositories, for GitHub's release of ros-apt-source, and for an image that uses them.
 
 Repositories are signed folders of real packages on a local web server, in the layout of the originals. It answers as a
 mirror (each host a folder) and as an HTTP proxy (official addresses). The image is this machine's own system as an
@@ -107,7 +107,7 @@ def package(
     """Builds a package with some files; a text that begins with -> is a link."""
     tree = folder / "tree" / name
     control = f"Package: {name}\nVersion: {version}\nArchitecture: all\nMaintainer: nobody <nobody@example.org>\n"
-    control += (f"Depends: {depends}\n" if depends else "") + "Description: stand-in\n"
+    control += (f"Depends: {depends}\n" if depends else "") + "Description: local replacement\n"
     for path, text in {"DEBIAN/control": control, **(files or {})}.items():
         file = tree / path
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -221,7 +221,7 @@ class Repository:
             (suite / name).write_bytes(data)
         says = says or self.codename
         release = f"Origin: . {says}\nLabel: . {says}\nSuite: {says}\nCodename: {says}\nDate: {SYNC}\n"
-        release += "Architectures: amd64 arm64\nComponents: main\nDescription: stand-in\nSHA256:\n"
+        release += "Architectures: amd64 arm64\nComponents: main\nDescription: local replacement\nSHA256:\n"
         release += "".join(f" {hashlib.sha256(data).hexdigest()} {len(data)} {name}\n" for name, data in files.items())
         text = self.folder / "Release"
         text.write_text(release)

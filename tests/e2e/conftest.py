@@ -60,7 +60,7 @@ FIRST = (
     "contract",
     "ros",
     "documentation",
-    "compose",
+    "join",
 )
 """Test files that are begun before the others. Two run side by side (`--dist=loadfile`): while one of them builds the
 first real images, the other one runs those that have a builder of their own. Nothing long is left to run alone at the end."""

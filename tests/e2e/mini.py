@@ -145,7 +145,7 @@ class Mini:
         found = set[tuple[str, str]]()
         for entry in entries:
             if entry and entry.digest and entry.date == date and not entry.failed:
-                found.add(("compose" if entry.repository == "ros-tf" else "build", entry.target))
+                found.add(("join" if entry.repository == "ros-tf" else "build", entry.target))
                 found |= {("test", entry.target)} if entry.passed else set()
         return found
 
@@ -260,7 +260,7 @@ def require_oci_set(said: Mapping[str, str], tag: str) -> None:
 
 def begun(said: str) -> set[tuple[str, str]]:
     """The work that a run began, by what it said: step and target."""
-    return {(step, target) for step, target in re.findall(r"^==> (build|compose|test) (\S+) for ", said, re.M)}
+    return {(step, target) for step, target in re.findall(r"^==> (build|join|test) (\S+) for ", said, re.M)}
 
 
 def base(services: Services, image_set: ImageSet) -> tuple[str, str]:

@@ -1,4 +1,4 @@
-"""ROS's apt source, verified by a stand-in: components/ros/install.sh runs as in a build, against signed repositories.
+"""ROS's apt source, verified by a local replacement: components/ros/install.sh runs as in a build, against signed repositories.
 
 Where ROS's repositories and GitHub can be reached, the same scripts ask them.
 """
@@ -51,11 +51,11 @@ def arguments_of(target: str) -> dict[str, str]:
 
 
 def missing() -> str:
-    """Why this machine cannot hold the stand-in; empty if it can."""
+    """Why this machine cannot hold the local replacement; empty if it can."""
     if os.geteuid() != 0:
-        return "the stand-in of an image needs root, for an overlay and chroot"
+        return "the local replacement of an image needs root, for an overlay and chroot"
     if absent := [tool for tool in TOOLS if shutil.which(tool) is None]:
-        return f"the stand-in of an image is made of this machine, which lacks {', '.join(absent)}"
+        return f"the local replacement of an image is made of this machine, which lacks {', '.join(absent)}"
     with tempfile.TemporaryDirectory() as folder:
         for name in ("upper", "work", "root"):
             (Path(folder) / name).mkdir()
@@ -98,7 +98,7 @@ def debs(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], list[Path]
 
 @dataclass
 class Row:
-    """A distribution of matrix.yaml with the stand-ins that its build asks; a test breaks one of them."""
+    """A distribution of matrix.yaml with the local replacements that its build asks; a test breaks one of them."""
 
     distro: str
     keys: Keys
@@ -249,7 +249,7 @@ OF_A_WHOLE_IMAGE = {
     ),
     "ros2-perception": ("one process with ROS, numpy, cv_bridge, cv2 and the frameworks, whichever is imported first",),
 }
-"""Structure tests of what this machine's own system has below the stand-in, and of libraries that have no stand-in."""
+"""Structure tests of what this machine's own system has below the local replacement, and of libraries that have no local replacement."""
 
 
 def files(folder: Path) -> list[Path]:
@@ -421,7 +421,7 @@ def changed_package(made: Row) -> None:
 
 def changed_index(made: Row) -> None:
     release = made.repository.folder / "dists" / made.repository.codename / "InRelease"
-    release.write_text(release.read_text().replace("Description: stand-in", "Description: standing"))
+    release.write_text(release.read_text().replace("Description: local replacement", "Description: standing"))
 
 
 def second_source(made: Row) -> None:

@@ -76,7 +76,7 @@ def test_entries_and_provenance(mini: Mini) -> None:
             services, mini.image_set, counting, mini.prefix, [ONLY[1]], (NATIVE,), date="2027-01-01T00:00:00Z"
         )
         again = Pipeline(plan, counting, services.registry, mini.prefix, LOG.info, (NATIVE,))
-        for step in (again.build, again.compose, again.test, again.index, Promotion(again).run):
+        for step in (again.build, again.join, again.test, again.index, Promotion(again).run):
             step()
         assert (again.outcomes, counting.uploaded) == ([], 0)
 

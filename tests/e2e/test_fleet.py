@@ -89,7 +89,7 @@ def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Servic
             (distribution,) = shard["distributions"]
             assert {f"{distribution}-core", f"{distribution}-base"} <= done
             assert not any(name.startswith("other" if distribution == "bookworm" else "bookworm") for name in done)
-    for step in ("compose", "index", "promote"):
+    for step in ("join", "index", "promote"):
         assert mini.publish(step, "--plan", str(plan), "--serve", NATIVE).code == 0
     assert mini.tags() == {}, "nothing was tested"
     made = {
@@ -243,7 +243,7 @@ def test_a_registry_that_fails_now_and_then(mini: Mini, services: Services) -> N
             if outcome.code == 0:
                 break
         assert outcome.code == 0, outcome.err
-    assert {("build", "bookworm-core"), ("compose", "bookworm-core-tensorflow-cpu")} <= recorded
+    assert {("build", "bookworm-core"), ("join", "bookworm-core-tensorflow-cpu")} <= recorded
     moved = mini.tags()
     assert all(moved[name] != tags[name] for name in ("ros:bookworm-core", "ros-tf:bookworm-core-cpu"))
 

@@ -48,7 +48,7 @@ def did(said: dict[str, object], step: str) -> list[str]:
 
 def test_all_then_nothing_then_what_changed(mini: Mini) -> None:
     first = mini.all()
-    assert did(first, "build")[:2] == IMAGES[:2] and did(first, "compose") == IMAGES[2:]
+    assert did(first, "build")[:2] == IMAGES[:2] and did(first, "join") == IMAGES[2:]
     assert did(first, "test") == IMAGES
     mini.check()
     tags = mini.tags()
@@ -65,7 +65,7 @@ def test_all_then_nothing_then_what_changed(mini: Mini) -> None:
     mini.mark(part="2")
     changed = mini.all()
     assert set(did(changed, "build")) == {name for name in did(first, "build") if name.startswith("part-")}
-    assert did(changed, "compose") == IMAGES[2:] == did(changed, "test")
+    assert did(changed, "join") == IMAGES[2:] == did(changed, "test")
     assert 0 < changed["uploaded"] < 0.05 * first["uploaded"]
     now = mini.tags()
     assert now["ros:bookworm-core"] == tags["ros:bookworm-core"]
@@ -105,7 +105,7 @@ def test_a_poisoned_image_keeps_its_tags(mini: Mini) -> None:
     assert 0 < changed["uploaded"] < 0.05 * first["uploaded"], "what did not change was uploaded"
     mini.poison(poisoned=False)
     mended = mini.all()
-    assert did(mended, "build") == did(mended, "compose") == []
+    assert did(mended, "build") == did(mended, "join") == []
     assert mini.tags()["ros:bookworm-base"] != tags["ros:bookworm-base"]
 
 
@@ -143,7 +143,7 @@ def test_killed_at_random_points(mini: Mini, tmp_path: Path, kills: int) -> None
             break
     assert worked, "no run was killed after it had done something"
     last = mini.all("--date", (first + timedelta(days=night + 1)).strftime(TIME))
-    assert not {(step, target) for step in ("build", "compose") for target in did(last, step)} & recorded
+    assert not {(step, target) for step in ("build", "join") for target in did(last, step)} & recorded
     mini.check()
     assert all(mini.tags().get(name) for name in before), "a tag was lost"
     assert mini.all()["outcomes"] == []
@@ -160,7 +160,7 @@ def test_two_publishers_at_the_same_time(mini: Mini, tmp_path: Path) -> None:
     mini.check()
     assert codes == [0, 0], [log.read_text() for log in logs]
     said = mini.all()
-    assert not any(did(said, step) for step in ("build", "compose", "test")), "two publishers left something to do"
+    assert not any(did(said, step) for step in ("build", "join", "test")), "two publishers left something to do"
     mini.check()
 
 
@@ -213,7 +213,7 @@ def test_the_steps_one_by_one_on_several_machines(mini: Mini, tmp_path: Path) ->
     for shard in shards:
         assert mini.publish("build", "--plan", str(plan), "--shard", shard).code == 0
     time.sleep(1.1)  # the date is the plan's, not that of the day
-    for step in ("compose", "test", "index", "promote"):
+    for step in ("join", "test", "index", "promote"):
         outcome = mini.publish(step, "--plan", str(plan), "--serve", NATIVE)
         assert outcome.code == 0, outcome.err
     mini.check()

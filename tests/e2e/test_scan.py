@@ -103,7 +103,7 @@ def found(report: dict[str, Any]) -> set[tuple[str, str, str]]:
 
 
 def test_trivy_is_the_pinned_one(trivy: Trivy) -> None:
-    """And the stand-in's library is the one that it is made of."""
+    """And the local replacement's library is the one that it is made of."""
     modules = [(ROOT / path / "go.mod").read_text().split() for path in ("tools/go/trivy", "tests/e2e/trivy_db")]
     versions = {words[words.index("github.com/aquasecurity/trivy-db") + 1] for words in modules}
     assert len(versions) == 1

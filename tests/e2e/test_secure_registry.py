@@ -151,7 +151,7 @@ def refused(outcome: Run, *says: str) -> None:
 
 
 def test_everything(company: Company, tmp_path: Path) -> None:
-    """Build, compose, test, index, promote, status, undo, and an image of one's own."""
+    """Build, join, test, index, promote, status, undo, and an image of one's own."""
     first = company.publish("all", *ONLY, "--json")
     assert first.code == 0, first.err
     company.check()
@@ -168,23 +168,23 @@ def test_everything(company: Company, tmp_path: Path) -> None:
     assert company.tags()["ros:bookworm-core"] == tags["ros:bookworm-core"]
     pruned = company.publish("prune", "--days", "0", "--newest", "0", "--apply")
     assert pruned.code == 0, pruned.err
-    script, mine = str(company.folder / "scripts/compose.py"), f"{company.registry}/mine:latest"
+    script, mine = str(company.folder / "scripts/join.py"), f"{company.registry}/mine:latest"
     parts = [f"{company.registry}/part:{name}-cpu" for name in ("common", "tensorflow-cc", "tensorflow")]
     parts = [part if part.endswith("cc-cpu") else f"{part}-py311" for part in parts]
-    composed = run(sys.executable, script, f"{company.registry}/ros:bookworm-core", *parts, "--tag", mine, "--json")
-    assert composed.code == 0, composed.err
-    assert company.client().head(f"{company.prefix}/mine", "latest") == json.loads(composed.out)["digest"]
-    nothing_secret(company, first, status, second, undone, pruned, composed)
+    joined = run(sys.executable, script, f"{company.registry}/ros:bookworm-core", *parts, "--tag", mine, "--json")
+    assert joined.code == 0, joined.err
+    assert company.client().head(f"{company.prefix}/mine", "latest") == json.loads(joined.out)["digest"]
+    nothing_secret(company, first, status, second, undone, pruned, joined)
 
 
 def test_a_credential_helper(company: Company, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    helper = tmp_path / "docker-credential-stand-in"
+    helper = tmp_path / "docker-credential-local replacement"
     helper.write_text(HELPER)
     helper.chmod(0o755)
     secret = {"ServerURL": company.secure.host, "Username": NAME, "Secret": PASSWORD}
     (tmp_path / f"{helper.name}.secret").write_text(json.dumps(secret))
     monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
-    company.login(credHelpers={company.secure.host: "stand-in"})
+    company.login(credHelpers={company.secure.host: "local replacement"})
     outcome = company.publish("all", "--only", "bookworm-core", "--serve", NATIVE)
     assert outcome.code == 0, outcome.err
     assert "ros:bookworm-core" in company.tags()
@@ -253,11 +253,11 @@ def test_a_certificate_that_is_not_trusted(
         outcome = company.publish("all", *ONLY)
         refused(outcome, says)
         assert why == "expired" or f"{tmp_path}/docker/certs.d/{found.host}/ca.crt" in outcome.err
-        script, target = str(company.folder / "scripts/compose.py"), f"{found.host}/a:b"
-        composed = run(sys.executable, script, target, f"{found.host}/c:d", "--tag", f"{found.host}/e:f")
-        refused(composed, says)
+        script, target = str(company.folder / "scripts/join.py"), f"{found.host}/a:b"
+        joined = run(sys.executable, script, target, f"{found.host}/c:d", "--tag", f"{found.host}/e:f")
+        refused(joined, says)
         assert found.repositories == []
-        nothing_secret(company, outcome, composed)
+        nothing_secret(company, outcome, joined)
         assert "Authorization" not in found.log.read_text() and "PUT" not in found.log.read_text()
 
 

@@ -1,5 +1,5 @@
 """The nightly workflow with its real commands, run by act against the local registry, each job in a folder of its own. The
-scanner is a stand-in."""
+scanner is a local replacement."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     """The small project with a scanner and a policy, in a git repository."""
     mini = minis.make(tmp_path_factory.mktemp("mini"), beside)
     shutil.copy(ROOT / "scan.yaml", mini.folder)
-    program = mini.folder / "trivy-stand-in"
+    program = mini.folder / "trivy-local replacement"
     program.write_text(SCANNER.format(python=sys.executable, version=pinned_version(ROOT, "trivy", RosmlError)))
     program.chmod(0o755)
     (mini.folder / ".state/scanner.json").write_text(json.dumps({"trivy": str(program)}))
@@ -122,7 +122,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     """What the scanner found in the first one never arrives: nothing gets a tag. The second one builds nothing again."""
     first = night(mini, tmp_path / "first", lost="scan")
     assert set(first.results.values()) == {"success", "skipped"} and first.results["pages"] == "skipped", first.results
-    assert steps(first, "images") == ["build", "compose", "test"]
+    assert steps(first, "images") == ["build", "join", "test"]
     assert steps(first, "promote") == ["index", "promote", "status"]
     assert mini.tags() == {}
     scanned = first.artifacts / "scan"

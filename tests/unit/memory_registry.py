@@ -210,7 +210,7 @@ class Bytes(Maker):
 
     Attributes:
         plan: of the run that it works for. registry: where they go.
-        made: what was built, composed and tested, in order: (step, target, architecture).
+        made: what was built, joined and tested, in order: (step, target, architecture).
         poisoned: targets whose tests fail. broken: targets whose build fails. packages: what is in the ROS images.
         odd: labels that an image has on an architecture.
     """
@@ -235,7 +235,7 @@ class Bytes(Maker):
         return Made(digest, parts, moment, "" if parts else BASE)
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
-        return self._put("compose", image, architecture, self._layers(parts, architecture))
+        return self._put("join", image, architecture, self._layers(parts, architecture))
 
     def test(self, image: Image, architecture: str, digest: str, parts: Mapping[str, str]) -> Checked:
         self.made.append(("test", image.target, architecture))
@@ -280,7 +280,7 @@ class Run(Pipeline):
 
     @property
     def made(self) -> list[tuple[str, str, str]]:
-        """What was built, composed and tested, in order: (step, target, architecture)."""
+        """What was built, joined and tested, in order: (step, target, architecture)."""
         assert isinstance(self.maker, Bytes)
         return self.maker.made
 

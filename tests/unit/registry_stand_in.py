@@ -105,8 +105,12 @@ class _Handler(BaseHTTPRequestHandler):
         if parts.path == "/token":
             self._token(body)
         elif not self._known():
-            service = f'Bearer realm="{registry.realm or f"http://{registry.address}/token"}",service="stand-in"'
-            self._answer(401, b"", {"WWW-Authenticate": service if registry.bearer else 'Basic realm="stand-in"'})
+            service = (
+                f'Bearer realm="{registry.realm or f"http://{registry.address}/token"}",service="local replacement"'
+            )
+            self._answer(
+                401, b"", {"WWW-Authenticate": service if registry.bearer else 'Basic realm="local replacement"'}
+            )
         else:
             self._api(parts.path, query, body)
 

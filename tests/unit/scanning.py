@@ -1,4 +1,4 @@
-"""Stand-ins for the scanner's tests: a trivy that speaks the real one's command line, and a registry in memory."""
+"""Local replacements for the scanner's tests: a trivy that speaks the real one's command line, and a registry in memory."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ else:
 
 
 def digest(name: str) -> str:
-    """The digest of a stand-in for an image."""
+    """The digest of a local replacement for an image."""
     return f"sha256:{hashlib.sha256(name.encode()).hexdigest()}"
 
 
@@ -125,7 +125,7 @@ def advisory(name: str, severity: str = "HIGH", fixed: str = "2.0") -> dict[str,
 
 @dataclass
 class World:
-    """A folder with a stand-in trivy, and what that one finds where.
+    """A folder with a local replacement trivy, and what that one finds where.
 
     Attributes:
         folder: for the program, its calls and its cache.

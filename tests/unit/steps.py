@@ -5,7 +5,7 @@ from __future__ import annotations
 from rosml.publish.pipeline import Pipeline
 from rosml.publish.promote import Promotion
 
-STEPS = ("build", "compose", "test", "index", "promote")
+STEPS = ("build", "join", "test", "index", "promote")
 
 
 def do(run: Pipeline, step: str) -> None:

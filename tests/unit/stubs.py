@@ -1,4 +1,4 @@
-"""Stand-ins for the programs and the registry that the publisher talks to: small shell scripts, a real HTTP server."""
+"""Local replacements for the programs and the registry that the publisher talks to: small shell scripts, a real HTTP server."""
 
 from __future__ import annotations
 

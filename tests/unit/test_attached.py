@@ -145,7 +145,7 @@ def test_what_is_attached_goes_with_its_image(registry: Place, image_set: ImageS
 
 def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, image_set: ImageSet) -> None:
     run = registry.run(image_set, only=ONLY)
-    for step in ("build", "compose", "test", "index"):
+    for step in ("build", "join", "test", "index"):
         do(run, step)
     registry.registry.refuses.add("attach")
     do(run, "promote")

@@ -370,7 +370,7 @@ def test_an_excerpt_holds_little_else() -> None:
     text = bake_file.excerpt(large, ("d1-base-torch-cu128",))
     assert re.findall(r"^  (d\d+) = {$", text, re.M) == ["d1"]
     assert '    stacks = { torch = ["cu128"] }\n' in text and "desktop = " not in text
-    assert text.count('  { part = "') == 3
+    assert text.count('  { kind = "') == 3
     assert not re.search(r"^group \"d", text, re.M)
 
 

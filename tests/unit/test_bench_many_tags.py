@@ -1,4 +1,4 @@
-"""What `make bench` measures in a registry: composed tags, and a run over everything that finds nothing to do; and that it
+"""What `make bench` measures in a registry: joined tags, and a run over everything that finds nothing to do; and that it
 leaves nothing behind. On a registry in this process, with images of some bytes."""
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def left(registry: StandIn, *words: str) -> Mapping[str, object]:
     return {"manifests": manifests, "tags": tags} if manifests or tags else {}
 
 
-def test_tags_are_composed_counted_and_removed(here: Here, registry: StandIn) -> None:
+def test_tags_are_joined_counted_and_removed(here: Here, registry: StandIn) -> None:
     found = measured(here)
     assert [row.tags for row in found.rows] == [2, 3]
     for row in found.rows:

@@ -1,4 +1,4 @@
-"""Our second image beside the usual one, with stand-ins for buildx and regctl: the arithmetic, the table, failures."""
+"""Our second image beside the usual one, with local replacements for buildx and regctl: the arithmetic, the table, failures."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def step(name: str, **facts: Any) -> str:
 
 
 class Stage:
-    """A checkout with stand-ins."""
+    """A checkout with local replacements."""
 
     def __init__(self, folder: Path, registry: str, image_set: sets.ImageSet) -> None:
         self.folder, self.image_set, self.said = folder, image_set, list[str]()

@@ -192,12 +192,12 @@ def test_force_makes_everything_anew_once_on_several_machines(registry: Place, i
     """Each step in a process of its own, as jobs in CI run it."""
     first = registry.publish(image_set)
     made = []
-    for step in ("build", "compose", "test", "index", "promote"):
+    for step in ("build", "join", "test", "index", "promote"):
         run = registry.run(image_set, date=NEXT, force=True)
         do(run, step)
         made += run.made
         assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
-    kinds = ("build", "compose")
+    kinds = ("build", "join")
     assert sorted(item for item in made if item[0] in kinds) == sorted(item for item in first.made if item[0] in kinds)
 
 

@@ -27,7 +27,7 @@ SESSION = "_ZN10tensorflow13ClientSessionC1ERKNS_5ScopeE@@tensorflow"
 
 
 OWN_SESSION = ("ClientSession(tensorflow::Scope const&)", "Run(std::vector<int>*) const")
-"""What the stand-in for the compiler makes of client_session.cc."""
+"""What the local replacement for the compiler makes of client_session.cc."""
 
 SESSION_HEADER = """\
 class ClientSession {
@@ -116,7 +116,7 @@ def newer(tmp_path: Path) -> Path:
 
 
 def configure(folder: Path, root: Path, text: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Configures a project without languages; Threads is a stand-in, as the real one wants a compiler."""
+    """Configures a project without languages; Threads is a local replacement, as the real one wants a compiler."""
     project = folder / "project"
     shutil.rmtree(project, ignore_errors=True)
     project.mkdir()

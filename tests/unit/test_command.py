@@ -122,7 +122,7 @@ LIBRARY = {
     "publish": "publish",
     "generate_bake": "generate",
     "lock": "locks",
-    "compose": "join",
+    "join": "join",
     "catalogue": "catalogue",
 }
 """Modules of `rosml.cli` by the scripts that call them; the others have their command themselves."""
@@ -159,7 +159,7 @@ def test_help_has_an_example(name: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in COMMANDS if isinstance(COMMANDS[name], click.Group)])
 def test_a_command_that_is_mistyped(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    for wrong, meant in (("imge", "image"), ("promot", "promote")):
+    for wrong, meant in (("imge", "image"), ("promte", "promote")):
         assert command.run(COMMANDS[name], arguments=[wrong]) == 2
         assert f"Did you mean '{meant}'?" in capsys.readouterr().err
 
@@ -270,9 +270,7 @@ def test_an_error_is_an_object_where_json_is_asked_for(
     assert (remedy if isinstance(error, KeyboardInterrupt) else says) in done.err, "people read it as well"
 
 
-@pytest.mark.parametrize(
-    "script", ["publish.py status", "publish.py all", "publish.py prune", "compose.py a b --tag c"]
-)
+@pytest.mark.parametrize("script", ["publish.py status", "publish.py all", "publish.py prune", "join.py a b --tag c"])
 def test_commands_print_an_object_for_an_error(script: str, tmp_path: Path) -> None:
     name, *arguments = script.split()
     more = ["--registry", "nowhere"] if name == "publish.py" else []

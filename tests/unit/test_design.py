@@ -117,7 +117,7 @@ GLIBC = {"bookworm": 36, "trixie": 41, "ubuntu-20.04": 31, "ubuntu-22.04": 35, "
 
 
 def test_every_operating_system_takes_every_part_for_its_python(real: ImageSet) -> None:
-    """Of Debian's family, with a glibc as new as the wheels ask for: so compose need not tell systems apart."""
+    """Of Debian's family, with a glibc as new as the wheels ask for: so join need not tell systems apart."""
     asked = {int(facts.wheels.rpartition("_")[2]) for facts in real.matrix.architectures.values()}
     for name, system in real.matrix.operating_systems.items():
         assert system.image.startswith(("docker.io/library/debian:", "docker.io/library/ubuntu:")), name

@@ -19,8 +19,7 @@ from workflows import COMMANDS, accepted
 
 from bench import cli as bench
 from rosml.base.errors import RosmlError
-from rosml.cli import join as compose
-from rosml.cli import publish
+from rosml.cli import join, publish
 from rosml.images.explain import explain
 from rosml.images.image_set import ImageSet
 from rosml.images.selection import members
@@ -29,7 +28,7 @@ from tests.documented import blocks, commands, documented, pages
 from tests.proof import Proof
 
 PROOFS: dict[str, dict[str, str]] = yaml.safe_load((ROOT / "tests/documented.yaml").read_text())
-SCRIPTS = {**COMMANDS, "bench": bench.main, "scripts/compose.py": compose.main}
+SCRIPTS = {**COMMANDS, "bench": bench.main, "scripts/join.py": join.main}
 MAKEFILE = (ROOT / "Makefile").read_text()
 EXTEND = "docs/extend.md"
 """The page whose examples are not in our own matrix; test_extend.py follows it."""
@@ -192,7 +191,7 @@ def test_it_runs_as_it_stands(command: str) -> None:
     [({}, 0), ({"all": 1}, 1), ({"scan": 3, "all": 1}, 3), ({"scan": 4}, 4), ({"prune": 1}, 1), ({"scanner": 2}, 2)],
 )
 def test_a_night_without_github(tmp_path: Path, failing: dict[str, int], code: int) -> None:
-    """The script of docs/registry.md, with stand-ins for make and uv of which some fail: it ends there while it sets up, and
+    """The script of docs/registry.md, with local replacements for make and uv of which some fail: it ends there while it sets up, and
     goes on later; its code is the first failure's. What it calls is what the nightly workflow calls, or `all` in the
     place of steps."""
     page = ROOT / "docs/registry.md"
@@ -216,7 +215,7 @@ def test_a_night_without_github(tmp_path: Path, failing: dict[str, int], code: i
     assert steps == ["scan", "all", "status", "prune"]
     night = (ROOT / ".github/workflows/nightly.yml").read_text()
     theirs = set(re.findall(r"scripts/publish.py (\w+)", night))
-    assert theirs - {*steps} == {"plan", "build", "compose", "test", "record", "index", "promote"}, "what `all` does"
+    assert theirs - {*steps} == {"plan", "build", "join", "test", "record", "index", "promote"}, "what `all` does"
     options = {word for call in calls[2:] for word in call if word.startswith("--")}
     assert [option for option in sorted(options) if option not in night] == []
 

@@ -1,5 +1,5 @@
 """The workflow that proposes new locks, its steps read from its file and run one after the other, on a copy of the project
-with the small matrix and a stand-in for uv; what it proposes is whole: the second job has nothing but the files it is given."""
+with the small matrix and a local replacement for uv; what it proposes is whole: the second job has nothing but the files it is given."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def test_what_is_proposed_is_whole(checkout: Path, tmp_path_factory: pytest.Temp
         if "run" in item:
             step(item["run"], checkout, **item.get("env", {}))
     changed = [line[3:] for line in git(checkout, "status", "--porcelain", "--untracked-files=all").splitlines()]
-    assert any(name.startswith("locks/") for name in changed), "the stand-in for uv has other versions"
+    assert any(name.startswith("locks/") for name in changed), "the local replacement for uv has other versions"
     assert "moved" in (checkout / "versions.md").read_text()
     assert [name for name in changed if not name.startswith(tuple(KEPT))] == [], "made, and thrown away"
     assert sorted(PROPOSED) == sorted(set(KEPT) - {"versions.md"})

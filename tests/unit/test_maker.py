@@ -1,4 +1,4 @@
-"""What the builder is told of an image, and what its structure tests come to, with stand-ins for buildx and regctl."""
+"""What the builder is told of an image, and what its structure tests come to, with local replacements for buildx and regctl."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class OneManifest:
 
 @dataclass
 class Stage:
-    """A checkout with stand-ins; its files say how they behave."""
+    """A checkout with local replacements; its files say how they behave."""
 
     folder: Path
     image_set: sets.ImageSet

@@ -17,7 +17,7 @@ script=$2 step=${3:-}
 if [ "$script" = scripts/catalogue.py ]; then mkdir public; echo page >public/index.html; exit; fi
 case "$step" in
   plan) echo '{}' >plan.json ;;
-  build | compose | test | index | promote) [ -f plan.json ] ;;
+  build | join | test | index | promote) [ -f plan.json ] ;;
   scan) [ -f plan.json ]; echo '{}' >scan.json; mkdir reports; echo '{}' >reports/a.sarif ;;
   record) [ -f plan.json ] && [ -f scan.json ] ;;
 esac
@@ -44,7 +44,7 @@ def test_a_night_in_which_nothing_fails(tmp_path: Path) -> None:
     played = night(tmp_path)
     assert played.results == {**dict.fromkeys(ALL, "success"), "pages": "skipped"}
     assert sorted(member["shard"]["runner"] for member in played.matrix["images"]) == MACHINES
-    assert sorted(steps(played, "images")) == sorted(["room", "up", "build", "compose", "test"] * 2)
+    assert sorted(steps(played, "images")) == sorted(["room", "up", "build", "join", "test"] * 2)
     for shard in ("amd64-1", "arm64-1"):
         assert f"uv run scripts/publish.py test --plan plan.json --shard {shard}" in played.commands["images"]
     assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
@@ -55,12 +55,12 @@ def test_a_night_in_which_nothing_fails(tmp_path: Path) -> None:
     assert "--serve  --only  " in played.commands["plan"][-1] and "--shards 24 " in played.commands["plan"][-1]
 
 
-@pytest.mark.parametrize("failing", ["build", "compose test"])
+@pytest.mark.parametrize("failing", ["build", "join test"])
 def test_one_image_blocks_only_itself(tmp_path: Path, failing: str) -> None:
     """The steps after it go on with what is there, and so do the other jobs; the run is red."""
     played = night(tmp_path, failing)
     assert played.results == {**dict.fromkeys(ALL, "success"), "images": "failure", "pages": "skipped"}
-    assert [steps(played, "images").count(step) for step in ("build", "compose", "test")] == [2, 2, 2]
+    assert [steps(played, "images").count(step) for step in ("build", "join", "test")] == [2, 2, 2]
     assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
 
 

@@ -1,5 +1,5 @@
 """The registry client, against a registry in this process that goes wrong: what is tried again, what is not, and what is
-said. Against the real one: tests/e2e/test_compose.py."""
+said. Against the real one: tests/e2e/test_join.py."""
 
 from __future__ import annotations
 
@@ -443,9 +443,9 @@ def test_identity_token(server: StandIn, registry: Registry, tmp_path: Path) -> 
 
 
 def helper(folder: Path, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
-    """A credential helper named `stand-in`."""
+    """A credential helper named `local replacement`."""
     (folder / "bin").mkdir(exist_ok=True)
-    executable(folder / "bin" / "docker-credential-stand-in", text)
+    executable(folder / "bin" / "docker-credential-local replacement", text)
     monkeypatch.setenv("PATH", f"{folder / 'bin'}:/usr/bin:/bin")
 
 
@@ -457,25 +457,31 @@ def test_credential_helper(
     server: StandIn, registry: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, key: str
 ) -> None:
     server.users = {NAME: SECRET}
-    docker_config(tmp_path, **{key: {server.address: "stand-in"} if key == "credHelpers" else "stand-in"})
+    docker_config(
+        tmp_path, **{key: {server.address: "local replacement"} if key == "credHelpers" else "local replacement"}
+    )
     helper(tmp_path, monkeypatch, ANSWERS)
     registry.put_blob("a", b"hello")
-    assert (tmp_path / "bin/docker-credential-stand-in.asked").read_text() == f"{server.address}\n", "asked once"
+    assert (tmp_path / "bin/docker-credential-local replacement.asked").read_text() == f"{server.address}\n", (
+        "asked once"
+    )
 
 
 def test_helper_for_identity_tokens_and_for_docker_hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    docker_config(tmp_path, credsStore="stand-in", auths={"ghcr.io": auth()})
+    docker_config(tmp_path, credsStore="local replacement", auths={"ghcr.io": auth()})
     helper(tmp_path, monkeypatch, ANSWERS.replace(NAME, "<token>"))
     assert from_docker(DOCKER_HUB) == Credentials(identity_token=SECRET)
-    assert (tmp_path / "bin/docker-credential-stand-in.asked").read_text() == "https://index.docker.io/v1/\n"
+    assert (tmp_path / "bin/docker-credential-local replacement.asked").read_text() == "https://index.docker.io/v1/\n"
     helper(tmp_path, monkeypatch, "echo 'credentials not found'; exit 1")
     assert from_docker("ghcr.io") == Credentials(NAME, SECRET), "what the helper lacks may be in the file"
     assert from_docker("quay.io") is None
 
 
 def test_helpers_that_fail(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    docker_config(tmp_path, credHelpers={"ghcr.io": "stand-in"})
-    with pytest.raises(RosmlError, match=r"docker-credential-stand-in, .* for ghcr.io: No such file") as caught:
+    docker_config(tmp_path, credHelpers={"ghcr.io": "local replacement"})
+    with pytest.raises(
+        RosmlError, match=r"docker-credential-local replacement, .* for ghcr.io: No such file"
+    ) as caught:
         from_docker("ghcr.io")
     assert "docker login ghcr.io" in caught.value.remedy
     helper(tmp_path, monkeypatch, f"echo {SECRET}")
@@ -484,7 +490,7 @@ def test_helpers_that_fail(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert SECRET not in caught.value.message
 
 
-@pytest.mark.parametrize("name", ["stand-in", "a\0b"])
+@pytest.mark.parametrize("name", ["local replacement", "a\0b"])
 def test_a_helper_that_says_no_text(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     """What cannot be decoded would be shown with what stands before it."""
     docker_config(tmp_path, credHelpers={"ghcr.io": name})

@@ -151,7 +151,7 @@ def test_same_content_same_digest(tmp_path: Path) -> None:
 
 
 def fake_mmdebstrap(folder: Path, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Puts a stand-in for mmdebstrap on PATH. Its last argument is the file to write."""
+    """Puts a local replacement for mmdebstrap on PATH. Its last argument is the file to write."""
     path = folder / "fake" / "mmdebstrap"
     path.parent.mkdir()
     path.write_text(f"#!/bin/bash\n{text}\n")

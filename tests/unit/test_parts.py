@@ -1,4 +1,4 @@
-"""Parts as images of their own, with stand-ins for buildx and the registry: for all architectures that have a lock,
+"""Parts as images of their own, with local replacements for buildx and the registry: for all architectures that have a lock,
 bytecode or not, and said so."""
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ esac
 
 
 class Stage:
-    """A checkout with stand-ins."""
+    """A checkout with local replacements."""
 
     def __init__(self, folder: Path, registry: str, image_set: sets.ImageSet) -> None:
         self.folder, self.image_set, self.said = folder, image_set, list[str]()
@@ -197,7 +197,7 @@ def test_several_at_once(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: 
     assert ["platform=linux/amd64,linux/arm64" in call for call in bakes] == [True, True]
     assert len(stage.tagged) == 2
     assert f"  linux/arm64  {LAYER}  2.5 MB" in capsys.readouterr().out
-    assert stage.listed == [("rosml/part", INDEX)] * 2, "their files are listed, for whoever composes images of them"
+    assert stage.listed == [("rosml/part", INDEX)] * 2, "their files are listed, for whoever joins images of them"
 
 
 def test_results_for_machines(

@@ -45,7 +45,7 @@ def push(hub: StandIn, repository: str, tag: str, architectures: tuple[str, ...]
 
 @pytest.fixture
 def matrix(hub: StandIn, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A matrix whose images are in the stand-in, with comments, and an image of NVIDIA's."""
+    """A matrix whose images are in the local replacement, with comments, and an image of NVIDIA's."""
     monkeypatch.setattr(script, "ROOT", tmp_path)
     text = SMALL.replace("docker.io/library/ubuntu:24.04", f"{hub.address}/library/ubuntu:24.04")
     text = text.replace("docker.io/library/ubuntu:26.04", f"{hub.address}/nvidia/cuda:13.0.2-runtime-ubuntu26.04")

@@ -81,7 +81,7 @@ def test_a_change_makes_anew_what_it_reaches_and_nothing_else(
     assert steps(run, "build") == {
         (part.target, name) for part in image_set.parts if part.kind == "torch" for name in part.architectures
     }
-    assert {target for target, _ in steps(run, "compose")} == {
+    assert {target for target, _ in steps(run, "join")} == {
         image.target for image in image_set.images if "torch" in image.versions
     }
     assert registry.tagged("ros") == before
@@ -95,7 +95,7 @@ def test_a_changed_test_runs_again_and_builds_nothing(registry: Place, image_set
     test = project / "tests/structure/torch.yaml"
     test.write_text(test.read_text() + "# another\n")
     run = registry.publish(image_set, date=NEXT)
-    assert steps(run, "build") == steps(run, "compose") == set()
+    assert steps(run, "build") == steps(run, "join") == set()
     assert steps(run, "test") >= {(BASE, "amd64")}
     assert registry.tagged("ros-torch") == tags
 
@@ -107,11 +107,11 @@ def test_packages_that_moved_are_installed_anew(registry: Place, image_set: Imag
     registry.upstream["alpha"] = "tuesday"
     run = registry.publish(image_set, date=NEXT)
     assert {target for target, _ in steps(run, "build")} == {"alpha-core", "alpha-base"}
-    assert steps(run, "compose") == steps(run, "test") == set()
+    assert steps(run, "join") == steps(run, "test") == set()
     assert (registry.tagged("ros"), registry.tagged("ros-torch")) == tags
     registry.upstream["alpha"] = "wednesday"
     run = registry.publish(image_set, date=NEXT, packages="2")
-    assert {target for target, _ in steps(run, "compose")} == {
+    assert {target for target, _ in steps(run, "join")} == {
         image.target for image in image_set.images if image.distribution == "alpha" and image.stack
     }
     assert registry.tagged("ros")["alpha-core"] != tags[0]["alpha-core"]
@@ -416,7 +416,7 @@ def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: py
         here.registry.die_at, here.registry.die_after = number, after
         run = here.run(small, **options)
         with pytest.raises(Killed):
-            for step in ("build", "compose", "test", "index", "promote"):
+            for step in ("build", "join", "test", "index", "promote"):
                 do(run, step)
         here.check(small)
         recorded = {
@@ -425,11 +425,11 @@ def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: py
         again = here.publish(small, date=NEXT, **options)
         here.check(small)
         assert not again.failed
-        assert not (steps(again, "build") | steps(again, "compose")) & recorded, "what was done is done again"
+        assert not (steps(again, "build") | steps(again, "join")) & recorded, "what was done is done again"
         for repository in ("ros", "ros-torch", "part"):
             undated = {name for name in whole.tagged(repository) if "-2026" not in name}
             assert undated <= here.tagged(repository).keys(), f"write {number}: tags are missing"
-    assert {step for step, *_ in reference.made} == {"build", "compose", "test"}
+    assert {step for step, *_ in reference.made} == {"build", "join", "test"}
 
 
 def test_a_registry_that_refuses_leaves_the_others_alone(registry: Place, image_set: ImageSet) -> None:
@@ -543,7 +543,7 @@ def test_a_tag_of_the_future_says_so_and_moves_when_forced(
     run = registry.publish(image_set, only=["alpha-core"], date=NEXT, packages="2")
     assert registry.tagged("ros")["alpha-core"] == pinned
     assert any("of 2099-01-01T00:00:00Z, which is in the future" in reason for reason in waiting(run, "alpha-core"))
-    (found,) = status.standings(run.plan, registry.registry, PREFIX, NEXT)
+    (found,) = status.read(run.plan, registry.registry, PREFIX, NEXT)
     assert found.reason.endswith("its date 2099-01-01T00:00:00Z is in the future")
     registry.publish(image_set, only=["alpha-core"], date=LATER, packages="2", force=True)
     assert registry.tagged("ros")["alpha-core"] != pinned
@@ -567,11 +567,11 @@ def test_a_date_that_is_none_is_told_and_holds_no_tag(
     script = project / "components/ros/install.sh"
     script.write_text(script.read_text() + "# a change\n")
     run = registry.run(image_set, only=["alpha-core"], date=NEXT, packages="2")
-    (found,) = status.standings(run.plan, registry.registry, PREFIX, NEXT)
+    (found,) = status.read(run.plan, registry.registry, PREFIX, NEXT)
     assert "its date is none" in found.reason and found.age is None
     said: list[str] = []
     run.say = said.append
-    for step in ("build", "compose", "test", "index", "promote"):
+    for step in ("build", "join", "test", "index", "promote"):
         do(run, step)
     assert not run.failed
     assert registry.tagged("ros")["alpha-core"] != there
@@ -687,7 +687,7 @@ def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, image_se
     file.write_text(report.plan_json(registry.run(image_set), 2, why=False))
     known = plan_file.read_plan(file).upstream
     assert known == registry.upstream
-    for number, step in enumerate(("build", "compose", "test", "index", "promote")):
+    for number, step in enumerate(("build", "join", "test", "index", "promote")):
         run = registry.run(image_set, upstream=known)
         do(run, step)
         assert not run.failed

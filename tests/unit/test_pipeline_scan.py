@@ -34,10 +34,10 @@ def world(tmp_path: Path) -> World:
 def scanned(registry: Place, image_set: ImageSet, world: World, **options: object) -> Run:
     """A run of which a clean scan is asked before tags."""
     run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
-    for step in ("build", "compose", "test"):
+    for step in ("build", "join", "test"):
         do(run, step)
     for item in run.plan.items:
-        packages = ("bash",) if item.kind == "ros" else (item.thing.part,) if item.kind == "part" else ()  # type: ignore[union-attr]
+        packages = ("bash",) if item.kind == "ros" else (item.thing.kind,) if item.kind == "part" else ()  # type: ignore[union-attr]
         if packages:
             world.part("x", *packages, ros=item.kind == "ros")
             world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]

@@ -122,9 +122,9 @@ def test_a_record_that_cannot_be_read_stops_it(nights: Place, image_set: ImageSe
 def test_how_images_stand(nights: Place, image_set: ImageSet) -> None:
     now = "2026-10-08T03:00:00Z"
 
-    def states(**options: object) -> dict[str, status.Standing]:
+    def states(**options: object) -> dict[str, status.ImageStatus]:
         run = nights.run(image_set, **options)  # type: ignore[arg-type]
-        found = status.standings(run.plan, nights.registry, PREFIX, now, run.serving)
+        found = status.read(run.plan, nights.registry, PREFIX, now, run.serving)
         return {item.target: item for item in found}
 
     found = states()
@@ -164,7 +164,7 @@ def test_what_cannot_be_had_is_told_apart(
     lacking = locked.with_locks(image_set, image_set.locks - {lock})
     (project / lock).unlink()
     run = here.run(lacking, only=["alpha-core", "alpha-base", BASE, "alpha-core-ml-cu1"])
-    found = list(status.standings(run.plan, here.registry, PREFIX, DAY))
+    found = list(status.read(run.plan, here.registry, PREFIX, DAY))
     states = {item.target: (item.state, item.reason) for item in found if not item.target.startswith("part")}
     why = "docker.io/library/ubuntu:24.04 is on Docker Hub, which does not answer"
     assert states == {
@@ -212,7 +212,7 @@ def test_a_tag_of_somebody_else_stays(nights: Place, image_set: ImageSet) -> Non
 def test_how_images_stand_after_a_failure_is_over(nights: Place, image_set: ImageSet, project: Path) -> None:
     def state(target: str) -> tuple[str, str]:
         run = nights.run(image_set, only=["alpha"])
-        found = status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+        found = status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
         return next((item.state, item.reason) for item in found if item.target == target)
 
     script = project / "components/ros/install.sh"
@@ -229,7 +229,7 @@ def test_an_index_that_cannot_be_made_has_failed(nights: Place, image_set: Image
     odd = {("alpha-core", "arm64"): {"org.opencontainers.image.version": "another"}}
     nights.publish(image_set, only=["alpha"], date="2026-10-13T03:00:00Z", packages="7", odd=odd)
     run = nights.run(image_set, only=["alpha"])
-    found = {i.target: i for i in status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
+    found = {i.target: i for i in status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")}
     assert found["alpha-core"].state == "failed" and "not the same on all" in found["alpha-core"].reason
 
 
@@ -239,7 +239,7 @@ def test_a_date_that_is_none_has_no_age(nights: Place, image_set: ImageSet, date
     content = {"manifests": None, "annotations": {"io.rosml.date": date}}
     nights.registry.put_manifest(path, "alpha-core", content, "application/json")
     run = nights.run(image_set, only=["alpha-core"])
-    (found,) = status.standings(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+    (found,) = status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
     assert (found.state, found.age, found.platforms) == ("outdated", None, ())
 
 

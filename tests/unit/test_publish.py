@@ -103,7 +103,7 @@ def test_it_is_the_runs_own_order(stage: Stage) -> None:
     """Built, joined, tested, and only then tags; what it stands on is not tested for itself, and gets no tag."""
     assert stage.image(TARGET) == 0
     made = stage.runs[0].made
-    assert [step for step, _, _ in made] == ["build"] * 5 + ["compose", "test"]
+    assert [step for step, _, _ in made] == ["build"] * 5 + ["join", "test"]
     assert made[-1][1] == TARGET
     assert not stage.tags("ros")
 

@@ -1,6 +1,6 @@
 """PyTorch's own index, tested against a local replacement: a proxy on loopback that answers for whatever index uv asks.
 
-No index is named anywhere: uv itself knows where the wheels of `--torch-backend cpu` are, and the stand-in serves the
+No index is named anywhere: uv itself knows where the wheels of `--torch-backend cpu` are, and the local replacement serves the
 host that uv asks for, under a certificate of a CA of its own.
 """
 
@@ -44,7 +44,7 @@ def wheel(name: str, version: str) -> tuple[str, bytes]:
 
 @dataclass
 class Index:
-    """The stand-in: its proxy's address, its CA, the hosts that were asked for wheels of PyTorch."""
+    """The local replacement: its proxy's address, its CA, the hosts that were asked for wheels of PyTorch."""
 
     folder: Path
     wheels: dict[str, tuple[str, bytes]]
@@ -66,7 +66,7 @@ class Index:
         """A context with a certificate for a host."""
         name = hashlib.sha256(host.encode()).hexdigest()[:12]
         if not (self.folder / f"{name}.pem").exists():
-            self.openssl("req", "-newkey", "rsa:2048", "-nodes", "-keyout", f"{name}.key", "-out", f"{name}.csr", "-subj", "/CN=stand-in")  # fmt: skip
+            self.openssl("req", "-newkey", "rsa:2048", "-nodes", "-keyout", f"{name}.key", "-out", f"{name}.csr", "-subj", "/CN=local replacement")  # fmt: skip
             (self.folder / f"{name}.ext").write_text(f"subjectAltName=DNS:{host}\n")
             self.openssl("x509", "-req", "-in", f"{name}.csr", "-CA", "ca.pem", "-CAkey", "ca.key", "-days", "2", "-extfile", f"{name}.ext", "-out", f"{name}.pem")  # fmt: skip
         context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
@@ -110,7 +110,7 @@ def _head(connection: socket.socket) -> str:
 
 @pytest.fixture
 def index(tmp_path: Path) -> Iterator[Index]:
-    """The stand-in with PyTorch for the CPU and numpy."""
+    """The local replacement with PyTorch for the CPU and numpy."""
     folder = tmp_path / "index"
     folder.mkdir()
     stand_in = Index(folder, {"torch": wheel("torch", "2.10.0+cpu"), "numpy": wheel("numpy", "1.26.4")})

@@ -13,7 +13,7 @@ from rosml.registry.protocol import Client
 from tests.registry_calls import CALLS
 
 
-@pytest.fixture(params=["memory", "stand-in", "stand-in with the referrers API"])
+@pytest.fixture(params=["memory", "local replacement", "local replacement with the referrers API"])
 def client(request: pytest.FixtureRequest) -> Iterator[Client]:
     if request.param == "memory":
         yield MemoryRegistry()

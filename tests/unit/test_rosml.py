@@ -59,7 +59,7 @@ ALL = dict(commands(main.cli))
 
 def test_its_words() -> None:
     assert sorted(main.cli.commands) == sorted([*WORDS, "status"])
-    assert {"all", "build", "compose", "test", "scan", "record", "index", "promote", "undo", "prune"} <= set(
+    assert {"all", "build", "join", "test", "scan", "record", "index", "promote", "undo", "prune"} <= set(
         main.publishing.commands
     )
 

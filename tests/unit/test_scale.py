@@ -37,7 +37,7 @@ def test_a_second_run_over_the_whole_matrix_does_nothing(tmp_path: Path, monkeyp
     first = here.publish(image_set)
     assert not first.failed
     assert first.uploaded > first.pushed > 0
-    assert {(target, name) for step, target, name in first.made if step in ("build", "compose")} == items
+    assert {(target, name) for step, target, name in first.made if step in ("build", "join")} == items
     tagged = {path: dict(names) for path, names in here.registry.names.items()}
     main = {image.tags[0] for image in image_set.images}
     assert main <= {f"{path.partition('/')[2]}:{name}" for path, names in tagged.items() for name in names}

@@ -23,7 +23,7 @@ from rosml.build import package_state
 from rosml.cli import catalogue as catalogue_script
 from rosml.cli import command, publish
 from rosml.cli import generate as generate_bake
-from rosml.cli import join as compose
+from rosml.cli import join as join
 from rosml.cli import locks as lock
 from rosml.images import load
 from rosml.machine import base_images
@@ -37,7 +37,7 @@ PUBLISHED = "bookworm-core*"
 CODES = {0, 1, 2, 3, 4}
 """Exit codes as documented: done, failed, wrong input, and two of scans."""
 
-SCRIPTS = {"generate_bake": generate_bake, "catalogue": catalogue_script, "compose": compose, "lock": lock}
+SCRIPTS = {"generate_bake": generate_bake, "catalogue": catalogue_script, "join": join, "lock": lock}
 LOAD = load.load
 COMMANDS: dict[str, click.Command] = {
     **{f"publish {name}": found for name, found in publish.cli.commands.items()},
@@ -283,7 +283,7 @@ def test_any_call_ends_as_documented(
 # ---- What a selection must not change --------------------------------------------------------------------------------
 
 
-def standing(shop: Shop, capsys: pytest.CaptureFixture[str], place: str, *only: str) -> dict[str, dict[str, Any]]:
+def status_of(shop: Shop, capsys: pytest.CaptureFixture[str], place: str, *only: str) -> dict[str, dict[str, Any]]:
     """What `status` says of images, by target."""
     words = ["--registry", f"{{host}}/{place}", "--json", *(word for name in only for word in ("--only", name))]
     code, out, _ = ended(shop, "publish status", words, capsys)
@@ -300,9 +300,9 @@ def test_an_image_stands_as_it_stands_whatever_else_is_asked_for(
     shop: Shop, capsys: pytest.CaptureFixture[str], place: str
 ) -> None:
     assert {len(REAL.image(target).architectures) for target in NARROW} == {1, 2}
-    every = standing(shop, capsys, place, "bookworm-core", "bookworm-core-*-cu1[23]?", "jazzy-wheels-core*-cpu")
+    every = status_of(shop, capsys, place, "bookworm-core", "bookworm-core-*-cu1[23]?", "jazzy-wheels-core*-cpu")
     for target in NARROW:
-        found = standing(shop, capsys, place, target)
+        found = status_of(shop, capsys, place, target)
         assert target in found
         assert found == {name: every[name] for name in found}
 
@@ -320,7 +320,7 @@ def without_services(shop: Shop) -> Iterator[None]:
 @pytest.mark.usefixtures("without_services")
 def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
     """And one that is not named is that of the services, which are not there."""
-    found = standing(shop, capsys, "published", "bookworm-core")
+    found = status_of(shop, capsys, "published", "bookworm-core")
     assert found["bookworm-core"]["state"] == "published"
     words = ["--only", "bookworm-core"]
     assert ended(shop, "catalogue", [*words, "--registry", "{host}/published", "--json"], capsys)[0] == 0

@@ -90,7 +90,7 @@ def test_registry_is_down(tmp_path: Path) -> None:
 
 
 def fake_buildx(folder: Path, text: str) -> list[str]:
-    """A stand-in for buildx."""
+    """A local replacement for buildx."""
     path = folder / "buildx"
     path.write_text(f"#!/bin/sh\n{text}\n")
     path.chmod(0o755)

@@ -173,7 +173,7 @@ def test_set_up_does_not_build_the_scanner_and_the_signer(state: State, bare: Pa
 
 @pytest.fixture
 def bare(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A checkout on a machine that has stand-ins for Go and apt, which note their calls, and nothing else."""
+    """A checkout on a machine that has local replacements for Go and apt, which note their calls, and nothing else."""
     calls = state.root / "calls"
     for name in installer.GO_PROGRAMS:
         module = state.root / "tools/go" / name
@@ -277,7 +277,7 @@ def test_our_own_folder_does_not_count_as_the_machines(state: State, monkeypatch
 
 @pytest.fixture
 def go(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A checkout with one tool to build, and a stand-in for Go that writes the file it was asked for."""
+    """A checkout with one tool to build, and a local replacement for Go that writes the file it was asked for."""
     module = state.root / "tools" / "go" / "regctl"
     module.mkdir(parents=True)
     (module / "go.mod").write_text("tool example.org/r/cmd/regctl\nrequire example.org/r v1.2.3\n")
@@ -687,7 +687,7 @@ def test_buildkit_config(tmp_path: Path) -> None:
 
 @pytest.fixture
 def buildx(state: State) -> Path:
-    """A stand-in for buildx that notes its calls and keeps records of builders as buildx does."""
+    """A local replacement for buildx that notes its calls and keeps records of builders as buildx does."""
     return program(
         state.root / "fake",
         "buildx",
@@ -772,7 +772,7 @@ def test_services_json(state: State) -> None:
         "regctl": "regctl",
         "uv": "/uv",
         "ca_bundle": "",
-        "mirror": False,
+        "bases": [],
     }
     assert Services.load(state.root) == services
 

@@ -39,7 +39,7 @@ esac
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """A checkout with a stand-in for cosign."""
+    """A checkout with a local replacement for cosign."""
     (tmp_path / "tools/go/cosign").mkdir(parents=True)
     (tmp_path / "tools/go/cosign/go.mod").write_text("\tgithub.com/sigstore/cosign/v3 v3.1.3\n")
     (tmp_path / ".state").mkdir()

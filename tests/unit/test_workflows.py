@@ -62,7 +62,7 @@ LOGIN = {
 }
 """How every job logs in that asks a registry. Where a fork names its own registry, the job's token stays at home."""
 
-WRITERS = {"build", "compose", "test", "record", "index", "promote"}
+WRITERS = {"build", "join", "test", "record", "index", "promote"}
 """Steps that write into the registry."""
 
 

@@ -78,8 +78,8 @@
 
   /** What kind of thing a part is: for its colour. */
   function kind(part) {
-    const part = parts.get(part);
-    return part ? part.part : part ? "ros" : "other";
+    const found = parts.get(part);
+    return found ? found.kind : part ? "ros" : "other";
   }
 
   function layersOf(platform) {

@@ -26,8 +26,8 @@ THREADS = 8
 
 
 @dataclass
-class Composed:
-    """What composing an image came to.
+class JoinReport:
+    """What joining an image came to.
 
     Attributes:
         reference: what to put after FROM; with the tag, where one was moved.
@@ -54,8 +54,8 @@ class Composed:
         return asdict(self)
 
 
-class Composer:
-    """Composes images; what it read of ROS images and parts it need not read again. Safe to share among threads.
+class Joiner:
+    """Joins images; what it read of ROS images and parts it need not read again. Safe to share among threads.
 
     Attributes:
         allow_unlisted: go on although an image has no list of its files.
@@ -81,14 +81,14 @@ class Composer:
         self._sources: dict[tuple[str, str, str], Source] = {}
         self._lock = threading.Lock()
 
-    def __enter__(self) -> Composer:
+    def __enter__(self) -> Joiner:
         return self
 
     def __exit__(self, failed: object, *_: object) -> None:
         self._pool.shutdown(wait=not failed, cancel_futures=True)  # Ctrl-C waits for no registry
 
-    def compose(self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = ()) -> Composed:
-        """Composes an image for every platform that a ROS image and parts have in common, and tags it.
+    def join(self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = ()) -> JoinReport:
+        """Joins an image for every platform that a ROS image and parts have in common, and tags it.
 
         Args:
             ros, parts: complete references of indexes or manifests.
@@ -108,7 +108,7 @@ class Composer:
         found = list(self._pool.map(self._platforms, [ros, *parts]))
         wanted = _common(found, platforms)
         self._say_what_is_left_out(found, wanted, platforms)
-        result = Composed()
+        result = JoinReport()
         images = [self._joined([item[name] for _, item in found], result) for name in wanted]
         for image in images:
             result.manifests[image.platform] = self._push(image, where.host, where.repository, result)
@@ -119,18 +119,18 @@ class Composer:
         result.seconds = time.monotonic() - started
         return result
 
-    def manifest(self, ros: Reference, parts: Sequence[Reference], host: str, repository: str) -> Composed:
-        """Composes an image from manifests for one platform; by its digest alone, without an index or a tag.
+    def manifest(self, ros: Reference, parts: Sequence[Reference], host: str, repository: str) -> JoinReport:
+        """Joins an image from manifests for one platform; by its digest alone, without an index or a tag.
 
         Args:
             ros, parts: by digest. host, repository: where the image goes.
 
         Raises:
-            RosmlError: as in `compose`.
+            RosmlError: as in `join`.
         """
         started = time.monotonic()
         sources = list(self._pool.map(lambda item: self._source(str(item), item), (ros, *parts)))
-        result = Composed()
+        result = JoinReport()
         image = self._joined(sources, result)
         digest = self._push(image, host, repository, result)
         result.manifests[image.platform] = result.digest = digest
@@ -185,12 +185,12 @@ class Composer:
 
     # ---- What they make ----------------------------------------------------------------------------------------------
 
-    def _joined(self, sources: Sequence[Source], result: Composed) -> Joined:
+    def _joined(self, sources: Sequence[Source], result: JoinReport) -> Joined:
         image = join(sources[0], sources[1:])
         self._compare(sources, result)
         return image
 
-    def _compare(self, sources: Sequence[Source], result: Composed) -> None:
+    def _compare(self, sources: Sequence[Source], result: JoinReport) -> None:
         """Checks that no two images carry the same file, as far as they have lists.
 
         Raises:
@@ -215,7 +215,7 @@ class Composer:
                 text = f"{one.name} and {other.name} both carry /{name}: one would hide the other's"
                 raise RosmlError(text, "take the file out of one of them, and publish that anew", exit_code=2)
 
-    def _push(self, image: Joined, host: str, repository: str, result: Composed) -> str:
+    def _push(self, image: Joined, host: str, repository: str, result: JoinReport) -> str:
         """Puts an image by its digest alone: layers, then config, then manifest."""
         registry = self._registries(host)
         result.layers += len(image.layers)
@@ -235,7 +235,7 @@ class Composer:
         return image.digest
 
     def _bring(self, registry: Registry, repository: str, layer: Mapping[str, Any], source: Source) -> str:
-        """Makes a layer one of the repository. Gives the way in which it got there: a counter of `Composed`."""
+        """Makes a layer one of the repository. Gives the way in which it got there: a counter of `JoinReport`."""
         digest = layer["digest"]
         if source.host == registry.host:
             if source.repository == repository:

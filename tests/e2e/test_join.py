@@ -15,8 +15,8 @@ import pytest
 from rosml import ROOT
 from rosml.build import file_list
 from rosml.images.image_set import ImageSet
-from rosml.join import composer as composing
 from rosml.join import file_lists
+from rosml.join import joiner as joining
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci
@@ -27,7 +27,7 @@ from tests.e2e.mini import Mini
 
 PARTS = ("common-cpu-py311", "tensorflow-cc-cpu", "tensorflow-cpu-py311")
 BYTES = 10_000
-"""What composing an image may upload."""
+"""What joining an image may upload."""
 
 
 @pytest.fixture(scope="module")
@@ -38,13 +38,13 @@ def mini(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     return found
 
 
-def composed(checkout: Path, *arguments: str) -> Run:
-    return run(sys.executable, str(ROOT / "scripts/compose.py"), *arguments, cwd=checkout)
+def joined(checkout: Path, *arguments: str) -> Run:
+    return run(sys.executable, str(ROOT / "scripts/join.py"), *arguments, cwd=checkout)
 
 
 def small(checkout: Path, tag: str, *images: str) -> dict[str, Any]:
-    """Composes an image, of which no layer is moved, and holds it to its bytes; what the command says."""
-    outcome = composed(checkout, *images, "--tag", tag, "--json")
+    """Joins an image, of which no layer is moved, and holds it to its bytes; what the command says."""
+    outcome = joined(checkout, *images, "--tag", tag, "--json")
     assert outcome.code == 0, outcome.err
     said: dict[str, Any] = json.loads(outcome.out)
     assert said["uploaded"] < BYTES and said["copied"] == 0
@@ -67,7 +67,7 @@ def config(client: oci.Registry, repository: str, reference: str) -> tuple[list[
 
 
 def test_as_a_build_would_make_it(mini: Mini) -> None:
-    """Layers, environment, entrypoint, labels: a composed image and one of `buildx bake` are the same."""
+    """Layers, environment, entrypoint, labels: a joined image and one of `buildx bake` are the same."""
     client = mini.client()
     target = "bookworm-core-tensorflow-cpu"
     namespace = f"{mini.prefix}/built"
@@ -90,7 +90,7 @@ def test_for_users(mini: Mini) -> None:
     tag = f"{mini.registry}/mine:latest"
     said = small(mini.folder, tag, f"{mini.registry}/ros:bookworm-core", *parts(mini))
     assert said["mounted"] == said["layers"]
-    again = composed(mini.folder, f"{mini.registry}/ros:bookworm-core", *parts(mini)[::-1], "--tag", tag, "--json")
+    again = joined(mini.folder, f"{mini.registry}/ros:bookworm-core", *parts(mini)[::-1], "--tag", tag, "--json")
     assert json.loads(again.out)["digest"] == said["digest"]
     layers, found = config(mini.client(), f"{mini.prefix}/mine", "latest")
     assert len(layers) == len(found["rootfs"]["diff_ids"])
@@ -109,7 +109,7 @@ def test_what_does_not_go_together(mini: Mini) -> None:
         (f"{mini.registry}/ros-tf:bookworm-core-cpu", common): "already",
         (f"{mini.registry}/ros:bookworm-corn", common): "did you mean 'bookworm-core'",
     }.items():
-        outcome = composed(mini.folder, *arguments, "--tag", tag)
+        outcome = joined(mini.folder, *arguments, "--tag", tag)
         assert outcome.code == 2, (arguments, outcome.err)
         assert words in outcome.err and "Traceback" not in outcome.err, outcome.err
     assert mini.client().head(f"{mini.prefix}/mine", "never") == ""
@@ -135,7 +135,7 @@ def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
     assert changed
     file_lists.attach(client, repository, changed, gzip.compress(b"opt/mini-part/tensorflow-cc\n"))
     arguments = [f"{mini.registry}/part@{digest}", *parts(mini)[1:]]
-    outcome = composed(
+    outcome = joined(
         mini.folder, f"{mini.registry}/ros:bookworm-core", *arguments, "--tag", f"{mini.registry}/mine:never"
     )
     assert outcome.code == 2
@@ -159,13 +159,13 @@ def test_two_hundred_images(mini: Mini) -> None:
         images.append(client.put_manifest(f"{mini.prefix}/ros", "", oci.encoded(content), oci.IMAGE))
     said: list[str] = []
     with (
-        composing.Composer(lambda _: client, allow_unlisted=True, say=said.append) as composer,
+        joining.Joiner(lambda _: client, allow_unlisted=True, say=said.append) as joiner,
         ThreadPoolExecutor(8) as pool,
     ):
 
-        def one(number: int) -> composing.Composed:
+        def one(number: int) -> joining.JoinReport:
             target = f"{mini.registry}/many:{number}"
-            return composer.compose(f"{mini.registry}/ros@{images[number]}", parts(mini), target)
+            return joiner.join(f"{mini.registry}/ros@{images[number]}", parts(mini), target)
 
         results = list(pool.map(one, range(200)))
     assert len({result.digest for result in results}) == 200
@@ -190,10 +190,10 @@ def test_a_real_one_runs(
         file_list.attach_files(services, image_set, client, repository, digest, LOG.info)
         listed = regctl.regctl(services, "artifact", "list", f"{services.registry}/{repository}@{digest}")
         assert file_lists.ARTIFACT in listed, "other tools find the list as well"
-    tag = f"{place}/composed:latest"
+    tag = f"{place}/joined:latest"
     parts = [f"{place}/part:{name}" for name in image.image.parts]
     small(ROOT, tag, f"{place}/ros:bookworm-core", *parts)
-    layers, found = config(client, f"{NAMESPACE}/composed", "latest")
+    layers, found = config(client, f"{NAMESPACE}/joined", "latest")
     assert layers == image.layers
     built = config(client, f"{NAMESPACE}/{image.image.repository}", image.result["manifest"])[1]
     assert found["config"]["Labels"] == built["config"]["Labels"]

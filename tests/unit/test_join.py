@@ -1,5 +1,5 @@
 """Images put together from tiny parts, in a registry in this process: what comes of it, and everything that is refused.
-The real registry and real images: tests/e2e/test_compose.py."""
+The real registry and real images: tests/e2e/test_join.py."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli import join as script
 from rosml.join import file_lists
-from rosml.join.composer import Composed, Composer
 from rosml.join.file_lists import Files
+from rosml.join.joiner import Joiner, JoinReport
 from rosml.registry import oci
 from rosml.registry.oci import Reference, Registry
 from tests.e2e import parts
@@ -33,7 +33,7 @@ TENSORFLOW: tuple[str, ...] = ("common", "tensorflow-cc", "tensorflow")
 
 
 class Place:
-    """A registry, and who composes in it."""
+    """A registry, and who joins in it."""
 
     def __init__(self, server: StandIn) -> None:
         self.server, self.said = server, list[str]()
@@ -49,16 +49,16 @@ class Place:
     def put(self, image: Tiny, tag: str, platforms: Sequence[str] = BOTH[:1]) -> str:
         return image.put(self.registry, "me/part", tag, platforms)
 
-    def compose(
+    def join(
         self,
         *images: str,
         tag: str = "mine",
         repository: str = "me/mine",
         platforms: Sequence[str] = (),
         allow: bool = False,
-    ) -> Composed:
-        with Composer(self.others.__getitem__, allow_unlisted=allow, say=self.said.append) as composer:
-            return composer.compose(images[0], images[1:], f"{self.server.address}/{repository}:{tag}", platforms)
+    ) -> JoinReport:
+        with Joiner(self.others.__getitem__, allow_unlisted=allow, say=self.said.append) as joiner:
+            return joiner.join(images[0], images[1:], f"{self.server.address}/{repository}:{tag}", platforms)
 
     def image(self, digest: str) -> tuple[dict[str, Any], dict[str, Any]]:
         """Manifest and config of an image of `me/mine`."""
@@ -76,9 +76,9 @@ class Place:
         return [layer["digest"] for layer in found.content["layers"]]
 
     def refused(self, *images: str, **options: Any) -> RosmlError:
-        """The error that composing ends with; nothing was pushed, no tag was made."""
+        """The error that joining ends with; nothing was pushed, no tag was made."""
         with pytest.raises(RosmlError) as caught:
-            self.compose(*images, **options)
+            self.join(*images, **options)
         assert self.registry.tags("me/mine") == []
         assert not [name for repository, name in self.server.manifests if repository == "me/mine"]
         assert "\n" not in caught.value.message, "one sentence"
@@ -104,7 +104,7 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
 def test_an_image(place: Place) -> None:
     images = [place.ros(), *place.stack()]
     before = place.registry.uploaded
-    found = place.compose(*images)
+    found = place.join(*images)
     manifest, config = place.image(found.manifests["linux/amd64"])
     assert [layer["digest"] for layer in manifest["layers"]] == [d for image in images for d in place.layers(image)]
     assert manifest["mediaType"] == oci.IMAGE
@@ -156,7 +156,7 @@ def test_an_image(place: Place) -> None:
 def test_frameworks(place: Place, wanted: tuple[str, ...], stack: str, framework: str) -> None:
     """Layers in the order of the Dockerfile, whatever the order of the arguments."""
     base, own = place.ros(), place.stack(wanted, stack)
-    found = place.compose(base, *reversed(own))
+    found = place.join(base, *reversed(own))
     manifest, config = place.image(found.manifests["linux/amd64"])
     assert config["config"]["Labels"]["io.rosml.framework"] == framework
     there = [layer["digest"] for layer in manifest["layers"]]
@@ -168,13 +168,13 @@ def test_frameworks(place: Place, wanted: tuple[str, ...], stack: str, framework
 def test_same_parts_same_bytes(place: Place, data: st.DataObject) -> None:
     """In any order, by whatever names, from another repository, in another registry: the same digest."""
     wanted = data.draw(st.sampled_from([TORCH, PARTS, ("cuda",)]))
-    first = place.compose(place.ros(), *place.stack(wanted), tag="first")
+    first = place.join(place.ros(), *place.stack(wanted), tag="first")
     own = data.draw(st.permutations(place.stack(wanted)))
     if data.draw(st.booleans()):  # as a digest
         own = [_by_digest(place, name) for name in own]
     if data.draw(st.booleans()):
         own = [part(kind).put(place.registry, "elsewhere", kind) for kind in wanted]
-    assert place.compose(place.ros(), *own, tag="second").digest == first.digest
+    assert place.join(place.ros(), *own, tag="second").digest == first.digest
 
 
 def _by_digest(place: Place, name: str) -> str:
@@ -184,9 +184,9 @@ def _by_digest(place: Place, name: str) -> str:
 
 def test_a_second_call_moves_nothing_but_the_tag(place: Place) -> None:
     images = [place.ros(), *place.stack()]
-    first = place.compose(*images)
+    first = place.join(*images)
     requests = len(place.server.requests)
-    second = place.compose(*images, tag="another")
+    second = place.join(*images, tag="another")
     assert (second.digest, second.present, second.mounted) == (first.digest, 4, 0)
     writes = [line for line in place.server.requests[requests:] if not line.startswith(("GET", "HEAD"))]
     assert writes == ["PUT /v2/me/mine/manifests/another"]
@@ -194,7 +194,7 @@ def test_a_second_call_moves_nothing_but_the_tag(place: Place) -> None:
 
 def test_every_platform_that_all_have(place: Place) -> None:
     images = [place.ros(platforms=BOTH), *(place.put(part(kind), kind, BOTH) for kind in TORCH)]
-    found = place.compose(*images)
+    found = place.join(*images)
     assert list(found.manifests) == list(BOTH)
     index = place.registry.manifest("me/mine", "mine")
     assert index
@@ -203,12 +203,12 @@ def test_every_platform_that_all_have(place: Place) -> None:
     ]
     assert place.image(found.manifests["linux/arm64"])[1]["architecture"] == "arm64"
     assert place.said == []
-    one = place.compose(*images, platforms=["linux/arm64"], tag="one")
+    one = place.join(*images, platforms=["linux/arm64"], tag="one")
     assert one.manifests == {"linux/arm64": found.manifests["linux/arm64"]}
 
 
 def test_a_platform_that_some_lack_is_left_out_and_said(place: Place) -> None:
-    found = place.compose(place.ros(platforms=BOTH), *place.stack())
+    found = place.join(place.ros(platforms=BOTH), *place.stack())
     assert list(found.manifests) == ["linux/amd64"]
     (said,) = place.said
     assert "linux/arm64 as well" in said
@@ -218,9 +218,7 @@ def test_a_platform_that_some_lack_is_left_out_and_said(place: Place) -> None:
 def test_manifests_without_an_index(place: Place) -> None:
     digest, _ = ros().put_manifest(place.registry, "me/ros")
     (cuda,) = place.stack(("cuda",))
-    assert (
-        place.compose(f"{place.server.address}/me/ros@{digest}", cuda).digest == place.compose(place.ros(), cuda).digest
-    )
+    assert place.join(f"{place.server.address}/me/ros@{digest}", cuda).digest == place.join(place.ros(), cuda).digest
 
 
 def test_attestations_are_no_platform(place: Place) -> None:
@@ -233,7 +231,7 @@ def test_attestations_are_no_platform(place: Place) -> None:
         "manifests": [*index.content["manifests"], {**unknown, "mediaType": oci.IMAGE, "size": 1}],
     }
     place.registry.put_manifest(base.repository, base.reference, content, oci.INDEX)
-    assert list(place.compose(str(base), *place.stack()).manifests) == ["linux/amd64"]
+    assert list(place.join(str(base), *place.stack()).manifests) == ["linux/amd64"]
 
 
 def test_for_a_publishing_run(place: Place) -> None:
@@ -243,10 +241,10 @@ def test_for_a_publishing_run(place: Place) -> None:
         return Reference(place.server.address, repository, image.put_manifest(place.registry, repository)[0])
 
     images = [put(ros(), "me/ros"), *(put(part(kind), "me/part") for kind in TORCH)]
-    with Composer(place.others.__getitem__) as composer:
-        found = composer.manifest(images[0], images[1:], place.server.address, "me/mine")
+    with Joiner(place.others.__getitem__) as joiner:
+        found = joiner.manifest(images[0], images[1:], place.server.address, "me/mine")
     assert place.registry.tags("me/mine") == []
-    assert found.digest == place.compose(place.ros(), *place.stack()).manifests["linux/amd64"]
+    assert found.digest == place.join(place.ros(), *place.stack()).manifests["linux/amd64"]
 
 
 # ---- Where layers come from ------------------------------------------------------------------------------------------
@@ -255,9 +253,9 @@ def test_for_a_publishing_run(place: Place) -> None:
 def test_layers_are_copied_where_mounts_are_refused(place: Place) -> None:
     images = [place.ros(), *place.stack()]
     place.server.mounts = False
-    found = place.compose(*images)
+    found = place.join(*images)
     assert (found.mounted, found.copied) == (0, 4)
-    again = place.compose(place.ros(salt="2"), *images[1:], tag="two")
+    again = place.join(place.ros(salt="2"), *images[1:], tag="two")
     assert (again.copied, again.present) == (1, 3), "what is there is not copied again"
     assert place.server.aborted >= 4
 
@@ -268,7 +266,7 @@ def test_layers_are_copied_from_another_registry(place: Place) -> None:
         own = [part(kind).put(place.others[far.address], "x/part", kind) for kind in TORCH]
         far.fault("GET", "/blobs/", DROP, 2)
         before = place.registry.uploaded
-        found = place.compose(place.ros(), *own)
+        found = place.join(place.ros(), *own)
         assert (found.mounted, found.copied) == (1, 3)
         assert found.uploaded <= place.registry.uploaded - before
         assert not any(line.startswith(("PUT", "POST")) for line in far.requests[-40:] if "/me/" in line)
@@ -280,7 +278,7 @@ def test_layers_are_copied_from_another_registry(place: Place) -> None:
 
 def test_parts_in_the_same_repository(place: Place) -> None:
     images = [ros().put(place.registry, "me/mine", "ros"), *place.stack(("cuda",))]
-    found = place.compose(*images)
+    found = place.join(*images)
     assert (found.present, found.mounted) == (1, 1)
 
 
@@ -302,7 +300,7 @@ def test_dockers_media_types_become_ocis(place: Place) -> None:
     subject = place.registry.manifest(base.repository, digest)
     assert subject
     file_lists.attach(place.registry, base.repository, subject, gzip.compress(b"usr/bin/env\n"))
-    found = place.compose(str(base._replace(reference="docker")), *place.stack())
+    found = place.join(str(base._replace(reference="docker")), *place.stack())
     layers = place.image(found.manifests["linux/amd64"])[0]["layers"]
     assert {layer["mediaType"] for layer in layers} == {"application/vnd.oci.image.layer.v1.tar+gzip"}
 
@@ -311,7 +309,7 @@ def test_a_connection_that_ends_anywhere_leaves_no_tag(place: Place, monkeypatch
     """Whichever request is the first that gets no answer; and the next call finishes it."""
     monkeypatch.setattr(oci, "ATTEMPTS", 1)
     images = [place.ros(), *place.stack()]
-    digest = place.compose(*images).digest
+    digest = place.join(*images).digest
     due = place.server.due
     for number in itertools.count():
         seen, repository = itertools.count(), f"me/try{number}"
@@ -321,13 +319,13 @@ def test_a_connection_that_ends_anywhere_leaves_no_tag(place: Place, monkeypatch
 
         monkeypatch.setattr(place.server, "due", broken)
         try:
-            place.compose(*images, repository=repository)
+            place.join(*images, repository=repository)
             break
         except RosmlError:
             pass
         monkeypatch.setattr(place.server, "due", due)
         assert place.registry.tags(repository) == []
-        assert place.compose(*images, repository=repository).digest == digest
+        assert place.join(*images, repository=repository).digest == digest
     assert number > 30
 
 
@@ -341,7 +339,7 @@ def test_another_python(place: Place) -> None:
     assert error.remedy == "take the part common-cu128-py313"
     assert error.exit_code == 2
     (cuda,) = place.stack(("cuda",))
-    assert place.compose(place.ros(python="3.13"), cuda).layers == 2, "what is for any Python fits all"
+    assert place.join(place.ros(python="3.13"), cuda).layers == 2, "what is for any Python fits all"
 
 
 def test_another_platform(place: Place) -> None:
@@ -452,8 +450,8 @@ def test_the_order_of_the_arguments_does_not_count_for_errors(place: Place) -> N
 
 @pytest.mark.parametrize("tag", ["me/mine", "ghcr.io", "127.0.0.1:1/me@sha256:" + "1" * 64])
 def test_a_tag_that_is_none(place: Place, tag: str) -> None:
-    with Composer(place.others.__getitem__) as composer, pytest.raises(RosmlError) as caught:
-        composer.compose(place.ros(), place.stack(), tag)
+    with Joiner(place.others.__getitem__) as joiner, pytest.raises(RosmlError) as caught:
+        joiner.join(place.ros(), place.stack(), tag)
     assert caught.value.exit_code == 2
 
 
@@ -496,21 +494,21 @@ def test_without_a_list(place: Place) -> None:
     error = place.refused(place.ros(), *own)
     assert "part:torch has no list of its files" in error.message
     assert "--allow-unlisted" in error.remedy
-    found = place.compose(place.ros(), *own, allow=True)
+    found = place.join(place.ros(), *own, allow=True)
     assert found.unlisted == [own[2]]
     assert any("no list of its files" in line for line in place.said)
     clashing = place.put(part("common", files=("usr/bin/env",)), "common")
     with pytest.raises(RosmlError, match="both carry /usr/bin/env"):
-        place.compose(place.ros(), own[0], clashing, own[2], allow=True)
+        place.join(place.ros(), own[0], clashing, own[2], allow=True)
 
 
 def test_lists_are_downloaded_once(place: Place) -> None:
     """However many images a run joins from the same ones."""
     images = [place.ros(), *place.stack()]
-    with Composer(place.others.__getitem__) as composer:
+    with Joiner(place.others.__getitem__) as joiner:
         for tag in ("one", "two"):
             before = len(place.server.requests)
-            composer.compose(images[0], images[1:], f"{place.server.address}/me/mine:{tag}")
+            joiner.join(images[0], images[1:], f"{place.server.address}/me/mine:{tag}")
             asked = [line for line in place.server.requests[before:] if line.startswith("GET") and "/blobs/" in line]
             assert bool(asked) == (tag == "one")
 
