@@ -11,6 +11,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(sys.executable).parent / "lint-imports"
@@ -79,3 +80,18 @@ def test_the_page_about_it_knows_its_way() -> None:
     named = re.findall(r"`(\w+/\w+\.(?:py|hcl))`", page)
     assert len(named) > 20
     assert [name for name in named if not (ROOT / "rosml" / name).is_file()] == []
+
+
+def named_parts(text: str, parts: set[str]) -> list[int]:
+    """The lines of a Python file that name a part or a release as one."""
+    nodes = ast.walk(ast.parse(text))
+    return [node.lineno for node in nodes if isinstance(node, ast.Constant) and node.value in parts]
+
+
+def test_no_code_knows_which_parts_there_are() -> None:
+    """A part is data; NVIDIA's libraries alone have an accelerator of their name, and facts of the stack."""
+    matrix = yaml.safe_load((ROOT / "matrix.yaml").read_text())
+    parts = {part["name"] for part in matrix["parts"]} - {"cuda"}
+    for file in sorted((ROOT / "rosml").rglob("*.py")):
+        assert not named_parts(file.read_text(), parts), file
+    assert named_parts('if part == "torch":\n    pass\n', {"torch"}) == [1]

@@ -159,7 +159,7 @@ def test_help_has_an_example(name: str) -> None:
 
 @pytest.mark.parametrize("name", [name for name in COMMANDS if isinstance(COMMANDS[name], click.Group)])
 def test_a_command_that_is_mistyped(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    for wrong, meant in (("imge", "image"), ("promte", "promote")):
+    for wrong, meant in (("imge", "image"), ("undoo", "undo")):
         assert command.run(COMMANDS[name], arguments=[wrong]) == 2
         assert f"Did you mean '{meant}'?" in capsys.readouterr().err
 
