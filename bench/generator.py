@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import statistics
 import subprocess
 import sys
@@ -40,11 +39,8 @@ LARGEST_SECONDS = 3.0
 GROWTH = 1.5
 """An image of the largest matrix may take so many times as long as one of the smallest."""
 
-PLAN_SECONDS, DIGESTS_SECONDS, REFUSED_SECONDS = 2.0, 0.5, 1.0
-"""Dealing the largest matrix out to machines; what decides the content of each real image; refusing the worst file."""
-
-WORST_FILE = f"version: [{'1,' * 60_000}1]"
-"""A matrix that is refused after more work for each of its bytes than others."""
+PLAN_SECONDS, DIGESTS_SECONDS = 2.0, 0.5
+"""Dealing the largest matrix out to machines; what decides the content of each real image."""
 
 
 @dataclass(frozen=True)
@@ -105,14 +101,9 @@ def held() -> list[Held]:
         for image in real.images:
             inputs.together(image)
 
-    def refuse() -> None:
-        with contextlib.suppress(RosmlError):
-            load.image_set(source.parse(WORST_FILE.encode()))
-
     return [
         Held("dealing the largest matrix out to 20 machines", median(lambda: shards.deal(largest, 20)), PLAN_SECONDS),
         Held("digests of the real images' inputs", median(digests), DIGESTS_SECONDS),
-        Held("refusing the worst file", median(refuse), REFUSED_SECONDS),
     ]
 
 

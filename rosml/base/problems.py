@@ -13,13 +13,6 @@ Path = tuple[str | int, ...]
 SHOWN = 50
 """How many problems one message spells out; a broken file can hold thousands."""
 
-SOUGHT = 600
-"""Among how many names near matches are sought, so that a broken file does not take seconds to explain; the full matrix
-has about 500 images."""
-
-LONGEST = 500
-"""Characters of a problem's path, and of its text: a broken file can hold a number of 100,000 digits."""
-
 
 @dataclass(frozen=True)
 class Problem:
@@ -33,12 +26,7 @@ class Problem:
     def message(self, file: str) -> str:
         """The problem as editors and terminals link it: `file:line:column: path: text`."""
         place = f"{file}:{self.line}:{self.column}"
-        return ": ".join(part for part in (place, _shortened(self.path), _shortened(self.text)) if part)
-
-
-def _shortened(text: str) -> str:
-    """A text with its beginning, which says what is wrong, and its end, which says what to do about it."""
-    return text if len(text) <= LONGEST else f"{text[: LONGEST * 2 // 3]}…{text[-LONGEST // 3 :]}"
+        return ": ".join(part for part in (place, self.path, self.text) if part)
 
 
 class InputError(RosmlError):
@@ -95,7 +83,7 @@ def near(name: str, known: Iterable[str]) -> str:
     from difflib import get_close_matches  # only needed when something is wrong
 
     names = list(known)
-    if matches := get_close_matches(name[:100], names[:SOUGHT], n=3):
+    if matches := get_close_matches(name, names, n=3):
         return f"did you mean {listed([repr(match) for match in matches], last='or')}?"
     return f"known: {', '.join(names)}" if 0 < len(names) <= 12 else ""
 

@@ -58,7 +58,7 @@ def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     image_set = load.load(matrix, ROOT)
     images = selection.members(image_set, groups)
     if not images:
-        click.echo(command.in_words(selection.none_in(image_set, groups)), err=True)
+        click.echo(command.in_words(selection.none_in(groups)), err=True)
     if as_json:
         click.echo(tables.images_as_json(Inputs(ROOT, image_set), images), nl=False)
     elif images:

@@ -25,19 +25,6 @@ def expand(matrix: Matrix) -> ImageSet:
     return ImageSet(matrix, images, tuple(_parts(matrix, images)), tuple(_wheels(matrix)))
 
 
-def combinations(matrix: Matrix) -> Iterator[tuple[str, str, str, str | None]]:
-    """Distribution, component, framework and stack of everything that could be asked for."""
-    kinds = [
-        (framework, stack)
-        for framework, facts in matrix.frameworks.items()
-        for stack in (matrix.stacks if facts.parts else (None,))
-    ]
-    for distribution in matrix.distributions:
-        for framework, stack in kinds:
-            for component in matrix.components:
-                yield distribution, component, framework, stack
-
-
 @dataclass(frozen=True)
 class _Kind:
     """What images of one distribution with one framework and stack have in common.
@@ -219,10 +206,10 @@ def _parts(matrix: Matrix, images: tuple[Image, ...]) -> Iterator[Part]:
             parts = needed.setdefault((image.stack, image.python), {})
             for part in rules.parts(matrix, matrix.frameworks[image.framework], matrix.stacks[image.stack]):
                 parts.setdefault(part, set()).update(image.architectures)
-    merged: dict[str, tuple[str, str, str, set[str]]] = {}
+    merged: dict[tuple[str, str, str], set[str]] = {}
     for (stack, python), parts in needed.items():
         for part, wanted in parts.items():
-            name = names.part_name(part, stack, ANY_PYTHON if matrix.part[part].any_python else python)
-            merged.setdefault(name, (part, stack, python, set()))[3].update(wanted)
-    for part, stack, python, wanted in merged.values():
-        yield _part(matrix, part, stack, python, tuple(name for name in matrix.architectures if name in wanted))
+            key = part, stack, ANY_PYTHON if matrix.part[part].any_python else python
+            merged.setdefault(key, set()).update(wanted)
+    for key, wanted in merged.items():
+        yield _part(matrix, *key, tuple(name for name in matrix.architectures if name in wanted))

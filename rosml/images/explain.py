@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from datetime import date
+from itertools import product
 from typing import Any
 
 from rosml.base.errors import RosmlError
@@ -14,7 +14,7 @@ from rosml.images import apt_source, missing
 from rosml.images.expand import FLOATING
 from rosml.images.image_set import Image, ImageSet
 from rosml.matrix import names, rules
-from rosml.matrix.model import Apt, Matrix
+from rosml.matrix.model import Matrix
 
 
 @dataclass(frozen=True)
@@ -51,11 +51,6 @@ class Explained:
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
         return {"target": self.target, "exists": self.exists, "reasons": list(self.reasons)}
-
-
-def explain(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.environ) -> str:
-    """The text of `explained`."""
-    return explained(image_set, name, environ).text
 
 
 def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.environ) -> Explained:
@@ -141,68 +136,31 @@ def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
 
 
 def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
-    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`, or as a tag. Without a component
-    it is that of the short tags: `jazzy-torch` is read as `jazzy-base-torch`."""
-    repository, colon, tag = name.rpartition("/")[2].partition(":")
-    if colon:
-        for framework, facts in matrix.frameworks.items():
-            if facts.repository == repository:
-                yield from _tag_readings(matrix, framework, tag)
-        return
-    for start, distribution, component in _starts(matrix):
-        if name == start and component:
+    """Every way to read a name as `<distribution>-<component>[-<framework>[-<stack>]]`, or as a tag,
+    `<repository>:<distribution>-<component>[-<stack>]`. Without a component it is that of the short tags: `jazzy-torch`
+    is read as `jazzy-base-torch`."""
+    name = name.rpartition("/")[2]
+    components = {component: f"-{component}" for component in matrix.components}
+    short = {FLOATING: ""} if FLOATING in components else {}
+    starts = [*product(matrix.distributions, components.items()), *product(matrix.distributions, short.items())]
+    for distribution, (component, word) in starts:
+        start = f"{distribution}{word}"
+        if name == start and word:
             yield Wanted(distribution, component, rules.plain(matrix), None)
-        elif name.startswith(f"{start}-"):
-            rest = name[len(start) + 1 :]
-            for framework in matrix.frameworks:
-                if rest == framework:
-                    yield Wanted(distribution, component or FLOATING, framework, None)
-                elif rest.startswith(f"{framework}-") and (stack := rest[len(framework) + 1 :]) in matrix.stacks:
-                    yield Wanted(distribution, component or FLOATING, framework, stack)
-
-
-def _tag_readings(matrix: Matrix, framework: str, tag: str) -> Iterator[Wanted]:
-    """Every way to read a framework's tag as `<distribution>[-<component>][-<stack>]`."""
-    for start, distribution, component in _starts(matrix):
-        if tag == start:
-            yield Wanted(distribution, component or FLOATING, framework, None)
-        elif tag.startswith(f"{start}-") and (stack := tag[len(start) + 1 :]) in matrix.stacks:
-            yield Wanted(distribution, component or FLOATING, framework, stack)
-
-
-def _starts(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
-    """How names may begin, with the distribution and the component; those without a component last."""
-    for distribution in matrix.distributions:
-        for component in matrix.components:
-            yield f"{distribution}-{component}", distribution, component
-    if FLOATING in matrix.components:
-        for distribution in matrix.distributions:
-            yield distribution, distribution, ""
+        for framework, stack in product(matrix.frameworks, (None, *matrix.stacks)):
+            end = f"-{stack}" if stack else ""
+            if name in (f"{start}-{framework}{end}", f"{matrix.frameworks[framework].repository}:{start}{end}"):
+                yield Wanted(distribution, component, framework, stack)
 
 
 def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
     """ROS's apt repository, as matrix.yaml names it, or another one for this time."""
-    apt = matrix.distributions[image.distribution].apt
-    if environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"):
-        found = apt_source.source(matrix, image.distribution, environ)
-        if found and apt:
-            otherwise = Apt.model_validate(
-                {"channel": found.channel, "date": date.fromisoformat(found.day) if found.day else None}
-            )
-            text = f"this time, packages come from {_repository(matrix, image, otherwise)}"
-            yield f"{text}; without CHANNEL and SNAPSHOT, from {_repository(matrix, image, apt)}"
-    elif apt and not image.stack:
-        yield f"packages come from {_repository(matrix, image, apt)}"
-
-
-def _repository(matrix: Matrix, image: Image, apt: Apt) -> str:
-    if apt.channel == "live":
-        generation = matrix.distributions[image.distribution].generation
-        source = matrix.operating_systems[image.os].apt_sources.get(generation)
-        pinned = f"set up by {generation}-apt-source {source.version}" if source else "whose setup is not pinned here"
-        return f"ROS's live apt repository, {pinned}"
-    which = f"of {apt.date}" if apt.date else "final, which gets no updates"
-    return f"ROS's apt snapshot: {which}"
+    this_time = bool(environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"))
+    found = apt_source.source(matrix, image.distribution, environ)
+    if found and (this_time or not image.stack):
+        kinds = {"live": "live apt repository", "final": "apt snapshot: final, which gets no updates"}
+        kind = kinds.get(found.channel, f"apt snapshot: of {found.day}")
+        yield f"{'this time, ' * this_time}packages come from ROS's {kind}, {found.address}"
 
 
 def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from itertools import islice
 from pathlib import Path
 
 from rosml import ROOT
-from rosml.base.problems import SHOWN, InputError
+from rosml.base.problems import InputError
 from rosml.images.collisions import collisions
 from rosml.images.expand import expand
 from rosml.images.image_set import ImageSet
@@ -33,6 +32,6 @@ def load(file: Path, root: Path = ROOT) -> ImageSet:
 def image_set(document: Document) -> ImageSet:
     """The image set of a parsed matrix; raises as `load` does."""
     result = expand(validate(document))
-    if found := [document.problem(path, text) for path, text in islice(collisions(result), SHOWN + 1)]:
+    if found := [document.problem(path, text) for path, text in collisions(result)]:
         raise InputError(document.name, found)
     return result

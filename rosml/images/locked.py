@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
@@ -68,19 +67,5 @@ def with_locks(image_set: ImageSet, present: Collection[str]) -> ImageSet:
 
 
 def locks(root: Path) -> frozenset[str]:
-    """The locks that are there, relative to the project's root.
-
-    Raises:
-        RosmlError: a folder cannot be read: that is another matter than locks that nobody made yet.
-    """
-
-    def refuse(error: OSError) -> None:
-        if not isinstance(error, FileNotFoundError):
-            raise RosmlError(f"{shown(Path(error.filename))}: {error.strerror}", "make it a folder that you can read")
-
-    return frozenset(
-        str((Path(folder) / file).relative_to(root))
-        for folder, _, files in os.walk(root / "locks", onerror=refuse)
-        for file in files
-        if file.endswith(".txt") and (Path(folder) / file).is_file()
-    )
+    """The locks that are there, relative to the project's root."""
+    return frozenset(str(file.relative_to(root)) for file in (root / "locks").rglob("*.txt") if file.is_file())

@@ -61,25 +61,11 @@ def members(image_set: ImageSet, groups: Sequence[str] = ()) -> tuple[Image, ...
     return tuple(image for image in image_set.images if wanted <= {*image.groups, *image.architectures})
 
 
-def none_in(image_set: ImageSet, groups: Sequence[str]) -> str:
+def none_in(groups: Sequence[str]) -> str:
     """What to say where no image is in all of some groups: so, and how to learn why."""
-    return f"no image is in all of {listed(groups)}; see why: make explain TARGET={_example(image_set, groups)}"
-
-
-def _example(image_set: ImageSet, groups: Sequence[str]) -> str:
-    """A name to ask about: an image of the other groups where an architecture is what is lacking, or the name that the
-    groups make up, or its pattern."""
-    axes = [name for name in groups if name not in image_set.matrix.architectures]
-    if len(axes) < len(groups) and (others := members(image_set, axes)):
-        return others[0].target
-    matrix = image_set.matrix
-    words = [
-        [name for name in groups if name in axis]
-        for axis in (matrix.distributions, matrix.components, matrix.frameworks, matrix.stacks)
-    ]
-    distribution, component, framework, stack = words
-    readable = len(distribution) == 1 and max(map(len, words)) == 1 and (framework or (component and not stack))
-    return "-".join(name for word in words for name in word) if readable else "<distribution>-<component>-<framework>"
+    return (
+        f"no image is in all of {listed(groups)}; see why: make explain TARGET=<distribution>-<component>-<framework>"
+    )
 
 
 def architecture_of(image_set: ImageSet, platform: str) -> str:

@@ -3,25 +3,15 @@
 from __future__ import annotations
 
 import string
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from rosml.base.problems import Path, listed, near, unknown
 from rosml.matrix import names
-from rosml.matrix.model import Distribution, Matrix, OperatingSystem, Release
+from rosml.matrix.model import Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
 from rosml.matrix.rules import NVIDIA
 
 Finding = tuple[Path, str]
 """A problem's path and its text."""
-
-MAX_COMBINATIONS = 50_000
-"""More combinations than that are a mistake: they would take seconds, and hundreds of megabytes. The full matrix has
-about 1,500; 10,000 images like its own are 30,000 combinations."""
-
-MAX_CHAIN = 32
-"""More components on one another than that are a mistake: each is a layer, of which an image can have 127."""
-
-MAX_ARCHITECTURES = 16
-"""More than that are a mistake: every image and part lists its own."""
 
 PLACEHOLDERS = ("component", "metapackage", "ros_distro")
 
@@ -29,7 +19,6 @@ PLACEHOLDERS = ("component", "metapackage", "ros_distro")
 def findings(matrix: Matrix) -> Iterator[Finding]:
     """Every problem that needs more than one place of the file to be seen."""
     for check in (
-        _duplicates,
         _axes,
         _default,
         _architectures,
@@ -43,7 +32,6 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         _stacks,
         _distributions,
         _disk,
-        _size,
     ):
         yield from check(matrix)
 
@@ -63,30 +51,6 @@ def _default(matrix: Matrix) -> Iterator[Finding]:
         yield ("default", "assembler"), unknown("operating system", assembler, matrix.operating_systems)
 
 
-def _duplicates(matrix: Matrix) -> Iterator[Finding]:
-    lists: list[tuple[Path, tuple[str, ...]]] = [(("default", "group"), matrix.default.group)]
-    for name, os in matrix.operating_systems.items():
-        lists.append((("operating_systems", name, "architectures"), os.architectures))
-    for name, framework in matrix.frameworks.items():
-        for key in ("parts", "accelerators", "tests"):
-            lists.append((("frameworks", name, key), getattr(framework, key)))
-    for family, releases in matrix.releases.items():
-        for version, release in releases.items():
-            here: Path = ("releases", family, version)
-            lists.append(((*here, "python"), release.python))
-            lists += [((*here, "wheels", stack), wheels) for stack, wheels in release.wheels.items()]
-            lists.append(((*here, "requires"), release.requires))
-    for name, distribution in matrix.distributions.items():
-        for key in ("components", "wheels", "architectures", "rmw"):
-            lists.append((("distributions", name, key), getattr(distribution, key)))
-    for path, values in lists:
-        seen: set[str] = set()
-        for index, value in enumerate(values):
-            if value in seen:
-                yield (*path, index), f"{value!r} is there twice; keep one"
-            seen.add(value)
-
-
 def _axes(matrix: Matrix) -> Iterator[Finding]:
     """Every value of an axis is a group of the bake file, so no two may share a name."""
     taken = dict.fromkeys(names.RESERVED_GROUPS, "a group of its own")
@@ -99,11 +63,6 @@ def _axes(matrix: Matrix) -> Iterator[Finding]:
                 )
             else:
                 taken[name] = f"by {axis}.{name}"
-    slugs: dict[str, str] = {}
-    for name in matrix.operating_systems:
-        other = slugs.setdefault(names.os_slug(name), name)
-        if other != name:
-            yield ("operating_systems", name), f"{name!r} and {other!r} would have the same target; rename one"
 
 
 def _architectures(matrix: Matrix) -> Iterator[Finding]:
@@ -154,35 +113,18 @@ def _same_python(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _components(matrix: Matrix) -> Iterator[Finding]:
-    settled: set[str] = set()
-    cycles = False
     for name, component in matrix.components.items():
         if component.builds_on and component.builds_on not in matrix.components:
             yield ("components", name, "builds_on"), unknown("component", component.builds_on, matrix.components)
-        chain: dict[str, None] = {}  # a set that keeps its order
+        chain: list[str] = []
         below: str | None = name
-        while below in matrix.components and below not in chain and below not in settled:
-            chain[below] = None
+        while below in matrix.components and below not in chain:
+            chain.append(below)
             below = matrix.components[below].builds_on
-        settled.update(chain)
-        if below in chain:
-            cycle = list(chain)[list(chain).index(below) :]
-            way = " -> ".join([*cycle, below] if len(cycle) <= 8 else [below, "…", below])
-            yield ("components", below, "builds_on"), f"a cycle: {way}; one of them must build on nothing"
-            cycles = True
-    for name in () if cycles else matrix.components:
-        if _chain_length(matrix, name) > MAX_CHAIN:
-            text = f"more than {MAX_CHAIN} components on one another, with what it builds on; remove some"
-            yield ("components", name, "builds_on"), text
+        if below == name:
+            way = " -> ".join([*chain, name])
+            yield ("components", name, "builds_on"), f"a cycle: {way}; one of them must build on nothing"
             return
-
-
-def _chain_length(matrix: Matrix, name: str) -> int:
-    """How many components stand on one another below one, with itself; counted no further than is allowed."""
-    length, link = 0, matrix.components.get(name)
-    while link and length <= MAX_CHAIN:
-        length, link = length + 1, matrix.components.get(link.builds_on or "")
-    return length
 
 
 def _frameworks(matrix: Matrix) -> Iterator[Finding]:
@@ -405,67 +347,41 @@ def _placeholders(path: Path, template: str, known: tuple[str, ...]) -> Iterator
 
 
 def _disk(matrix: Matrix) -> Iterator[Finding]:
-    for section, known in (("components", matrix.components), ("parts", matrix.stacks)):
-        forecasts = getattr(matrix.disk, section)
-        kind = "component" if section == "components" else "stack"
-        for name in forecasts:
-            if name not in known:
-                yield ("disk", section, name), unknown(kind, name, known)
-        for name in known:
-            if name not in forecasts:
-                yield (
-                    ("disk", section),
-                    f"no forecast for {kind} {name}; add {_forecast(matrix, kind, name)}, a guess will do",
-                )
+    """Each component, and each part of each stack that some image has, has a forecast."""
+    yield from _forecasts(
+        ("disk", "components"), "component", matrix.disk.components, matrix.components, matrix.components
+    )
+    for name in matrix.disk.parts:
+        if name not in matrix.stacks:
+            yield ("disk", "parts", name), unknown("stack", name, matrix.stacks)
+    used = {part for framework in matrix.frameworks.values() for part in framework.parts}
+    for name, stack in matrix.stacks.items():
+        needed = [part.name for part in matrix.parts if part.name in used and _has(stack, part)]
+        yield from _forecasts(("disk", "parts", name), "part", matrix.disk.parts.get(name, ()), matrix.part, needed)
+    carrying = [framework for framework, facts in matrix.frameworks.items() if facts.parts]
     for name, budgets in matrix.disk.budgets.items():
         if name not in matrix.stacks:
             yield ("disk", "budgets", name), unknown("stack", name, matrix.stacks)
-        carrying = [framework for framework, facts in matrix.frameworks.items() if facts.parts]
         for framework in budgets:
             if framework not in carrying:
                 yield ("disk", "budgets", name, framework), unknown("framework with parts", framework, carrying)
-    yield from _disk_parts(matrix)
 
 
-def _disk_parts(matrix: Matrix) -> Iterator[Finding]:
-    """Each part of each stack has a forecast, and nothing else has."""
-    for name, forecasts in matrix.disk.parts.items():
-        for part in _forecast_parts(matrix, name) if name in matrix.stacks else ():
-            if part not in forecasts:
-                yield ("disk", "parts", name), f"no forecast for part {part}; add '{part}: {FORECAST}', a guess will do"
-        for part in forecasts:
-            if part not in matrix.part:
-                yield ("disk", "parts", name, part), unknown("part", part, matrix.part)
+def _has(stack: Stack, part: PartEntry) -> bool:
+    """Whether images of a stack have a part, if their framework takes it."""
+    return part.accelerator in (None, stack.accelerator) and part.release in (None, *stack.releases)
 
 
-FORECAST = "{unpacked: 900, compressed: 250}"
-"""The form of a forecast, for remedies."""
-
-
-def _forecast(matrix: Matrix, kind: str, name: str) -> str:
-    """A forecast to fill in: of a stack, for each of its parts."""
-    if kind == "component":
-        return f"'{name}: {FORECAST}'"
-    return f"'{name}: {{{', '.join(f'{part}: {FORECAST}' for part in _forecast_parts(matrix, name))}}}'"
-
-
-def _forecast_parts(matrix: Matrix, name: str) -> list[str]:
-    """The parts of a stack that some image has."""
-    stack = matrix.stacks[name]
-    used = {part for framework in matrix.frameworks.values() for part in framework.parts}
-    return [
-        part.name
-        for part in matrix.parts
-        if part.name in used
-        and part.accelerator in (None, stack.accelerator)
-        and (part.release is None or part.release in stack.releases)
-    ]
-
-
-def _size(matrix: Matrix) -> Iterator[Finding]:
-    if len(matrix.architectures) > MAX_ARCHITECTURES:
-        yield ("architectures",), f"{len(matrix.architectures)}, more than {MAX_ARCHITECTURES}; remove some"
-    components = sum(len(distribution.components) for distribution in matrix.distributions.values())
-    combinations = components * (1 + len(matrix.frameworks) * len(matrix.stacks))
-    if combinations > MAX_COMBINATIONS:
-        yield (), f"{combinations} combinations to look at, more than {MAX_COMBINATIONS}; remove rows"
+def _forecasts(
+    path: Path, kind: str, forecasts: Collection[str], known: Collection[str], needed: Collection[str]
+) -> Iterator[Finding]:
+    """What is needed has a forecast, and nothing has one that is not there."""
+    for name in forecasts:
+        if name not in known:
+            yield (*path, name), unknown(kind, name, known)
+    for name in needed:
+        if name not in forecasts:
+            yield (
+                path,
+                f"no forecast for {kind} {name}; add '{name}: {{unpacked: 900, compressed: 250}}', a guess will do",
+            )

@@ -39,15 +39,21 @@ def component_reason(matrix: Matrix, distribution: str, component: str) -> str |
 def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str | None) -> str | None:
     """Can images of a distribution carry the framework on the stack, on any architecture?"""
     facts, os = matrix.frameworks[framework], matrix.distributions[distribution].os
+    if (reason := _content_reason(matrix, framework, stack)) or stack is None:
+        return reason
+    return _python(matrix, os, facts, matrix.stacks[stack]) or _architectures(matrix, distribution, facts, stack)
+
+
+def _content_reason(matrix: Matrix, framework: str, stack: str | None) -> str | None:
+    """Does the stack have what the framework takes?"""
+    facts = matrix.frameworks[framework]
     if stack is None or not facts.parts:
         return _pairing(framework, facts, stack)
     return (
         _accelerator(framework, facts, stack, matrix.stacks[stack])
         or _parts(matrix, framework, facts, stack)
-        or _releases(matrix, framework, facts, stack)
+        or _releases(matrix, facts, stack)
         or _apart(matrix, framework, facts, stack)
-        or _python(matrix, os, facts, matrix.stacks[stack])
-        or _architectures(matrix, distribution, facts, stack)
     )
 
 
@@ -162,14 +168,7 @@ def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:
     return {
         name: parts(matrix, framework, facts)
         for name, framework in matrix.frameworks.items()
-        if (
-            _pairing(name, framework, stack)
-            or _accelerator(name, framework, stack, facts)
-            or _parts(matrix, name, framework, stack)
-            or _releases(matrix, name, framework, stack)
-            or _apart(matrix, name, framework, stack)
-        )
-        is None
+        if _content_reason(matrix, name, stack) is None
     }
 
 
@@ -210,14 +209,11 @@ def _accelerator(name: str, framework: Framework, stack: str, facts: Stack) -> s
 
 
 def _parts(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
-    return (
-        None
-        if parts(matrix, framework, matrix.stacks[stack])
-        else f"stack {stack} has nothing that framework {name} takes"
-    )
+    found = parts(matrix, framework, matrix.stacks[stack])
+    return None if found else f"stack {stack} has nothing that framework {name} takes"
 
 
-def _releases(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
+def _releases(matrix: Matrix, framework: Framework, stack: str) -> str | None:
     lacking = [family for family in families(matrix, framework) if family not in matrix.stacks[stack].releases]
     return f"stack {stack} has no release of {listed(lacking)}" if lacking else None
 

@@ -19,12 +19,6 @@ from rosml.base.errors import RosmlError
 from rosml.base.files import shown
 from rosml.base.problems import InputError, Path, Problem, dotted
 
-MAX_BYTES = 128 * 1024
-"""The largest file that is read. The full matrix is a tenth of it."""
-
-MAX_DEPTH = 16
-"""The deepest nesting that is read; the model needs 6. Also keeps the C parser's recursion bounded."""
-
 # libyaml comes with PyYAML's wheels; the pure-Python parser reads the same, ten times slower.
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -66,13 +60,12 @@ def read(file: FilePath, option: str = "--matrix") -> Document:
     """Reads a YAML file. `option`: the one of the command line that names another file.
 
     Raises:
-        RosmlError: the file is missing, unreadable or too large (exit code 2).
+        RosmlError: the file is missing or unreadable (exit code 2).
         InputError: it is not UTF-8 or not the YAML described above; with every problem that could be found.
     """
     name = shown(file)
     try:
-        with file.open("rb") as stream:
-            content = stream.read(MAX_BYTES + 1)
+        content = file.read_bytes()
     except FileNotFoundError:
         raise RosmlError(f"{name}: no such file", remedy=f"name the file with {option}", exit_code=2) from None
     except (OSError, ValueError) as error:
@@ -83,29 +76,17 @@ def read(file: FilePath, option: str = "--matrix") -> Document:
 
 def parse(content: bytes, name: str = "matrix.yaml") -> Document:
     """Parses YAML text; raises as `read` does."""
-    if len(content) > MAX_BYTES:
-        raise RosmlError(
-            f"{name}: larger than {MAX_BYTES // 1024} KiB, which no such file needs",
-            remedy="check that this is the right file",
-            exit_code=2,
-        )
     text = _decode(content, name)
     document = Document(name)
     try:
-        if problems := _refused(text):
+        if problems := list(_refused(text)):
             raise InputError(name, problems)
         node = yaml.compose(text, Loader=_Loader)
     except yaml.MarkedYAMLError as error:
-        raise InputError(name, _conflicts(text) or [_syntax(error, text)]) from None
+        raise InputError(name, [_syntax(error)]) from None
     except yaml.reader.ReaderError as error:
-        before = text[: error.position]
-        line, column = before.count("\n") + 1, len(before) - (before.rfind("\n") + 1) + 1
-        code = error.character if isinstance(error.character, int) else ord(error.character)
-        raise InputError(
-            name, [Problem(line, column, "", f"the character U+{code:04X} is not allowed in YAML; remove it")]
-        ) from None
-    except yaml.YAMLError as error:
-        raise InputError(name, [Problem(1, 1, "", f"not YAML: {error}")]) from None
+        what = "a character that YAML does not allow; remove it"
+        raise InputError(name, [Problem(*_end(text[: error.position]), "", what)]) from None
     if node is None:
         raise InputError(name, [Problem(1, 1, "", "the file is empty; it needs at least 'version: 1'")])
     document.places[()] = _place(node)
@@ -117,71 +98,37 @@ def _decode(content: bytes, name: str) -> str:
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        before = content[: error.start]
-        line, column = before.count(b"\n") + 1, len(before) - (before.rfind(b"\n") + 1) + 1
         text = f"not UTF-8 (byte 0x{content[error.start]:02x}); save the file as UTF-8"
-        raise InputError(name, [Problem(line, column, "", text)]) from None
+        before = content[: error.start].decode("utf-8", errors="replace")
+        raise InputError(name, [Problem(*_end(before), "", text)]) from None
 
 
-def _refused(text: str) -> list[Problem]:
-    """What is YAML, but not ours. Events come from a parser without recursion, so this is safe for any text."""
-    problems: list[Problem] = []
-    depth = documents = 0
+def _end(text: str) -> tuple[int, int]:
+    """Line and column of what follows a text."""
+    return text.count("\n") + 1, len(text) - text.rfind("\n")
+
+
+def _refused(text: str) -> Iterator[Problem]:
+    """Anchors, aliases and tags: what is YAML, but not ours."""
     events: Iterator[Any] = yaml.parse(text, Loader=_Loader)
     for event in events:
-        line, column = event.start_mark.line + 1, event.start_mark.column + 1
-
-        def refuse(what: str, line: int = line, column: int = column) -> None:
-            problems.append(Problem(line, column, "", what))
-
-        if isinstance(event, yaml.CollectionStartEvent):
-            depth += 1
-            if depth > MAX_DEPTH:
-                refuse(f"nested more than {MAX_DEPTH} levels deep")
-                return problems
-        elif isinstance(event, yaml.CollectionEndEvent):
-            depth -= 1
-        elif isinstance(event, yaml.DocumentStartEvent):
-            documents += 1
-            if documents > 1:
-                refuse("a second document starts here; keep one document in a file")
-                return problems
-        if isinstance(event, yaml.AliasEvent):
-            refuse(f"the alias *{event.anchor} is not allowed; write the value out")
-        elif getattr(event, "anchor", None):
-            refuse(f"the anchor &{event.anchor} is not allowed; write the value out where it is used")
-        if getattr(event, "tag", None):
-            refuse(f"the tag {event.tag!r} is not allowed; remove it")
-    return problems
+        kind = "alias" if isinstance(event, yaml.AliasEvent) else "anchor"
+        for what, name in ((kind, getattr(event, "anchor", None)), ("tag", getattr(event, "tag", None))):
+            if name:
+                mark = event.start_mark
+                yield Problem(
+                    mark.line + 1, mark.column + 1, "", f"the {what} {name} is not allowed; write plain values out"
+                )
 
 
-def _conflicts(text: str) -> list[Problem]:
-    """The markers that git leaves where two versions of a file contradict each other."""
-    remedy = "a git conflict marker; resolve the merge"
-    lines = enumerate(text.splitlines(), 1)
-    return [Problem(number, 1, "", remedy) for number, line in lines if _CONFLICT.match(line)]
-
-
-_CONFLICT = re.compile(r"(<{7}|>{7}|\|{7})( |$)|={7}$")
-
-
-def _syntax(error: yaml.MarkedYAMLError, text: str) -> Problem:
+def _syntax(error: yaml.MarkedYAMLError) -> Problem:
+    what = error.problem or "cannot be read"
     mark = error.problem_mark or error.context_mark
-    line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
-    what = error.problem or error.context or "not YAML"
-    here = text.splitlines()[mark.line : mark.line + 1] if mark else []
-    if "\\t" in what or "'\t'" in what or "tab character" in what or _begins_with_tab(here, column):
-        return Problem(line, column, "", "a tab; indent with spaces")
     if error.context_mark and what == "could not find expected ':'":  # the line after the one with the mistake
-        line, column = error.context_mark.line + 1, error.context_mark.column + 1
+        mark = error.context_mark
+    line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
     remedy = next((remedy for sign, remedy in _REMEDIES.items() if sign in what), "")
     return Problem(line, column, "", "; ".join(part for part in (f"not YAML: {what}", remedy) if part))
-
-
-def _begins_with_tab(here: list[str], column: int) -> bool:
-    """Whether a tab is what the parser stopped at: of one at the very start of a line it only says that no token starts
-    so."""
-    return bool(here) and here[0][column - 1 : column] == "\t"
 
 
 _REMEDIES = {
@@ -191,7 +138,9 @@ _REMEDIES = {
     "did not find expected key": "look at this line and those above for a quote that is left open, or another indentation",
     "found unexpected end of stream": "look above for a quote that is left open",
     "did not find expected ','": "close the bracket, and put commas between its items",
-    "cannot start any token": "put the text in quotes",
+    "cannot start any token": "indent with spaces, and put text that begins like this in quotes",
+    "tab character": "indent with spaces",
+    "another document": "keep one document in a file",
     "did not find expected comment or line break": "put the text in quotes",
 }
 """What to do about the parser's complaints, which speak of its own work; by what they say."""
@@ -205,10 +154,14 @@ def _value(document: Document, path: Path, node: Any) -> Any:
     if isinstance(node, yaml.MappingNode):
         return _mapping(document, path, node)
     if isinstance(node, yaml.SequenceNode):
-        items = []
+        items: list[Any] = []
+        seen: set[str] = set()
         for index, item in enumerate(node.value):
             below = (*path, index)
-            document.places[below] = _place(item, _text(item))
+            document.places[below] = _place(item, text := _text(item))
+            if text and text in seen:
+                document.problems.append(document.problem(below, f"{text!r} is there twice; keep one"))
+            seen.add(text)
             items.append(_value(document, below, item))
         return tuple(items)
     return _scalar(document, path, node)
@@ -223,10 +176,6 @@ def _mapping(document: Document, path: Path, node: Any) -> dict[str, Any]:
             continue
         below = (*path, key.value)
         where = dotted(below)
-        if key.tag == f"{_TAG}merge":
-            text = "the merge key << is not allowed; write the keys out"
-            document.problems.append(Problem(place.line, place.column, dotted(path), text))
-            continue
         if key.tag != f"{_TAG}str":
             kind = key.tag.removeprefix(_TAG)
             text = f'YAML reads the key {key.value} as {_KINDS.get(kind, kind)}; write it in quotes: "{key.value}"'
@@ -265,8 +214,8 @@ def _scalar(document: Document, path: Path, node: Any) -> Any:
         return text == "true"
     if kind == "int" and _INTEGER.fullmatch(text):
         return int(text)
-    if kind == "float":
-        return _number(text)
+    if kind == "float":  # none is wanted anywhere; messages show it as it is written
+        return float("nan")
     if kind == "timestamp":
         try:
             return date.fromisoformat(text)
@@ -279,11 +228,3 @@ def _scalar(document: Document, path: Path, node: Any) -> Any:
         text = f"YAML reads {text} as {_KINDS[kind]}; {remedy}{quoted}"
         document.problems.append(document.problem(path, text))
     return node.value
-
-
-def _number(text: str) -> float:
-    """A number with a point. None is wanted anywhere, so it only has to be told apart; no spelling may fail."""
-    try:
-        return float(text.replace("_", ""))
-    except ValueError:  # YAML's own spellings: `.inf`, `1:30.5`
-        return float("nan")

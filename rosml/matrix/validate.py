@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import re
 import types
 from collections.abc import Mapping, Sequence
 from datetime import date
-from itertools import islice
-from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
+from typing import Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
-from pydantic.fields import FieldInfo
 
-from rosml.base.problems import SHOWN, InputError, Path, Problem, listed, near, unknown
+from rosml.base.problems import InputError, Path, Problem, listed, near
 from rosml.matrix.model import MEANING, Matrix
 from rosml.matrix.references import findings
 from rosml.matrix.source import Document
@@ -55,14 +52,12 @@ def validate(document: Document) -> Matrix:
         InputError: with every problem of its structure; or, where that is sound, with every name that does not exist.
     """
     matrix = checked(document, Matrix, MEANING)
-    if problems := [document.problem(path, text) for path, text in islice(findings(matrix), SHOWN + 1)]:
+    if problems := [document.problem(path, text) for path, text in findings(matrix)]:
         raise InputError(document.name, problems)
     return matrix
 
 
-def _problem(
-    document: Document, error: Any, top: type[BaseModel] = Matrix, meaning: Mapping[str, str] = MEANING
-) -> Problem:
+def _problem(document: Document, error: Any, top: type[BaseModel], meaning: Mapping[str, str]) -> Problem:
     kind: str = error["type"]
     path, of_key = _path(document, error["loc"], kind)
     if kind == "missing":
@@ -72,8 +67,6 @@ def _problem(
     context, value = error.get("ctx", {}), error["input"]
     if of_key:
         value = path[-1]
-    if kind == "string_pattern_mismatch" and top is Matrix and _names_architecture(path):
-        return document.problem(path, unknown("architecture", value, document.data.get("architectures") or ()))
     written = document.place(path).text if not of_key else ""
     return document.problem(path, _complaint(kind, context, value, written, error["msg"], meaning))
 
@@ -82,13 +75,6 @@ def _first_errors(details: Sequence[Any]) -> list[Any]:
     """Pydantic's errors without those that follow from others: a list is too short for it where an item is wrong."""
     wrong = {detail["loc"][:-1] for detail in details}
     return [detail for detail in details if detail["type"] != "too_short" or detail["loc"] not in wrong]
-
-
-def _names_architecture(path: Path) -> bool:
-    """Whether an architecture stands at `path`: a name of one is better answered by those that there are."""
-    return path[:1] + path[2:3] == ("operating_systems", "architectures") or (
-        path[:1] + path[3:4] == ("releases", "wheels") and isinstance(path[-1], int)
-    )
 
 
 def _complaint(
@@ -105,18 +91,15 @@ def _complaint(
         return f"expected {meaning.get(context['pattern'], 'text')}, found {_found(value)}"
     if kind == "literal_error":
         known = str(context["expected"]).replace("'", "").replace(" or ", ", ").split(", ")
-        remedy = f"write it without quotes: {value}" if value in known else _near_match(value, known)
-        return _join(f"expected {listed(known, last='or')}, found {_found(value, written)}", remedy)
-    if kind == "int_type" and isinstance(value, str) and re.fullmatch(r"[1-9]\d{0,8}", value):
-        return f"expected {_EXPECTED[kind]}, found {_found(value)}; write it without quotes: {value}"
+        return f"expected {listed(known, last='or')}, found {_found(value, written)}"
     if kind in _EXPECTED:
         return f"expected {_EXPECTED[kind]}, found {_found(value, written)}"
     if kind in ("greater_than_equal", "less_than_equal"):
         bound = "at least" if kind.startswith("greater") else "at most"
         return f"expected {bound} {context.get('ge', context.get('le'))}, found {_found(value, written)}"
-    if kind in ("too_short", "string_too_short"):
+    if kind == "too_short":
         return "nothing is there; at least one entry is needed"
-    if kind in ("too_long", "string_too_long"):
+    if kind == "string_too_long":
         return f"too long: {len(value)} characters, at most {context['max_length']} are allowed"
     return f"{otherwise[:1].lower()}{otherwise[1:]}, found {_found(value, written)}"
 
@@ -139,16 +122,9 @@ def _found(value: Any, written: str = "") -> str:
     if isinstance(value, Sequence) and not isinstance(value, str):
         return "a list"
     if isinstance(value, str):
-        return repr(value) if len(value) <= 80 else f"{value[:77]!r}… ({len(value)} characters)"
+        return repr(value)
     kind = "a date" if isinstance(value, date) else "the number" if not isinstance(value, bool) else ""
     return f"{kind} {written or value}".strip()
-
-
-def _near_match(value: Any, known: list[str]) -> str:
-    from difflib import get_close_matches
-
-    matches = get_close_matches(str(value)[:100], known, n=1)
-    return f"did you mean {matches[0]}?" if matches else ""
 
 
 def _join(*sentences: str) -> str:
@@ -182,38 +158,20 @@ def _purpose(path: Path, top: type[BaseModel]) -> str:
 
 
 def _model(path: Path, top: type[BaseModel]) -> type[BaseModel] | None:
-    """The model that describes what stands at `path`."""
-    kind = _bare(_annotation(path, top))
+    """The model that describes what stands at `path` below `top`; None where there is none."""
+    kind: Any = top
+    for step in path:
+        if isinstance(kind, type) and issubclass(kind, BaseModel):
+            field = kind.model_fields.get(str(step))
+            kind = _bare(field.annotation) if field else None
+        else:
+            arguments = get_args(kind)
+            kind = _bare(arguments[1 if get_origin(kind) is dict else 0]) if arguments else None
     return kind if isinstance(kind, type) and issubclass(kind, BaseModel) else None
 
 
-def _annotation(path: Path, top: type[BaseModel]) -> Any:
-    """The type, with its annotations, of what stands at `path` below `top`; None where the model has no such place."""
-    kind: Any = top
-    for step in path:
-        kind = _bare(kind)
-        if isinstance(kind, type) and issubclass(kind, BaseModel):
-            field = kind.model_fields.get(str(step))
-            kind = _whole(field) if field else None
-        else:
-            arguments = get_args(kind)
-            kind = arguments[1 if get_origin(kind) is dict else 0] if arguments else None
-    return kind
-
-
 def _bare(kind: Any) -> Any:
-    """A type without annotations and without `| None`; of a union, its first member."""
-    while True:
-        if get_origin(kind) is Annotated:
-            kind = get_args(kind)[0]
-        elif get_origin(kind) in (Union, types.UnionType):
-            kind = next(argument for argument in get_args(kind) if argument is not type(None))
-        else:
-            return kind
-
-
-def _whole(field: FieldInfo) -> Any:
-    """A field's type with the annotations that pydantic keeps apart."""
-    annotated: Any = Annotated
-    arguments = (field.annotation, *field.metadata)
-    return annotated[arguments] if field.metadata else field.annotation
+    """A type without `| None`; of a union, its first member."""
+    while get_origin(kind) in (Union, types.UnionType):
+        kind = next(argument for argument in get_args(kind) if argument is not type(None))
+    return kind

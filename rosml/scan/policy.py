@@ -11,7 +11,7 @@ from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, Field
 
-from rosml.base.problems import InputError, Problem
+from rosml.base.problems import Problem
 from rosml.matrix import source, validate
 from rosml.matrix.model import Facts, only_whole
 
@@ -142,17 +142,4 @@ def load(file: Path) -> Rules:
 
 def parsed(document: source.Document) -> Rules:
     """The policy of a document; raises as `load` does."""
-    policy = validate.checked(document, Policy, MEANING)
-    problems = []
-    seen: dict[tuple[str, str | None, str], int] = {}
-    for index, entry in enumerate(policy.ignore):
-        first = seen.setdefault((entry.id, entry.package, entry.targets), index)
-        if first != index:
-            line = document.place(("ignore", first)).line
-            problems.append(document.problem(("ignore", index), f"the same as the entry on line {line}; keep one"))
-    for index, severity in enumerate(policy.fail):
-        if severity in policy.fail[:index]:
-            problems.append(document.problem(("fail", index), f"{severity} is there twice; keep one"))
-    if problems:
-        raise InputError(document.name, problems)
-    return Rules(policy, document)
+    return Rules(validate.checked(document, Policy, MEANING), document)

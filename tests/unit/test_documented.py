@@ -20,7 +20,7 @@ from workflows import COMMANDS, accepted
 from bench import cli as bench
 from rosml.base.errors import RosmlError
 from rosml.cli import join, publish
-from rosml.images.explain import explain
+from rosml.images.explain import explained
 from rosml.images.image_set import ImageSet
 from rosml.images.selection import members
 from tests.calls import lacking
@@ -290,7 +290,7 @@ def made(given: list[str], image_set: ImageSet, examples: bool) -> None:
 def known(variable: str, value: str, image_set: ImageSet) -> None:
     """Fails where a value names nothing that there is."""
     if variable == "TARGET":
-        explain(image_set, value, {})
+        explained(image_set, value, {})
     elif variable == "GROUP":
         assert members(image_set, value.split())
     elif variable == "STACK":

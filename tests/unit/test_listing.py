@@ -39,16 +39,7 @@ def test_architectures_narrow_the_list_down(small: ImageSet) -> None:
     assert targets(small, "alpha", "core", "arm64") == ["alpha-core", "alpha-core-torch-cpu", "alpha-core-ml-cpu"]
 
 
-NONE = {
-    ("alpha", "robot"): "alpha-robot",
-    ("cu1", "ml", "omega"): "omega-ml-cu1",
-    ("alpha", "cu1", "arm64"): "alpha-core-cuda-cu1",
-    ("alpha", "omega"): "<distribution>-<component>-<framework>",
-    ("alpha", "robot", "cu1"): "<distribution>-<component>-<framework>",
-}
-
-
-@pytest.mark.parametrize("groups", NONE)
+@pytest.mark.parametrize("groups", [("alpha", "robot"), ("alpha", "cu1", "arm64")])
 def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) -> None:
     """They are no error, but somebody who mistook one for the other must not take an empty table for an answer."""
     robot = changed("components: [core, base]\n", "components: [core, base, robot]\n")
@@ -57,7 +48,7 @@ def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) 
     done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=True)
     assert done.stdout == ""
     assert done.stderr.startswith(f"no image is in all of {listed(groups)}; see why: ")
-    assert done.stderr.endswith(f": make explain TARGET={NONE[groups]}\n")
+    assert done.stderr.endswith(": make explain TARGET=<distribution>-<component>-<framework>\n")
 
 
 def test_one_image_is_one(small: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:

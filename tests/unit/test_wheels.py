@@ -14,7 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.build.maker import require_buildable
 from rosml.images import apt_source, missing
-from rosml.images.explain import explain, why_not
+from rosml.images.explain import explained, why_not
 from rosml.images.image_set import ImageSet
 from rosml.images.load import load
 from rosml.images.locked import with_locks
@@ -55,7 +55,7 @@ def test_a_row_may_exist_for_fewer_architectures_than_its_system(wheels: ImageSe
     assert rules.built_for(wheels.matrix, "alpha") == ("amd64", "arm64")
     assert rules.built_for(wheels.matrix, "sigma") == ("amd64",)
     assert wheels.image("sigma-core").platforms == ("linux/amd64",)
-    assert "\n  - not for arm64: sigma exists for amd64 only\n" in explain(wheels, "sigma-core")
+    assert "\n  - not for arm64: sigma exists for amd64 only\n" in explained(wheels, "sigma-core").text
     assert why_not(wheels, "sigma-core-torch-cpu") == (
         "sigma-core-torch-cpu does not exist: torch 2.10.0 has cpu wheels for arm64 only, and sigma is built for amd64."
     )
@@ -63,11 +63,11 @@ def test_a_row_may_exist_for_fewer_architectures_than_its_system(wheels: ImageSe
 
 
 def test_explain_says_where_ros_comes_from(wheels: ImageSet) -> None:
-    said = explain(wheels, "sigma-core").splitlines()
+    said = explained(wheels, "sigma-core").text.splitlines()
     assert "  - sigma is experimental: docs/limits.md says what it has, and it never gets the tag latest" in said
     wanted = "ros-alpha-rclpy[fastrtps]==7.1.6 and ros-std-msgs==5.3.6"
     assert f"  - it is _os-ubuntu-24-04 with ROS from wheels: {wanted}, and what they need, by {LOCK}" in said
-    assert "experimental" not in explain(wheels, "alpha-core")
+    assert "experimental" not in explained(wheels, "alpha-core").text
 
 
 def test_no_other_channel(wheels: ImageSet) -> None:
@@ -169,7 +169,7 @@ def test_a_missing_lock_is_told_like_others(wheels: ImageSet) -> None:
     assert said is not None
     assert f"): {LOCK} is missing, or not of the release that matrix.yaml names" in said.message
     assert said.remedy == missing.RESTORE
-    assert explain(image_set, "sigma-core").endswith(f"\n  - {LOCK} is missing; run 'make locks'")
+    assert explained(image_set, "sigma-core").text.endswith(f"\n  - {LOCK} is missing; run 'make locks'")
     assert targets.of(image_set)["sigma-core"].description == "cannot be built yet: no lock; run 'make locks'"
     with pytest.raises(RosmlError, match=f"sigma-core cannot be built yet: {LOCK} is missing"):
         require_buildable(image_set.image("sigma-core"), "amd64")
