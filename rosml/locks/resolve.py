@@ -31,12 +31,11 @@ from rosml.base import progress_bar
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import ImageSet
-from rosml.images.lock_file import NVIDIA_PACKAGES, cuda_packages, package_name, versions
+from rosml.images.lock_file import cuda_packages, package_name, versions
 from rosml.matrix import names
 from rosml.matrix.model import ANY_PYTHON, Matrix, PartEntry
 from rosml.matrix.rules import NVIDIA
 
-_HASH = re.compile(r"sha256:[0-9a-f]+")
 _PIN = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==(?P<version>[^\s;\\]+)")
 
 
@@ -276,29 +275,7 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
                 remedy="relax the stack's versions or constraints in matrix.yaml, or check that the index answers",
             )
         pins = parse(output.read_text(errors="replace") if output.exists() else "")
-    _believable(request, pins)
     return pins if request.asks_pytorch else _with_known_wheels(request, pins)
-
-
-def _believable(request: Request, pins: list[Pin]) -> None:
-    """Checks that uv's answer is one: what was asked for, at its version, and a hash of every package.
-
-    Raises:
-        RosmlError: it is not, although uv reported success.
-    """
-    found = {pin.name: pin.version.partition("+")[0] for pin in pins}
-    asked = [
-        wanted for family, wanted in request.roots.items() if request.asks_pytorch or family not in request.elsewhere
-    ]
-    wrong = [wanted for wanted in asked if found.get(package_name(wanted)) != wanted.split("==")[1].partition("+")[0]]
-    wrong += [
-        f"{pin.name} without a sha256" for pin in pins if not pin.hashes or not all(map(_HASH.fullmatch, pin.hashes))
-    ]
-    if wrong:
-        raise RosmlError(
-            f"uv's answer for {request} cannot be used: {listed(wrong[:5])} {'is' if len(wrong) == 1 else 'are'} not in it",
-            "check which uv this is (uv --version; 'make up' installs the pinned one), then run it again",
-        )
 
 
 def _environment() -> dict[str, str]:
@@ -562,27 +539,9 @@ def require_one_cuda(request: Request, pins: list[Pin]) -> None:
             wrong[name] = f"{name} {nvidia[name]} (the stack says {request.cuda[fact]})"
     if wrong:
         raise RosmlError(
-            "\n  ".join([f"{_wish(request, pins, wrong)}\n{request} would carry:", *wrong.values()]),
+            "\n  ".join([f"{request} would carry:", *wrong.values()]),
             "correct the stack's cuda, cudnn and nccl in matrix.yaml; another CUDA generation needs a stack of its own",
         )
-
-
-_CALLED = {"cuda": "CUDA", "cudnn": "cuDNN", "nccl": "NCCL"}
-
-
-def _wish(request: Request, pins: list[Pin], wrong: Collection[str]) -> str:
-    """Which framework wants what instead of the stack's CUDA: `torch 2.11.0 wants CUDA 13.0.96, the stack says 12.8.90`."""
-    asking = [
-        f"{family} {requirement.rpartition('==')[2]}"
-        for family, requirement in request.roots.items()
-        if closure(package_name(requirement), pins) & set(wrong)
-    ]
-    wants = f"{listed(asking or [str(request)])} want{'s'[: len(asking) < 2]}"
-    for fact, package in NVIDIA_PACKAGES.items():
-        found = [pin.version for pin in pins if re.fullmatch(rf"nvidia-{package}(-cu[0-9]+)?", pin.name)]
-        if found and found[0] != request.cuda.get(fact):
-            return f"{wants} {_CALLED[fact]} {found[0]}, the stack says {request.cuda.get(fact, 'none')}"
-    return f"{wants} packages of another CUDA, the stack says {request.cuda.get('cuda', 'none')}"
 
 
 def _of_generation(name: str, major: str) -> bool:

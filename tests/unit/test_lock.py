@@ -266,24 +266,6 @@ def test_uv_fails(tmp_path: Path) -> None:
     assert "matrix.yaml" in caught.value.remedy
 
 
-@pytest.mark.parametrize(
-    ("uv", "wrong"),
-    [
-        (": >out.txt", "torch==2.10.0 and tensorflow[and-cuda]==2.20.0 are not in it"),
-        (":", "torch==2.10.0 and tensorflow[and-cuda]==2.20.0 are not in it"),
-        ("printf '\\377\\376' >out.txt", "torch==2.10.0 and tensorflow[and-cuda]==2.20.0 are not in it"),
-        ("grep == in.txt | sed 's/2.10.0/2.9.1/; s/$/ \\\\\\n --hash=sha256:aa/' >out.txt", "torch==2.10.0 "),
-        ("grep == in.txt >out.txt", "torch without a sha256 are not in it"),
-        ("grep == in.txt | sed 's/$/ \\\\\\n    --hash=md5:aa/' >out.txt", "torch without a sha256"),
-    ],
-)
-def test_an_answer_of_uv_that_cannot_be_one(tmp_path: Path, uv: str, wrong: str) -> None:
-    """Although it reports success: good locks are not replaced by that."""
-    with pytest.raises(RosmlError, match=r"uv's answer for stack cu1, .* cannot be used") as caught:
-        resolve.resolve(request(), resolve.Uv(executable(tmp_path / "uv", uv)))
-    assert wrong in caught.value.message
-
-
 def test_uv_is_killed(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="uv was ended by signal 9 while it resolved stack cu1"):
         resolve.resolve(request(), resolve.Uv(executable(tmp_path / "uv", "kill -9 $$")))
@@ -337,19 +319,6 @@ def test_another_cuda_than_promised(cuda: dict[str, str], package: str, version:
     with pytest.raises(RosmlError, match=complaint) as caught:
         resolve.require_one_cuda(request(cuda=cuda), pins)
     assert "stack of its own" in caught.value.remedy
-
-
-def test_another_cuda_leads_with_who_wants_it() -> None:
-    pins = [pin("torch", version="2.11.0"), pin("jinja2", "torch")]
-    pins += [pin("nvidia-cuda-runtime", "torch", version="13.0.96"), pin("nvidia-cublas", "torch", version="13.1")]
-    with pytest.raises(RosmlError) as caught:
-        resolve.require_one_cuda(request(roots={"torch": "torch==2.11.0"}, cuda={"cuda": "12.8.90"}), pins)
-    assert caught.value.message.splitlines() == [
-        "torch 2.11.0 wants CUDA 13.0.96, the stack says 12.8.90",
-        f"{request(roots={'torch': 'torch==2.11.0'})} would carry:",
-        "  nvidia-cuda-runtime 13.0.96 (the stack says 12.8.90)",
-        "  nvidia-cublas 13.1",
-    ]
 
 
 # ---- More than one index, and frameworks that contradict each other --------------------------------------------------
