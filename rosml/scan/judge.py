@@ -259,11 +259,6 @@ class Scanner:
                 f"{part.name}: trivy looked at {found.packages} of {counted(len(sbom.packages), 'package')}",
                 "its operating system or a kind of package may be unknown to the pinned trivy",
             )
-        state = self.trivy.database()
-        if state.digest != self.database.digest:
-            raise ScannerFailed(
-                "the database of vulnerabilities changed during the run", "let only one run at a time fetch it"
-            )
         return found
 
 
@@ -390,10 +385,13 @@ def scan_images(
     try:
         database = trivy.database()
         database.require_fresh(rules.policy.database, now)
+        scanner = Scanner(trivy, shelf, database, say)
+        found = [scan(image, rules, scanner, now.date()) for image in images]
+        if trivy.database().digest != database.digest:
+            text = "the database of vulnerabilities changed during the run"
+            raise ScannerFailed(text, "let only one run at a time fetch it")
     except ScannerFailed as error:
-        return summarise(unscanned(images, error), rules, now.date(), whole, targets)
-    scanner = Scanner(trivy, shelf, database, say)
-    found = [scan(image, rules, scanner, now.date()) for image in images]
+        found = unscanned(images, error)
     return summarise(found, rules, now.date(), whole, targets)
 
 

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import json
 import mmap
 import os
 import re
-import signal
 import subprocess
 import tempfile
 import time
@@ -170,7 +168,6 @@ class Trivy:
         Raises:
             ScannerFailed: trivy failed, there is no database, or what it wrote is no report.
         """
-        self.database()
         with tempfile.TemporaryDirectory(prefix="rosml-scan-") as folder:
             file = Path(folder) / "sbom.cdx.json"
             file.write_bytes(sbom)
@@ -202,7 +199,8 @@ class Trivy:
                 time.sleep(self.pause * 2 ** (attempt - 1))
             for source in (pinned,) if pinned else rules.repositories:
                 # An older one that is not finished, or that trivy takes for new enough, must not stand in for it.
-                _clear(self.folder / "db")
+                for name in ("trivy.db", "metadata.json", "source"):
+                    (self.folder / "db" / name).unlink(missing_ok=True)
                 say(f"fetch the database of vulnerabilities from {source}")
                 try:
                     self.run(
@@ -215,7 +213,7 @@ class Trivy:
                     reasons.append(f"{source}: {error.message}")
         raise ScannerFailed(
             "the database of vulnerabilities cannot be fetched:\n"
-            + "\n".join(f"    {text}" for text in _once(reasons)),
+            + "\n".join(f"    {text}" for text in dict.fromkeys(reasons)),
             "see database.repositories in the policy, and whether this machine reaches them",
         )
 
@@ -228,8 +226,9 @@ class Trivy:
         folder = self.folder / "db"
         try:
             facts = json.loads((folder / "metadata.json").read_text())
-            size, changed = (folder / "trivy.db").stat().st_size, (folder / "trivy.db").stat().st_mtime_ns
             updated = _written_moment(facts["UpdatedAt"])
+            with (folder / "trivy.db").open("rb") as stream:
+                digest = f"sha256:{hashlib.file_digest(stream, 'sha256').hexdigest()}"
         except FileNotFoundError:
             raise ScannerFailed(f"there is no database of vulnerabilities in {folder}", "fetch it first") from None
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
@@ -240,7 +239,7 @@ class Trivy:
                 f"take the tag :{DATABASE_FORMAT} of the repository, or pin a trivy that reads it",
             )
         source = folder / "source"
-        return Database(updated, self._digest(size, changed), source.read_text() if source.exists() else "")
+        return Database(updated, digest, source.read_text() if source.exists() else "")
 
     def lacks(self, sources: Iterable[str]) -> list[str]:
         """Of names of advisories' sources, such as `debian 12`, those that the database cannot have.
@@ -253,19 +252,6 @@ class Trivy:
                 return list(sources)
             with mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
                 return [name for name in sources if content.find(name.encode()) < 0]
-
-    def _digest(self, size: int, changed: int) -> str:
-        """Digest of the database's file, computed once for a state of it."""
-        key = (size, changed)
-        if self._known.get("key") != key:
-            total = hashlib.sha256()
-            with (self.folder / "db" / "trivy.db").open("rb") as stream:
-                while block := stream.read(1 << 20):
-                    total.update(block)
-            self._known.update(key=key, digest=f"sha256:{total.hexdigest()}")
-        return str(self._known["digest"])
-
-    _known: dict[str, Any] = field(default_factory=dict, init=False, repr=False)
 
     # ---- calls ----------------------------------------------------------------------------------------------------
     def run(self, *arguments: str, seconds: float) -> str:
@@ -333,32 +319,25 @@ def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
 
 
 def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: float) -> tuple[int, str, str]:
-    """Runs a program in its own process group, all of which ends with it: exit code, output, errors."""
+    """Runs a program: exit code, output, errors."""
     try:
-        process = subprocess.Popen(
+        # trivy itself stops at its timeout, and says in what it was stuck; this is for one that does not.
+        done = subprocess.run(
             argv,
             stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
+            capture_output=True,
             env=env,
             cwd=folder,
             text=True,
             errors="replace",
-            start_new_session=True,
+            timeout=seconds * 1.1 + 1,
+            check=False,
         )
     except OSError as error:
         raise ScannerFailed(f"cannot run {argv[0]}: {error.strerror}", INSTALL) from None
-    try:
-        # trivy itself stops at its timeout, and says in what it was stuck; this is for one that does not.
-        output, errors = process.communicate(timeout=seconds * 1.1 + 1)
     except subprocess.TimeoutExpired:
         raise ScannerFailed(f"trivy did not end within {seconds:.0f} s", "run it again") from None
-    finally:
-        if process.poll() is None:
-            with contextlib.suppress(ProcessLookupError):
-                os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-    return process.returncode, output, errors
+    return done.returncode, done.stdout, done.stderr
 
 
 def _reason(errors: str) -> str:
@@ -368,16 +347,6 @@ def _reason(errors: str) -> str:
     text = " ".join(lines[start:]).rpartition("\tFATAL\t")[2]
     text = re.sub(r"\s+", " ", text).removeprefix("Fatal error ")
     return text if len(text) <= 500 else f"{text[:300]} … {text[-200:]}"
-
-
-def _clear(folder: Path) -> None:
-    """Removes the files of a database."""
-    for name in ("trivy.db", "metadata.json", "source"):
-        (folder / name).unlink(missing_ok=True)
-
-
-def _once(texts: Sequence[str]) -> list[str]:
-    return list(dict.fromkeys(texts))
 
 
 def _written_moment(text: str) -> str:

@@ -45,8 +45,6 @@ def behave(how):
     elif how == "silent":
         sys.exit(7)
     elif how == "hang":
-        if child := os.fork():  # a part of it that would outlive it, and holds the pipes
-            (here / "child").write_text(str(child))
         time.sleep(60)
     elif how == "nothing":
         sys.exit(0)
