@@ -10,7 +10,7 @@ from functools import cache
 
 from rosml.bake.inputs import TARGET, Inputs
 from rosml.base import ci
-from rosml.base.problems import SOME, counted, some
+from rosml.base.problems import counted, some
 from rosml.images import image_set as sets
 from rosml.matrix import names
 
@@ -18,9 +18,6 @@ PARENT = "parent"
 """The input that tells an image which stands on another target from before."""
 
 NO_LOCK = "cannot be built yet: no lock"
-
-WAYS = 6
-"""How many ways of tags from one image to another have a row of their own."""
 
 
 @dataclass(frozen=True)
@@ -154,15 +151,11 @@ def _tag_rows(tags: Mapping[str, tuple[str | None, str | None]]) -> Iterator[tup
     for tag, (was, now) in tags.items():
         if was and now:
             moved.setdefault(f"{was} → {now}", []).append(tag)
-    ways = list(moved.items())
-    for way, alike in ways[:WAYS]:
+    for way, alike in moved.items():
         yield f"tag{'s'[: len(alike) != 1]} moved", way, some(alike)
-    if rest := [tag for _, alike in ways[WAYS:] for tag in alike]:
-        yield "tags moved", f"{len(ways) - WAYS} more ways", some(rest)
     for index, word in ((1, "gone"), (0, "gained")):
         if found := [tag for tag, way in tags.items() if way[index] is None]:
-            such = f"such as {', '.join(found[:SOME])}" if len(found) > SOME + 1 else ", ".join(found)
-            yield f"{counted(len(found), 'tag')} {word}", "", such
+            yield f"{counted(len(found), 'tag')} {word}", "", some(found)
 
 
 def markdown(difference: Difference) -> str:
