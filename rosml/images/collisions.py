@@ -8,6 +8,7 @@ from rosml.base.problems import Path as Place
 from rosml.base.problems import listed, unknown
 from rosml.images.explain import why_not
 from rosml.images.image_set import ImageSet
+from rosml.matrix import names
 
 
 def collisions(image_set: ImageSet) -> Iterator[tuple[Place, str]]:
@@ -28,6 +29,8 @@ def _names(image_set: ImageSet) -> Iterator[tuple[str, str, Place]]:
     for part in image_set.parts:
         for name in (part.name, part.target):
             yield name, f"the part {part.kind} of {part.stack} and Python {part.python}", ("stacks", part.stack)
+    for os in image_set.matrix.operating_systems:
+        yield names.os_target(os), f"the operating system {os}", ("operating_systems", os)
     for axis in ("distributions", "components", "frameworks", "stacks"):
         for name in getattr(image_set.matrix, axis):
             yield name, f"the group {name}", (axis, name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
@@ -67,5 +68,12 @@ def with_locks(image_set: ImageSet, present: Collection[str]) -> ImageSet:
 
 
 def locks(root: Path) -> frozenset[str]:
-    """The locks that are there, relative to the project's root."""
-    return frozenset(str(file.relative_to(root)) for file in (root / "locks").rglob("*.txt") if file.is_file())
+    """The locks that are there, relative to the project's root.
+
+    Raises:
+        RosmlError: the folder cannot be read: that is another matter than locks that nobody made yet.
+    """
+    folder = root / "locks"
+    if folder.exists() and not os.access(folder, os.R_OK | os.X_OK):
+        raise RosmlError(f"{shown(folder)} cannot be read", "make it a folder that you can read")
+    return frozenset(str(file.relative_to(root)) for file in folder.rglob("*.txt") if file.is_file())

@@ -90,7 +90,10 @@ def parse(content: bytes, name: str = "matrix.yaml") -> Document:
     if node is None:
         raise InputError(name, [Problem(1, 1, "", "the file is empty; it needs at least 'version: 1'")])
     document.places[()] = _place(node)
-    document.data = _value(document, (), node)
+    try:
+        document.data = _value(document, (), node)
+    except RecursionError:
+        raise InputError(name, [Problem(1, 1, "", "nested hundreds of levels deep; remove what was pasted")]) from None
     return document
 
 

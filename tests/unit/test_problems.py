@@ -692,3 +692,14 @@ def test_every_pattern_has_a_meaning() -> None:
     found = patterns(model.Matrix.model_json_schema())
     assert len(found) > 10
     assert found - model.MEANING.keys() == set()
+
+
+def test_what_is_nested_without_end() -> None:
+    with pytest.raises(InputError, match="nested hundreds of levels deep"):
+        source.parse(b"a: " + b"[" * 1_500 + b"]" * 1_500)
+
+
+def test_two_systems_of_one_target() -> None:
+    text = SMALL.replace("  ubuntu-26.04:\n", "  ubuntu-24-04:\n").replace("os: ubuntu-26.04", "os: ubuntu-24-04")
+    with pytest.raises(InputError, match="would both be called _os-ubuntu-24-04; rename one"):
+        parse(text)
