@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -189,13 +189,12 @@ class Place:
             date=self.plan.date,
             changed=self.plan.date,
         )
-        attached = {item.architecture: item.facts for item in (*entries, entry)}
         repository = self._book.path(entry.repository)
         names = tags_of(thing)
         tags = (dated(names[0], self.plan.date), *names)
         for tag in tags:
             self.client.put_manifest(repository, tag, index, oci.INDEX)
-        self._write(replace(entry, attached=attached))
+        self._write(entry)
         return len(tags)
 
     def _write(self, entry: Entry) -> None:

@@ -12,12 +12,12 @@ import pytest
 
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
-from rosml.registry.protocol import Client
+from rosml.registry.oci import Registry
 
 KIND, OTHER = "application/vnd.example.one", "application/vnd.example.two"
 NOWHERE = f"sha256:{'0' * 64}"
 
-Call = Callable[[Client, str], None]
+Call = Callable[[Registry, str], None]
 CALLS: dict[str, Call] = {}
 
 
@@ -27,7 +27,7 @@ def call(function: Call) -> Call:
     return function
 
 
-def image(client: Client, repository: str, text: str, tag: str = "") -> str:
+def image(client: Registry, repository: str, text: str, tag: str = "") -> str:
     """Puts an image of one small layer, under a tag if there is one; gives its digest."""
     config, layer = json.dumps({"os": "linux", "architecture": "amd64"}).encode(), text.encode()
     for data in (config, layer):
@@ -41,20 +41,20 @@ def image(client: Client, repository: str, text: str, tag: str = "") -> str:
     return client.put_manifest(repository, tag, content, oci.IMAGE)
 
 
-def attach(client: Client, repository: str, subject: str, kind: str, text: str) -> str:
+def attach(client: Registry, repository: str, subject: str, kind: str, text: str) -> str:
     """Attaches an artifact to an image; gives its digest."""
     found = client.manifest(repository, subject)
     assert found
     return client.attach(repository, found.descriptor, kind, text.encode(), "text/plain", {"said": text})
 
 
-def attached(client: Client, repository: str, subject: str, kind: str = "") -> list[str]:
+def attached(client: Registry, repository: str, subject: str, kind: str = "") -> list[str]:
     """Digests of what is attached to an image, sorted."""
     return sorted(item["digest"] for item in client.referrers(repository, subject, kind))
 
 
 @call
-def an_empty_place(client: Client, repository: str) -> None:
+def an_empty_place(client: Registry, repository: str) -> None:
     assert client.manifest(repository, "latest") is None and client.manifest(repository, NOWHERE) is None
     assert client.head(repository, "latest") == "" == client.head(repository, NOWHERE)
     assert client.tags(repository) == []
@@ -62,13 +62,13 @@ def an_empty_place(client: Client, repository: str) -> None:
 
 
 @call
-def a_blob_that_is_not_there(client: Client, repository: str) -> None:
+def a_blob_that_is_not_there(client: Registry, repository: str) -> None:
     with pytest.raises(RosmlError):
         client.blob(repository, NOWHERE)
 
 
 @call
-def a_blob(client: Client, repository: str) -> None:
+def a_blob(client: Registry, repository: str) -> None:
     digest = client.put_blob(repository, b"some bytes")
     assert digest == oci.digest_of(b"some bytes")
     assert client.blob(repository, digest) == b"some bytes"
@@ -76,7 +76,7 @@ def a_blob(client: Client, repository: str) -> None:
 
 
 @call
-def an_image_under_a_tag(client: Client, repository: str) -> None:
+def an_image_under_a_tag(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one", "latest")
     for reference in ("latest", digest):
         found = client.manifest(repository, reference)
@@ -87,14 +87,14 @@ def an_image_under_a_tag(client: Client, repository: str) -> None:
 
 
 @call
-def an_image_without_a_tag(client: Client, repository: str) -> None:
+def an_image_without_a_tag(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one")
     assert client.head(repository, digest) == digest
     assert client.tags(repository) == []
 
 
 @call
-def an_image_by_its_digest(client: Client, repository: str) -> None:
+def an_image_by_its_digest(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one")
     found = client.manifest(repository, digest)
     assert found
@@ -103,14 +103,14 @@ def an_image_by_its_digest(client: Client, repository: str) -> None:
 
 
 @call
-def a_tag_that_is_put_again_moves(client: Client, repository: str) -> None:
+def a_tag_that_is_put_again_moves(client: Registry, repository: str) -> None:
     one, two = image(client, repository, "one", "latest"), image(client, repository, "two", "latest")
     assert client.head(repository, "latest") == two != one
     assert client.head(repository, one) == one, "the image before it stays"
 
 
 @call
-def an_index(client: Client, repository: str) -> None:
+def an_index(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one")
     found = client.manifest(repository, digest)
     assert found
@@ -123,7 +123,7 @@ def an_index(client: Client, repository: str) -> None:
 
 
 @call
-def all_tags(client: Client, repository: str) -> None:
+def all_tags(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one")
     names = [f"v{number:03}" for number in range(30)]
     for name in names:
@@ -132,7 +132,7 @@ def all_tags(client: Client, repository: str) -> None:
 
 
 @call
-def a_tag_moves(client: Client, repository: str) -> None:
+def a_tag_moves(client: Registry, repository: str) -> None:
     one, two = image(client, repository, "one", "latest"), image(client, repository, "two", "other")
     client.tag(repository, two, "latest")
     assert client.head(repository, "latest") == two
@@ -142,14 +142,14 @@ def a_tag_moves(client: Client, repository: str) -> None:
 
 
 @call
-def a_tag_to_nothing(client: Client, repository: str) -> None:
+def a_tag_to_nothing(client: Registry, repository: str) -> None:
     image(client, repository, "one", "latest")
     with pytest.raises(RosmlError, match="is not there"):
         client.tag(repository, NOWHERE, "latest")
 
 
 @call
-def a_manifest_is_deleted_with_its_tags(client: Client, repository: str) -> None:
+def a_manifest_is_deleted_with_its_tags(client: Registry, repository: str) -> None:
     digest, other = image(client, repository, "one", "latest"), image(client, repository, "two", "other")
     client.tag(repository, digest, "again")
     client.delete(repository, digest)
@@ -158,7 +158,7 @@ def a_manifest_is_deleted_with_its_tags(client: Client, repository: str) -> None
 
 
 @call
-def a_tag_is_deleted_alone(client: Client, repository: str) -> None:
+def a_tag_is_deleted_alone(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one", "latest")
     client.tag(repository, digest, "other")
     client.delete(repository, "latest")
@@ -167,14 +167,14 @@ def a_tag_is_deleted_alone(client: Client, repository: str) -> None:
 
 
 @call
-def the_last_tag_is_deleted(client: Client, repository: str) -> None:
+def the_last_tag_is_deleted(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one", "latest")
     client.delete(repository, "latest")
     assert client.tags(repository) == [] and client.head(repository, digest) == digest
 
 
 @call
-def nothing_there_is_deleted_without_an_error(client: Client, repository: str) -> None:
+def nothing_there_is_deleted_without_an_error(client: Registry, repository: str) -> None:
     client.delete(repository, NOWHERE)
     client.delete(repository, "latest")
     digest = image(client, repository, "one", "other")
@@ -186,15 +186,15 @@ def nothing_there_is_deleted_without_an_error(client: Client, repository: str) -
 
 
 @call
-def what_nothing_leads_to_is_discarded(client: Client, repository: str) -> None:
+def what_nothing_leads_to_is_discarded(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one")
-    assert client.discard(repository, digest)
-    assert client.head(repository, digest) == ""
-    assert client.discard(repository, digest), "it is gone"
+    for _ in range(2):  # the second time it is gone
+        client.discard(repository, digest)
+        assert client.head(repository, digest) == ""
 
 
 @call
-def what_is_attached(client: Client, repository: str) -> None:
+def what_is_attached(client: Registry, repository: str) -> None:
     subject = image(client, repository, "one", "latest")
     assert attached(client, repository, subject) == []
     one, two = (attach(client, repository, subject, kind, "x") for kind in (KIND, OTHER))
@@ -209,24 +209,14 @@ def what_is_attached(client: Client, repository: str) -> None:
 
 
 @call
-def the_same_is_attached_once(client: Client, repository: str) -> None:
+def the_same_is_attached_once(client: Registry, repository: str) -> None:
     subject = image(client, repository, "one", "latest")
     one, again = (attach(client, repository, subject, KIND, "x") for _ in range(2))
     assert one == again and attached(client, repository, subject) == [one]
 
 
 @call
-def one_of_two_is_detached(client: Client, repository: str) -> None:
-    subject = image(client, repository, "one", "latest")
-    one, two = (attach(client, repository, subject, KIND, text) for text in ("x", "y"))
-    client.detach(repository, subject, one)
-    assert attached(client, repository, subject) == [two] and client.head(repository, one) == ""
-    client.detach(repository, subject, one)
-    assert attached(client, repository, subject) == [two]
-
-
-@call
-def what_was_attached_is_forgotten(client: Client, repository: str) -> None:
+def what_was_attached_is_forgotten(client: Registry, repository: str) -> None:
     subject = image(client, repository, "one")
     one = attach(client, repository, subject, KIND, "x")
     client.delete(repository, subject)

@@ -40,7 +40,7 @@ from rosml.images.selection import select
 from rosml.matrix.names import DATED
 from rosml.records import tag_moves
 from rosml.records.store import INDEX, READERS, Entry, Records, date_of
-from rosml.registry.protocol import Client
+from rosml.registry.oci import Registry
 from rosml.registry.repositories import repository_path
 
 HISTORY = 10
@@ -98,7 +98,7 @@ class Gatherer:
     """
 
     image_set: sets.ImageSet
-    registry: Client
+    registry: Registry
     place: str
     prefix: str
     history: int = HISTORY
@@ -249,13 +249,10 @@ class Gatherer:
         layers = tuple((str(layer["digest"]), int(layer["size"])) for layer in found.content["layers"])
         labels = {str(name): str(text) for name, text in ((config.get("config") or {}).get("Labels") or {}).items()}
         where = platform or _platform({"os": "linux", **config})
-        current = self._current.get(digest)
-        return _Member(digest, where, layers, labels, current or self._attached(path, digest))
-
-    def _attached(self, path: str, digest: str) -> Entry | None:
-        """What is attached to an image: of one that the records have forgotten, or that `make image` published."""
-        found = Records(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
-        return found[0] if found else None
+        entry = self._current.get(digest)
+        if entry is None:  # of one that another has taken the place of since
+            entry = Records(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
+        return _Member(digest, where, layers, labels, entry)
 
     # ---- What it means -----------------------------------------------------------------------------------------------
 

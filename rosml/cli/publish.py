@@ -690,14 +690,11 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
                 click.echo(f"{repository}:{tag}")
             for repository, digest in found.manifests:
                 click.echo(f"{repository}@{digest}")
-            for repository, subject, digest in found.superseded:
-                click.echo(f"{repository}@{digest}, superseded, of {subject}")
-            manifests = len(found.manifests) + len(found.superseded)
-            click.echo(f"{len(found.tags)} tags and {manifests} manifests can go; {found.kept} tags stay")
+            click.echo(f"{len(found.tags)} tags and {len(found.manifests)} manifests can go; {found.kept} tags stay")
         if apply:
             for line in pruner.remove(found):
                 say(line if STAYS in line else f"removed: {line}")
     if call.as_json:  # at the end: an error while it is removed is an object of its own
         click.echo(json.dumps(found.to_json(), indent=2))
-    elif not apply and (found.tags or found.manifests or found.superseded):
+    elif not apply and (found.tags or found.manifests):
         click.echo("nothing was removed; add --apply")

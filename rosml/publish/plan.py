@@ -24,7 +24,7 @@ from rosml.machine import base_images
 from rosml.machine.services import Services
 from rosml.records import store
 from rosml.records.store import INDEX, Entry, Records
-from rosml.registry.protocol import Client
+from rosml.registry.oci import Registry
 from rosml.registry.repositories import repository_path
 
 Kind = Literal["ros", "part", "joined"]
@@ -328,7 +328,7 @@ class Plan:
 def survey(
     services: Services,
     image_set: ImageSet,
-    registry: Client,
+    registry: Registry,
     prefix: str,
     only: Sequence[str] = (),
     architectures: Sequence[str] = (),
@@ -383,7 +383,7 @@ def survey(
     return plan
 
 
-def present(registry: Client, prefix: str, entries: Iterable[Entry]) -> set[tuple[str, str]]:
+def present(registry: Registry, prefix: str, entries: Iterable[Entry]) -> set[tuple[str, str]]:
     """Target and architecture of the entries whose manifest is in the registry."""
 
     def there(entry: Entry) -> bool:

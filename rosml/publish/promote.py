@@ -1,7 +1,7 @@
 """Moves tags to indexes whose images passed everything, and back.
 
 The order is what keeps promises: first the index is signed, where that is asked for, and what the records say is attached
-to it and its images; then the record of where tags were, then the dated tag, which never moves again, then those that
+to its images; then the record of where tags were, then the dated tag, which never moves again, then those that
 spell versions out, the floating ones last. A tag never moves to something older, or to fewer architectures.
 """
 
@@ -11,7 +11,6 @@ import json
 import time
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from itertools import chain, count
 from typing import Any
 
@@ -61,7 +60,7 @@ class Promotion:
                 moves = list(self._moves(thing, entry))
                 if (moves or self.pipeline.signer) and (wrong := self._wrong(thing, entry)):
                     self._say(thing, "failed", wrong)
-                elif self.pipeline.signed(thing, moving=bool(moves)) and self._attached(thing, moves) and moves:
+                elif self.pipeline.signed(thing, moving=bool(moves)) and moves and self._attached(thing):
                     planned.append((thing, moves))
         every = [move for _, moves in planned for move in moves]
         if every:
@@ -95,26 +94,16 @@ class Promotion:
             return f"the records name {entry.digest} as its index, which is {what}; --force makes it anew"
         return ""
 
-    def _attached(self, thing: Image | Part, moves: list[Move]) -> bool:
-        """Whether what the records say is attached to an index and its images; what is missing is attached now."""
-        known, started = self.pipeline.plan.known, time.monotonic()
-        entry = known[thing.target, INDEX]
-        members = [known[key] for key in self.pipeline.members(thing)]
-        attached = {item.architecture: item.facts for item in (*members, entry)}
-        if entry.attached == attached:
-            return True
+    def _attached(self, thing: Image | Part) -> bool:
+        """Attaches what the records say of an index's images to them, for the catalogue's history; whether it could."""
+        plan, started = self.pipeline.plan, time.monotonic()
         try:
-            inputs = self.pipeline.plan.inputs
-            made = [self.pipeline.records.attach(item, inputs.of(item.target, item.architecture)) for item in members]
-            made.append(self.pipeline.records.attach(entry, {}))
-            known[thing.target, INDEX] = replace(entry, attached=attached)
-            self.pipeline.records.write(known[thing.target, INDEX], {})
+            for key in self.pipeline.members(thing):
+                self.pipeline.records.attach(plan.known[key], plan.inputs.of(*key))
         except RosmlError as error:
             answers(self.pipeline)
             self._say(thing, "failed", error.message, time.monotonic() - started)
             return False
-        if any(made) and not moves:
-            self._say(thing, "done", "its entries in the records are attached to it", time.monotonic() - started)
         return True
 
     def _settled_tags(self) -> frozenset[tuple[str, str]]:

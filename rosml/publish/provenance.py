@@ -1,7 +1,7 @@
 """Where an image came from: SLSA provenance in an in-toto statement, attached to the manifest that it is about.
 
 It is kept apart from the image, so that times and machines are in no manifest: the same inputs give the same digest on
-any day. Each manifest has one statement for each way in which it was made; the same way again adds nothing.
+any day. Each manifest has one statement of each builder that made it: of the first time, since that holds on.
 https://slsa.dev/spec/v1.0/provenance says what the fields mean.
 """
 
@@ -20,8 +20,7 @@ from urllib.parse import quote, urlsplit
 from rosml.base.errors import RosmlError
 from rosml.records.store import CREATED
 from rosml.registry.credentials import DOCKER_HUB
-from rosml.registry.oci import digest_of, encoded
-from rosml.registry.protocol import Client
+from rosml.registry.oci import Registry, encoded
 
 MEDIA_TYPE = "application/vnd.in-toto+json"
 """Of a statement without a signature; also the type of the artifact."""
@@ -36,8 +35,8 @@ OWN_MACHINE = "https://rosml.invalid/builder/own-machine"
 """The builder, where a person calls the publisher: nobody vouches for that machine."""
 
 PREDICATE_ANNOTATION = "in-toto.io/predicate-type"
-DEFINITION = "io.rosml.provenance"
-"""The annotation of our statements: a digest of all that they say, but for times and the run."""
+BUILDER = "io.rosml.builder"
+"""The annotation of our statements that says who made the image."""
 
 SECONDS = 20.0
 
@@ -75,15 +74,6 @@ class Definition:
     parameters: Mapping[str, str]
     inputs: str
     dependencies: tuple[Mapping[str, Any], ...]
-
-    def to_json(self) -> dict[str, Any]:
-        """The predicate's `buildDefinition`."""
-        return {
-            "buildType": BUILD_TYPE,
-            "externalParameters": {name: text for name, text in self.parameters.items() if text},
-            "internalParameters": {"inputs": self.inputs},
-            "resolvedDependencies": [dict(item) for item in self.dependencies],
-        }
 
 
 # ---- What an image was made from -------------------------------------------------------------------------------------
@@ -197,14 +187,19 @@ def statement(
         "subject": [{"name": name, "digest": _digest(digest)}],
         "predicateType": PREDICATE,
         "predicate": {
-            "buildDefinition": definition.to_json(),
+            "buildDefinition": {
+                "buildType": BUILD_TYPE,
+                "externalParameters": {name: text for name, text in definition.parameters.items() if text},
+                "internalParameters": {"inputs": definition.inputs},
+                "resolvedDependencies": [dict(item) for item in definition.dependencies],
+            },
             "runDetails": {"builder": {"id": machine.builder}, "metadata": metadata},
         },
     }
 
 
 def attach(
-    client: Client,
+    client: Registry,
     repository: str,
     digest: str,
     definition: Definition,
@@ -212,7 +207,7 @@ def attach(
     started: str,
     finished: str,
 ) -> str:
-    """Attaches a statement to a manifest, unless one that says the same of it is there.
+    """Attaches a statement to a manifest, unless it has one of the same builder.
 
     Returns:
         Digest of the artifact; empty where nothing was to be done.
@@ -220,14 +215,13 @@ def attach(
     Raises:
         RosmlError: there is no such manifest; the registry does not answer or refuses.
     """
-    same = digest_of(encoded({"definition": definition.to_json(), "builder": machine.builder}))
     for entry in client.referrers(repository, digest, MEDIA_TYPE):
         found = client.manifest(repository, entry["digest"])
-        if found and (found.content.get("annotations") or {}).get(DEFINITION) == same:
+        if found and (found.content.get("annotations") or {}).get(BUILDER) == machine.builder:
             return ""
     subject = client.manifest(repository, digest)
     if subject is None:
         raise RosmlError(f"{repository}@{digest} is not in the registry any more", "publish it again")
     said = statement(repository, digest, definition, machine, started, finished)
-    annotations = {PREDICATE_ANNOTATION: PREDICATE, DEFINITION: same, CREATED: finished}
+    annotations = {PREDICATE_ANNOTATION: PREDICATE, BUILDER: machine.builder, CREATED: finished}
     return client.attach(repository, subject.descriptor, MEDIA_TYPE, encoded(said), MEDIA_TYPE, annotations)

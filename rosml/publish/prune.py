@@ -9,7 +9,7 @@ goes is looked for when it goes.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from datetime import date, timedelta
@@ -21,12 +21,9 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed
 from rosml.images.image_set import PARTS, ImageSet
 from rosml.matrix.names import DATED
-from rosml.publish import provenance
-from rosml.records import store
-from rosml.records.store import READERS, REPOSITORY, Entry, Records, date_of, order
+from rosml.records.store import READERS, REPOSITORY, Entry, Records, date_of
 from rosml.records.tag_moves import UNDO, read_moves
-from rosml.registry.oci import INDEXES, Manifest, Undeletable
-from rosml.registry.protocol import Client
+from rosml.registry.oci import INDEXES, Manifest, Registry, Undeletable
 from rosml.registry.repositories import repository_path
 
 FALLBACK = re.compile(r"sha256-[0-9a-f]{64}")
@@ -41,9 +38,6 @@ Digests = dict[str, set[str]]
 T = TypeVar("T")
 R = TypeVar("R")
 
-MARKS = {store.ARTIFACT: store.FACTS, provenance.MEDIA_TYPE: provenance.DEFINITION}
-"""Types of artifacts of which an image needs the newest alone, and the annotation that says that a run attached them."""
-
 
 @dataclass
 class Pruning:
@@ -53,8 +47,6 @@ class Pruning:
         tags: repository and tag. manifests: repository and digest, no tag of which is kept; what is attached to them goes
             with them.
         records: tags of the records: records of runs that are older than what is kept.
-        superseded: repository, digest of an image or index that the records name, and of an artifact that is attached to it
-            in whose place there is a newer one.
         kept: how many tags stay.
         needed: repository and digest of what something leads to that is kept.
         seen: where each of `tags` pointed.
@@ -63,7 +55,6 @@ class Pruning:
     tags: list[tuple[str, str]] = field(default_factory=list)
     manifests: list[tuple[str, str]] = field(default_factory=list)
     records: list[str] = field(default_factory=list)
-    superseded: list[tuple[str, str, str]] = field(default_factory=list)
     kept: int = 0
     needed: set[tuple[str, str]] = field(default_factory=set)
     seen: dict[tuple[str, str], str] = field(default_factory=dict)
@@ -74,7 +65,6 @@ class Pruning:
             "tags": [":".join(item) for item in self.tags],
             "manifests": ["@".join(item) for item in self.manifests],
             "records": self.records,
-            "superseded": [f"{repository}@{digest}" for repository, _, digest in self.superseded],
             "kept": self.kept,
         }
 
@@ -89,7 +79,7 @@ class Pruner:
         today: the day from which ages count. days: dated tags younger than that stay. newest: so many of each image stay in any case.
     """
 
-    registry: Client
+    registry: Registry
     prefix: str
     image_set: ImageSet
     today: date
@@ -109,7 +99,7 @@ class Pruner:
         self._known.clear()
         self._images.clear()
         oldest = self._oldest
-        named, roots, candidates, found.records = self._book()
+        roots, candidates, found.records = self._book()
         for repository in self._repositories():
             path = self._path(repository)
             tags = self._tags(path)
@@ -120,7 +110,6 @@ class Pruner:
             digests = {tag: manifest.digest if manifest else "" for tag, manifest in manifests.items()}
             found.seen |= {(repository, tag): digests[tag] for tag in going}
             keep = self._reach(path, {*roots.get(repository, ()), *(digests[tag] for tag in tags if tag not in going)})
-            found.superseded += self._superseded(repository, sorted(named.get(repository, ())))
             found.needed.update((repository, digest) for digest in keep)
             gone = self._reach(path, {*candidates.get(repository, ()), *(digests[tag] for tag in going)} - keep)
             found.manifests += [(repository, digest) for digest in sorted(gone - keep)]
@@ -147,32 +136,31 @@ class Pruner:
     def _oldest(self) -> date:
         return self.today - timedelta(days=self.days)
 
-    def _book(self) -> tuple[Digests, Digests, Digests, list[str]]:
-        """What the records say: digests by repository that its entries name, those that are needed, with what kept records
-        name, those that may go; and records that are too old."""
+    def _book(self) -> tuple[Digests, Digests, list[str]]:
+        """What the records say: digests by repository that its entries, or kept records of runs, name; those that may go;
+        and records of runs that are too old."""
         book = Records(self.registry, self.prefix)
         names = self.registry.tags(book.repository)
         records = sorted(name for name in names if name.startswith(UNDO))
         old = [name for name in records if _day(name.removeprefix(UNDO)[:8]) < self._oldest]
-        named: Digests = {}
+        roots: Digests = {}
         candidates: Digests = {}
         for entry in self._entries(book, [name for name in names if "." in name and not name.startswith(UNDO)]):
             candidates.setdefault(entry.repository, set()).update(entry.superseded)
             if entry.digest:
-                named.setdefault(entry.repository, set()).add(entry.digest)
-        roots = {repository: set(digests) for repository, digests in named.items()}
+                roots.setdefault(entry.repository, set()).add(entry.digest)
         for name, moved in zip(records, self._each(partial(read_moves, book), records), strict=True):
             for move in moved:  # a record that is kept must be able to bring back what it names
                 if move.old:
                     target = candidates if name in old else roots
                     target.setdefault(move.repository, set()).add(move.old)
-        return named, roots, candidates, old
+        return roots, candidates, old
 
     def _needed(self, repository: str) -> set[str]:
         """What something leads to now, in a repository: a tag, the records, a record that is kept."""
         path = self._path(repository)
         tags = self._each(partial(self.registry.head, path), self._tags(path))
-        return self._reach(path, {*self._book()[1].get(repository, ()), *tags})
+        return self._reach(path, {*self._book()[0].get(repository, ()), *tags})
 
     def remove(self, found: Pruning) -> Iterator[str]:
         """Removes it; gives a line for each thing that is gone, or cannot go. Tags first, then what they pointed at, then
@@ -188,7 +176,6 @@ class Pruner:
         steps: tuple[tuple[str, list[Any], Callable[[Pruning, Any], str]], ...] = (
             ("tag", found.tags, self._remove_tag),
             ("manifest", found.manifests, self._remove_manifest),
-            ("superseded artifact", found.superseded, self._remove_superseded),
             ("record", found.records, self._remove_record),
         )
         left = {kind: len(items) for kind, items, _ in steps}
@@ -238,13 +225,6 @@ class Pruner:
             self._each(partial(self.registry.delete, path), attached)
             self.registry.forget(path, digest)
         return f"{repository}@{digest}"
-
-    def _remove_superseded(self, _: Pruning, item: tuple[str, str, str]) -> str:
-        repository, subject, digest = item
-        if not self.registry.head(self._path(repository), digest):
-            return ""
-        self.registry.detach(self._path(repository), subject, digest)
-        return f"{repository}@{digest}, of {subject}"
 
     def _remove_record(self, _: Pruning, name: str) -> str:
         path = self._path(REPOSITORY)
@@ -302,23 +282,6 @@ class Pruner:
             todo += [item for item in below if item not in found]
             found += [item for item in below if item not in found]
         return found[::-1]
-
-    def _superseded(self, repository: str, subjects: list[str]) -> Iterator[tuple[str, str, str]]:
-        """Of what is attached to what the records name, entries and provenance but for the newest of each: repository,
-        what it is attached to, and the artifact. What others attached is theirs."""
-        path = self._path(repository)
-        for subject, attached in zip(
-            subjects, self._each(partial(self.registry.referrers, path), subjects), strict=True
-        ):
-            kinds: dict[str, list[Mapping[str, Any]]] = {}
-            for item in attached:
-                kinds.setdefault(MARKS.get(str(item.get("artifactType")), ""), []).append(item)
-            for mark, several in kinds.items():
-                if not mark or len(several) < 2:
-                    continue
-                manifests = [self.registry.manifest(path, item["digest"]) for item in several]
-                ours = [item for item in manifests if item and mark in (item.content.get("annotations") or {})]
-                yield from ((repository, subject, item.digest) for item in sorted(ours, key=order)[:-1])
 
 
 def _members(manifest: Manifest) -> list[dict[str, Any]]:

@@ -13,7 +13,7 @@ from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.images.image_set import Image, Part, repository_of, tags_of
 from rosml.publish.plan import ELSEWHERE, WAITING, Plan
 from rosml.records.store import INDEX, Entry, date_of
-from rosml.registry.protocol import Client
+from rosml.registry.oci import Registry
 from rosml.registry.repositories import repository_path
 
 STATES = {
@@ -54,7 +54,7 @@ class ImageStatus:
         return {**vars(self), "platforms": list(self.platforms)}
 
 
-def read(plan: Plan, registry: Client, prefix: str, now: str, serving: Sequence[str] = ()) -> Iterator[ImageStatus]:
+def read(plan: Plan, registry: Registry, prefix: str, now: str, serving: Sequence[str] = ()) -> Iterator[ImageStatus]:
     """How every image, and part, that is asked for stands.
 
     Args:

@@ -8,9 +8,8 @@ is promoted, for whoever has only that; a run that finds the repository `records
 
 from __future__ import annotations
 
-import hashlib
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
@@ -20,7 +19,7 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
-from rosml.registry.protocol import Client
+from rosml.registry.oci import Registry
 from rosml.registry.repositories import repository_path
 
 INPUTS = "io.rosml.inputs"
@@ -36,15 +35,8 @@ REPOSITORY = "records"
 INDEX = "index"
 """Stands for an architecture in the entry of an image's index."""
 
-FACTS = "io.rosml.records.facts"
-"""The annotation of an entry that is attached to its image: a digest of what lasts of it."""
-
 CREATED = "org.opencontainers.image.created"
 """The annotation with the time by which the newest of several artifacts is known."""
-
-PASSING = ("seconds", "date", "changed", "held", "failed", "superseded", "attached", "signed", "scan")
-"""What an entry says of a run, and not of the image: it alone is no reason to attach the entry anew. Of the scan, its
-outcome and policy last; the database is another one every night."""
 
 READERS = 16
 """How many entries are read at a time: the registry answers one in some milliseconds."""
@@ -69,7 +61,6 @@ class Entry:
         held: of an index, when its tags were moved back; it gets none any more.
         failed: the step that failed last, and why; empty where none did.
         superseded: digests that were in its place and may still be in the registry.
-        attached: of an index, what lasts of the entries that are attached to it and its images, by architecture.
         signed: of an index, when it was signed, by whose signature.
     """
 
@@ -96,7 +87,6 @@ class Entry:
     held: str = ""
     failed: Mapping[str, str] = field(default_factory=dict)
     superseded: tuple[str, ...] = ()
-    attached: Mapping[str, str] = field(default_factory=dict)
     signed: Mapping[str, str] = field(default_factory=dict)
 
     @property
@@ -116,13 +106,6 @@ class Entry:
         """As plain data, without what is empty."""
         return {name: value for name, value in asdict(self).items() if value}
 
-    @property
-    def facts(self) -> str:
-        """A digest of what lasts of it: the same as long as only runs go by."""
-        lasting = {name: value for name, value in self.to_json().items() if name not in PASSING}
-        lasting["policy"] = self.scan.get("policy", "")
-        return hashlib.sha256(json.dumps(lasting, sort_keys=True).encode()).hexdigest()
-
 
 def tag(target: str, architecture: str) -> str:
     """The tag of an entry."""
@@ -140,11 +123,6 @@ def parse(content: Any) -> Entry | None:
 _ADAPTER = TypeAdapter(Entry)
 
 
-def order(manifest: oci.Manifest) -> tuple[str, str]:
-    """By which artifacts that are attached to the same image are sorted: the newest is the largest."""
-    return str((manifest.content.get("annotations") or {}).get(CREATED, "")), manifest.digest
-
-
 class Records:
     """The entries of a registry.
 
@@ -153,7 +131,7 @@ class Records:
         prefix: path of the repositories, such as `rosml`.
     """
 
-    def __init__(self, registry: Client, prefix: str) -> None:
+    def __init__(self, registry: Registry, prefix: str) -> None:
         self.registry = registry
         self.prefix = prefix
         self.repository = self.path(REPOSITORY)
@@ -205,11 +183,9 @@ class Records:
         data = json.dumps({**entry.to_json(), "inputs": dict(inputs)}, sort_keys=True).encode()
         return self.artifact(entry.tag, data, {ANNOTATION: text})
 
-    def attach(self, entry: Entry, inputs: Mapping[str, str]) -> str:
-        """Attaches an entry to the image, or index, that it is about, unless the same is attached already.
-
-        Returns:
-            Digest of the artifact; empty where nothing was to be done.
+    def attach(self, entry: Entry, inputs: Mapping[str, str]) -> None:
+        """Attaches an entry to the image that it is about, for the time when another one is in its place. The same one again
+        changes nothing.
 
         Raises:
             RosmlError: the image is not there; the registry does not answer or refuses.
@@ -218,41 +194,27 @@ class Records:
         subject = self.registry.manifest(place, entry.digest)
         if subject is None:
             raise RosmlError(f"{place}@{entry.digest} is not in the registry any more", "publish it again")
-        newest = next(self._attached(place, entry.digest), None)
-        if newest and newest.content["annotations"][FACTS] == entry.facts:
-            return ""
-        annotations = {FACTS: entry.facts, CREATED: entry.changed}
         data = json.dumps({"entry": entry.to_json(), "inputs": dict(inputs)}, sort_keys=True).encode()
-        return self.registry.attach(place, subject.descriptor, ARTIFACT, data, LAYER, annotations)
+        self.registry.attach(place, subject.descriptor, ARTIFACT, data, LAYER, {CREATED: entry.changed})
 
-    def attached(self, repository: str, digest: str) -> tuple[Entry, dict[str, str]] | None:
-        """The newest entry that is attached to an image, or index, with the inputs by name; None where there is none that
-        can be read and is about that image.
+    def attached(self, repository: str, digest: str) -> Entry | None:
+        """The newest entry that is attached to an image; None where there is none that can be read and is about that image.
 
         Args:
-            repository: without the registry's prefix. digest: of the manifest or index.
+            repository: without the registry's prefix. digest: of the manifest.
         """
-        for found in self._attached(self.path(repository), digest):
+        place = self.path(repository)
+        found = []
+        for item in self.registry.referrers(place, digest, ARTIFACT):
             try:
-                (layer,) = found.content["layers"]
-                content = json.loads(self.registry.blob(self.path(repository), layer["digest"]))
-                inputs = {str(name): str(value) for name, value in content["inputs"].items()}
-                entry = parse(content["entry"])
-            except (AttributeError, KeyError, TypeError, ValueError, RecursionError, RosmlError):
+                manifest = self.registry.manifest(place, item["digest"])
+                (layer,) = manifest.content["layers"] if manifest else [{}]
+                entry = parse(json.loads(self.registry.blob(place, layer["digest"]))["entry"])
+            except (KeyError, TypeError, ValueError, RecursionError, RosmlError):
                 continue
             if entry and (entry.repository, entry.digest) == (repository, digest):
-                return entry, inputs
-        return None
-
-    def _attached(self, place: str, digest: str) -> Iterator[oci.Manifest]:
-        """The manifests of the entries that are attached to an image, the newest first."""
-        found = [
-            manifest
-            for item in self.registry.referrers(place, digest, ARTIFACT)
-            if (manifest := self.registry.manifest(place, item["digest"]))
-            and FACTS in (manifest.content.get("annotations") or {})
-        ]
-        yield from sorted(found, key=order, reverse=True)
+                found.append(entry)
+        return max(found, key=lambda entry: entry.changed, default=None)
 
     def artifact(self, name: str, data: bytes, annotations: Mapping[str, str]) -> str:
         """Puts an artifact with one layer of JSON under a tag of the records, in the place of the one before.

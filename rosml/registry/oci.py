@@ -12,6 +12,7 @@ import email.utils
 import hashlib
 import json
 import logging
+import random
 import re
 import threading
 import time
@@ -390,37 +391,30 @@ class Registry:
         Raises:
             RosmlError: the registry does not delete, does not answer or refuses.
         """
-        self._delete(repository, reference)
-
-    def discard(self, repository: str, digest: str) -> bool:
-        """Removes a manifest that nothing leads to any more, where the registry can; elsewhere it stays.
-
-        Many registries delete nothing. One that did not once is not asked again by this client, for that repository. A
-        manifest that somebody else removed is gone as well.
-
-        Returns:
-            Whether it is gone.
-        """
-        if repository in self._keeping:
-            return False
-        try:  # 404 may also be how a registry says that it knows no such request; nobody waits for one that is busy
-            gone = self._delete(repository, digest, tuple(_TRANSIENT)) or not self.head(repository, digest)
-        except RosmlError:
-            gone = False
-        if not gone:
-            self._keeping.add(repository)
-        return gone
-
-    def _delete(self, repository: str, reference: str, allow: tuple[int, ...] = ()) -> bool:
-        """Removes a manifest or tag; False if the registry says that there is none, or answers as is allowed."""
-        path = f"{repository}/manifests/{reference}"
-        also = (_scope(repository, "delete"),)
-        answer = self._ask("DELETE", path, repository, allow=(404, 405, *allow), push=True, also=also)
+        answer = self._deletion(repository, reference, (404, 405))
         if answer.status_code == 405:
             if not is_digest(reference):
                 raise RosmlError(f"{self.host} deletes no tag by its name", REMEDY)
             raise Undeletable(f"{self.host} deletes nothing", REMEDY)
-        return answer.status_code not in (404, *allow)
+
+    def discard(self, repository: str, digest: str) -> None:
+        """Removes a manifest that nothing leads to any more, where the registry can; elsewhere it stays, which is no error.
+
+        Many registries delete nothing. One that did not once is not asked again by this client, for that repository.
+        """
+        if repository in self._keeping:
+            return
+        try:  # 404 may also be how a registry says that it knows no such request; nobody waits for one that is busy
+            answer = self._deletion(repository, digest, (404, 405, *_TRANSIENT))
+            gone = answer.is_success or not self.head(repository, digest)
+        except RosmlError:
+            gone = False
+        if not gone:
+            self._keeping.add(repository)
+
+    def _deletion(self, repository: str, reference: str, allow: tuple[int, ...]) -> httpx.Response:
+        path, also = f"{repository}/manifests/{reference}", (_scope(repository, "delete"),)
+        return self._ask("DELETE", path, repository, allow=allow, push=True, also=also)
 
     # ---- Blobs -------------------------------------------------------------------------------------------------------
 
@@ -480,9 +474,7 @@ class Registry:
         answer = self._ask("POST", path, repository, push=True, also=also, allow=(202,))
         if answer.status_code == 201:
             return True
-        if location := answer.headers.get("location"):  # it began an upload instead, which nobody wants
-            with contextlib.suppress(RosmlError, _Transient):
-                self._send("DELETE", answer.url.join(location), self._scopes(repository, push=True))
+        self._give_up(repository, answer)  # it began an upload instead
         return False
 
     def copy_blob(self, repository: str, digest: str, size: int, source: Registry, source_repository: str) -> None:
@@ -522,7 +514,10 @@ class Registry:
         Raises:
             RosmlError: they may not; the registry does not answer.
         """
-        begun = self._ask("POST", f"{repository}/blobs/uploads/", repository, push=True)
+        self._give_up(repository, self._ask("POST", f"{repository}/blobs/uploads/", repository, push=True))
+
+    def _give_up(self, repository: str, begun: httpx.Response) -> None:
+        """Ends an upload that nobody wants."""
         if location := begun.headers.get("location"):
             with contextlib.suppress(RosmlError, _Transient):
                 self._send("DELETE", begun.url.join(location), self._scopes(repository, push=True))
@@ -570,25 +565,10 @@ class Registry:
         digest, headers = self.send_manifest(repository, "", data, IMAGE)
         if headers.get("oci-subject") != subject["digest"]:  # this registry keeps no account of referrers
             noted = {"annotations": dict(annotations)} if annotations else {}
-            entry = {**descriptor(IMAGE, data), "artifactType": artifact_type, **noted}
-
-            def listed_once(there: list[Any]) -> list[Any]:
-                return there if digest in [item["digest"] for item in there] else [*there, entry]
-
-            self._relist(repository, str(subject["digest"]), listed_once)
+            self._list(
+                repository, subject["digest"], {**descriptor(IMAGE, data), "artifactType": artifact_type, **noted}
+            )
         return digest
-
-    def detach(self, repository: str, subject: str, digest: str) -> None:
-        """Removes an artifact that is attached to a manifest, also from the list that stands in for the API.
-
-        Args:
-            subject: digest of the manifest. digest: of the artifact's manifest.
-
-        Raises:
-            RosmlError: the registry does not delete, does not answer or refuses.
-        """
-        self.delete(repository, digest)
-        self._relist(repository, subject, lambda there: [item for item in there if item["digest"] != digest])
 
     def forget(self, repository: str, subject: str) -> None:
         """Removes the list of what was attached to a manifest that is gone, from a registry that has no API for it.
@@ -599,13 +579,10 @@ class Registry:
         if there := self.head(repository, _fallback_tag(subject)):
             self.delete(repository, there)
 
-    def _relist(self, repository: str, subject: str, change: Callable[[list[Any]], list[Any]]) -> None:
-        """Changes the index under the fallback tag, and reads it again before it is written and after: what another
-        publisher wrote in between stays, and so does the change. Only two requests to write it at the very same time can
-        still undo each other, since registries have no conditional write.
-
-        Args:
-            change: gives what is to be listed for what is; nothing else where it is there already.
+    def _list(self, repository: str, subject: str, entry: Mapping[str, Any]) -> None:
+        """Adds an artifact to the index under the fallback tag, which is read again before it is written and after: what
+        another publisher wrote in between stays. Only two requests to write it at the very same time can still undo each
+        other, since registries have no conditional write.
 
         Raises:
             RosmlError: others write it all the time; the registry does not answer or refuses.
@@ -616,26 +593,17 @@ class Registry:
             found = self.manifest(repository, tag)
             return (found.digest, list(found.content.get("manifests") or [])) if found else ("", [])
 
-        def done() -> bool:
-            digest, there = read()
-            if (wanted := change(there)) == there:
-                return True
-            if self.head(repository, tag) != digest:
-                return False
-            self.put_manifest(repository, tag, {"schemaVersion": 2, "mediaType": INDEX, "manifests": wanted}, INDEX)
-            _, there = read()
-            return change(there) == there
-
-        def lost(_: tenacity.RetryCallState) -> bool:
-            raise RosmlError(f"{self.host}/{repository}:{tag} is written by others all the time", "run it again")
-
         with self._attaching:
-            tenacity.Retrying(
-                retry=tenacity.retry_if_result(lambda there: not there),
-                stop=tenacity.stop_after_attempt(ATTEMPTS),
-                wait=tenacity.wait_random(0, WAIT),
-                retry_error_callback=lost,
-            )(done)
+            for attempt in range(ATTEMPTS):
+                digest, there = read()
+                if entry["digest"] in [item["digest"] for item in there]:
+                    return
+                if self.head(repository, tag) == digest and attempt < ATTEMPTS - 1:
+                    content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": [*there, entry]}
+                    self.put_manifest(repository, tag, content, INDEX)
+                else:
+                    time.sleep(random.uniform(0, WAIT))
+        raise RosmlError(f"{self.host}/{repository}:{tag} is written by others all the time", "run it again")
 
     # ---- Requests ----------------------------------------------------------------------------------------------------
 

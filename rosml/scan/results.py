@@ -13,7 +13,7 @@ from typing import Any
 
 from rosml.base import files
 from rosml.records.store import Entry
-from rosml.registry.protocol import Client
+from rosml.registry.oci import Registry
 from rosml.scan.sbom import Sbom, Shelf
 
 FORMAT = 1
@@ -41,7 +41,7 @@ class Results:
 class Kept(Shelf):
     """A shelf that reads SBOMs from the registry, and keeps new ones for the file."""
 
-    def __init__(self, client: Client, scanner: str, results: Results) -> None:
+    def __init__(self, client: Registry, scanner: str, results: Results) -> None:
         """As of a shelf; `results` gets what is new."""
         super().__init__(client, scanner)
         self.results = results

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from rosml.registry.protocol import Client
+from rosml.registry.oci import Registry
 from rosml.scan.trivy import ScannerFailed
 
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
@@ -103,7 +103,7 @@ class Sbom:
 class Shelf:
     """SBOMs in the registry, each attached to the manifest that it is of."""
 
-    def __init__(self, client: Client, scanner: str) -> None:
+    def __init__(self, client: Registry, scanner: str) -> None:
         """Keeps SBOMs with a registry.
 
         Args:

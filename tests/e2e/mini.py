@@ -217,14 +217,13 @@ class Mini:
             if not tag.startswith("part:"):
                 require_oci_set(index.content["annotations"], tag)
             assert store.DATE in index.content["annotations"], f"{tag} was not made by a run"
-            for name in (digest, *(member["digest"] for member in index.content["manifests"])):
-                assert client.referrers(repository, name, ARTIFACT), f"{tag}: its entry is not attached"
             for member in index.content["manifests"]:
+                assert client.referrers(repository, member["digest"], ARTIFACT), f"{tag}: its entry is not attached"
                 manifest = client.manifest(repository, member["digest"])
                 assert manifest, f"{tag} is partial"
                 if not tag.startswith("part:"):
                     attached = book.attached(repository.removeprefix(f"{self.prefix}/"), member["digest"])
-                    assert attached and attached[0].passed and not attached[0].failures, f"{tag}: an untested image"
+                    assert attached and attached.passed and not attached.failures, f"{tag}: an untested image"
                     config = client.json_blob(repository, manifest.content["config"]["digest"])
                     require_oci_set(config["config"]["Labels"], tag)
                 for layer in (manifest.content["config"], *manifest.content["layers"]):

@@ -52,15 +52,15 @@ def test_entries_and_provenance(mini: Mini) -> None:
     sizes = []
     for (target, architecture), entry in known.items():
         path = f"{mini.prefix}/{entry.repository}"
-        found = Records(client, mini.prefix).attached(entry.repository, entry.digest)
-        assert found and found[0].facts == entry.facts
+        if architecture != INDEX:
+            assert Records(client, mini.prefix).attached(entry.repository, entry.digest) == entry
         listed = run(
             *(mini.services.regctl, "--host", f"reg={mini.services.registry},tls=disabled", "artifact", "list"),
             *("--format", "{{json .}}", f"{mini.services.registry}/{path}@{entry.digest}"),
         )
         kinds = [item["artifactType"] for item in json.loads(listed.out)["descriptors"]]
-        assert kinds.count(store.ARTIFACT) == 1
-        assert kinds.count(provenance.MEDIA_TYPE) == (architecture != INDEX), f"{target}: {kinds}"
+        for kind in (store.ARTIFACT, provenance.MEDIA_TYPE):
+            assert kinds.count(kind) == (architecture != INDEX), f"{target}: {kinds}"
         for item in client.referrers(path, entry.digest):
             content = client.manifest(path, item["digest"])
             assert content
@@ -79,20 +79,6 @@ def test_entries_and_provenance(mini: Mini) -> None:
         for step in (again.build, again.join, again.test, again.index, Promotion(again).run):
             step()
         assert (again.outcomes, counting.uploaded) == ([], 0)
-
-    test = mini.folder / "tests/structure/contract.yaml"
-    test.write_text(test.read_text() + "# another\n")
-    image = known["bookworm-core", NATIVE]
-    where = (f"{mini.prefix}/{image.repository}", image.digest, store.ARTIFACT)
-    mini.all(*ONLY)
-    known = entries(mini)
-    assert len(client.referrers(*where)) == 2, "its tests are others"
-    assert mini.publish("prune", "--apply").code == 0
-    (left,) = client.referrers(*where)
-    assert client.manifest(where[0], left["digest"]), "the newest one"
-    found = Records(client, mini.prefix).attached(image.repository, image.digest)
-    assert found and found[0].facts == known["bookworm-core", NATIVE].facts
-    assert json.loads(mini.publish("prune", "--json").out)["superseded"] == []
 
     other = mini.elsewhere()
     other.all(*ONLY, "--force")
@@ -119,12 +105,11 @@ def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
     client, known = mini.client(), entries(mini)
     indexes = {target: entry for (target, architecture), entry in known.items() if architecture == INDEX}
     assert sorted(signed) == sorted(indexes)
-    for target, entry in indexes.items():
+    for entry in indexes.values():
         reference = f"{mini.services.registry}/{mini.prefix}/{entry.repository}@{entry.digest}"
         signer.verify(reference)
         assert signer.identity in entry.signed
         assert signer.ensure(reference) is False
-        assert Records(client, mini.prefix).attached(entry.repository, entry.digest), f"{target}: its entry is gone"
         kinds = [item["artifactType"] for item in client.referrers(f"{mini.prefix}/{entry.repository}", entry.digest)]
         assert sum("sigstore" in kind for kind in kinds) == 1, kinds
     assert mini.all(*ONLY, "--sign", env=cosign)["outcomes"] == []
@@ -133,4 +118,4 @@ def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
     with pytest.raises(SignerFailed, match="has no signature"):
         signer.verify(f"{mini.services.registry}/{mini.prefix}/ros@{image.digest}")
     pruned = json.loads(mini.publish("prune", "--days", "0", "--newest", "0", "--json").out)
-    assert pruned["manifests"] == pruned["superseded"] == [], "signatures of kept indexes stay"
+    assert pruned["manifests"] == [], "signatures of kept indexes stay"

@@ -6,7 +6,7 @@ import hashlib
 import json
 import threading
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -26,7 +26,7 @@ from rosml.publish.pipeline import Outcome, Pipeline
 from rosml.publish.plan import Plan
 from rosml.publish.sign import SignerFailed
 from rosml.records import store, tag_moves
-from rosml.registry.oci import Manifest
+from rosml.registry.oci import Manifest, Registry
 
 HOST = "registry.example"
 PREFIX = "rosml"
@@ -50,7 +50,7 @@ def digest(data: bytes) -> str:
 
 
 @dataclass
-class MemoryRegistry:
+class MemoryRegistry(Registry):
     """Repositories by path.
 
     Attributes:
@@ -92,7 +92,9 @@ class MemoryRegistry:
         name = self.names.get(repository, {}).get(reference, reference)
         return self.manifests.get(repository, {}).get(name)
 
-    def put_manifest(self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str) -> str:
+    def put_manifest(
+        self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str = IMAGE
+    ) -> str:
         data = content if isinstance(content, bytes) else json.dumps(content, sort_keys=True).encode()
         with self.writing("put a manifest"):
             name = digest(data)
@@ -120,11 +122,11 @@ class MemoryRegistry:
             self.uploaded += len(data)
             return digest(data)
 
-    def tag(self, repository: str, name: str, tag: str) -> None:
-        if name not in self.manifests.get(repository, {}):
-            raise RosmlError(f"{repository}@{name} is not there, so no tag can point at it")
+    def tag(self, repository: str, digest: str, name: str) -> None:
+        if digest not in self.manifests.get(repository, {}):
+            raise RosmlError(f"{repository}@{digest} is not there, so no tag can point at it")
         with self.writing("move a tag"):
-            self.names.setdefault(repository, {})[tag] = name
+            self.names.setdefault(repository, {})[name] = digest
 
     def may_push(self, _repository: str) -> None:
         if "push" in self.refuses:
@@ -143,13 +145,10 @@ class MemoryRegistry:
             for name in [name for name, target in names.items() if reference in (name, target)]:
                 del names[name]
 
-    def discard(self, repository: str, name: str) -> bool:
-        try:
+    def discard(self, repository: str, name: str) -> None:
+        with suppress(RosmlError):
             if name in self.manifests.get(repository, {}):
                 self.delete(repository, name)
-        except RosmlError:
-            return False
-        return True
 
     def referrers(self, repository: str, subject: str, artifact_type: str = "") -> list[dict[str, Any]]:
         self._read(2)
@@ -159,9 +158,6 @@ class MemoryRegistry:
             if (manifest.content.get("subject") or {}).get("digest") == subject
             and artifact_type in ("", manifest.content["artifactType"])
         ]
-
-    def detach(self, repository: str, subject: str, name: str) -> None:
-        self.delete(repository, name)
 
     def forget(self, repository: str, subject: str) -> None:
         assert subject not in self.manifests[repository]
@@ -173,7 +169,7 @@ class MemoryRegistry:
         artifact_type: str,
         part: bytes,
         media_type: str,
-        annotations: Mapping[str, str],
+        annotations: Mapping[str, str] | None = None,
     ) -> str:
         if "attach" in self.refuses:
             raise RosmlError("the registry refuses to attach", "ask who runs it")
@@ -181,7 +177,7 @@ class MemoryRegistry:
         content = {
             "artifactType": artifact_type,
             "layers": [layer],
-            "annotations": dict(annotations),
+            "annotations": dict(annotations or {}),
             "subject": dict(subject),
         }
         data = json.dumps(content, sort_keys=True).encode()
@@ -365,9 +361,8 @@ class Place:
                 )
                 members = {item["platform"]["architecture"]: item["digest"] for item in index.content["manifests"]}
                 assert members, f"{tag} ({image.target}) has no architecture"
-                for name in (index.digest, *members.values()):
-                    assert self.registry.referrers(path, name, store.ARTIFACT), f"{tag}: no entry is attached"
                 for name in members.values():
+                    assert self.registry.referrers(path, name, store.ARTIFACT), f"{tag}: no entry is attached"
                     assert self.registry.referrers(path, name, provenance.MEDIA_TYPE), f"{tag}: nobody knows whence"
                 for member in members.values():
                     assert member in passed, f"{repository}:{tag} points at an untested image"

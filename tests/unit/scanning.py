@@ -227,7 +227,8 @@ class Memory:
 
 def shelf(memory: Memory | None = None, scanner: str = f"trivy {VERSION}") -> Shelf:
     """Where SBOMs are kept."""
-    return Shelf(memory or Memory(), scanner)
+    found: Any = memory or Memory()
+    return Shelf(found, scanner)
 
 
 POLICY = """\

@@ -91,7 +91,8 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
     assert registry.registry.writes == before
     found = run()
     assert found.plan.known[CORE].scanned == ""
-    found.registry = shelved = Shelved(found.registry)
+    shelved: Any = Shelved(found.registry)
+    found.registry = shelved
     scan_results.record(found, tmp_path / "scan.json")
     entry = run().plan.known[CORE]
     assert (entry.scanned, entry.scan, entry.digest) == ("clean", {"policy": "sha256:1"}, digest)

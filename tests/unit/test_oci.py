@@ -189,15 +189,13 @@ def test_referrers(server: StandIn, registry: Registry, api: bool) -> None:
 
 @pytest.mark.parametrize("api", [False, True], ids=["tag", "api"])
 def test_what_is_attached_can_go(server: StandIn, registry: Registry, api: bool) -> None:
-    """By itself, also from the list that stands in for the API; or with what it is attached to."""
+    """With what it is attached to: also the list that stands in for the API."""
     server.referrers = api
     subject: dict[str, Any] = {"mediaType": oci.IMAGE, "digest": registry.put_manifest("a", "", MANIFEST), "size": 1}
     before = server.manifests["a", subject["digest"]]
     first, second = (registry.attach("a", subject, TYPE, data, "text/plain") for data in (b"one", b"two"))
     assert server.manifests["a", subject["digest"]] == before, "the manifest itself changed"
-    registry.detach("a", subject["digest"], first)
-    assert [entry["digest"] for entry in registry.referrers("a", subject["digest"])] == [second]
-    assert registry.manifest("a", first) is None and registry.manifest("a", second) is not None
+    assert {entry["digest"] for entry in registry.referrers("a", subject["digest"])} == {first, second}
     registry.forget("a", subject["digest"])
     assert registry.tags("a") == [], "the list of what was attached to a manifest that is gone"
     registry.forget("a", subject["digest"])
@@ -211,8 +209,7 @@ def test_many_attach_at_once(registry: Registry) -> None:
     assert len(set(made)) == 24
 
 
-@pytest.mark.parametrize("work", ["detach", "attach"])
-def test_two_publishers_change_what_is_attached(server: StandIn, registry: Registry, work: str) -> None:
+def test_two_publishers_change_what_is_attached(server: StandIn, registry: Registry) -> None:
     """Without the API there is one list of it: what another publisher adds between a look at it and its change stays."""
     subject = described(registry)
     first = registry.attach("a", subject, TYPE, b"one", "text/plain")
@@ -225,11 +222,7 @@ def test_two_publishers_change_what_is_attached(server: StandIn, registry: Regis
 
     with Registry(server.address) as other:
         server.answering = meanwhile
-        if work == "detach":
-            registry.detach("a", subject["digest"], first)
-            ours = []
-        else:
-            ours = [first, registry.attach("a", subject, TYPE, b"two", "text/plain")]
+        ours = [first, registry.attach("a", subject, TYPE, b"two", "text/plain")]
     assert {entry["digest"] for entry in registry.referrers("a", subject["digest"])} == {*ours, theirs[1]}
 
 
@@ -336,21 +329,20 @@ def test_a_registry_that_discards_nothing_is_asked_once(server: StandIn, registr
     """404 as well, where the manifest is still there; and once only, if it has no time."""
     server.fault("DELETE", "/manifests/", kind, oci.ATTEMPTS)
     digest = registry.put_manifest("a", "x", MANIFEST)
-    assert not registry.discard("a", digest)
-    asked = server.count("^DELETE")
-    assert asked == 1
-    assert not registry.discard("a", digest)
-    assert server.count("^DELETE") == asked and registry.head("a", digest) == digest
+    for _ in range(2):
+        registry.discard("a", digest)
+        assert server.count("^DELETE") == 1 and registry.head("a", digest) == digest
     server.faults.clear()
     other = registry.put_manifest("b", "x", MANIFEST)
-    assert registry.discard("b", other), "another repository may have other rules"
-    assert registry.head("b", other) == ""
+    registry.discard("b", other)
+    assert registry.head("b", other) == "", "another repository may have other rules"
 
 
 def test_what_somebody_else_removed_is_discarded(server: StandIn, registry: Registry) -> None:
     """And the registry is asked for the next one."""
     digest = registry.put_manifest("a", "x", MANIFEST)
-    assert registry.discard("a", DIGEST) and registry.discard("a", digest)
+    registry.discard("a", DIGEST)
+    registry.discard("a", digest)
     assert registry.head("a", digest) == ""
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from memory_registry import DAY, LATER, NEXT, PREFIX, MemoryRegistry, Place, place
+from memory_registry import DAY, IMAGE, LATER, NEXT, PREFIX, MemoryRegistry, Place, place
 from registry_stand_in import StandIn, standing_in
 from stubs import services
 
@@ -113,7 +113,9 @@ class Meeting(MemoryRegistry):
     before: Callable[[], Any] | None = None
     after: Callable[[], Any] | None = None
 
-    def put_manifest(self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str) -> str:
+    def put_manifest(
+        self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str = IMAGE
+    ) -> str:
         first, self.before = self.before, None
         if first:
             first()
