@@ -14,7 +14,6 @@ from functools import cached_property
 from typing import Any
 
 from bench.temporary import Temporary
-from rosml.bake.inputs import Inputs
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.base.units import duration, size
@@ -93,8 +92,7 @@ def measure(services: Services, image_set: ImageSet, prefix: str, date: str, say
 def _survey(services: Services, image_set: ImageSet, client: oci.Registry, prefix: str, date: str) -> Plan:
     """For all architectures: nothing is left to another machine."""
     architectures = tuple(image_set.matrix.architectures)
-    inputs = Inputs(services.root, image_set)
-    return planning.survey(services, image_set, client, prefix, (), architectures, date=date, inputs=inputs)
+    return planning.survey(services, image_set, client, prefix, (), architectures, date=date)
 
 
 def _require_idle(plan: Plan) -> None:

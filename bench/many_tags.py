@@ -140,7 +140,8 @@ class _Made:
             listed = self.client.manifest(ros.repository, entry["digest"])
             if listed and manifest:
                 names = self.client.blob(ros.repository, listed.content["layers"][0]["digest"])
-                file_lists.attach(self.client, ros.repository, manifest, names)
+                kind = file_lists.ARTIFACT, names, file_lists.MEDIA_TYPE
+                self.client.attach(ros.repository, manifest.descriptor, *kind)
         return variant
 
     def target(self, host: str, index: int) -> str:

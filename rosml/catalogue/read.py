@@ -70,7 +70,7 @@ class _Member:
 
 @dataclass(frozen=True)
 class _Index:
-    """An index; of a manifest that a tag points at by itself, that one alone."""
+    """An index and its images."""
 
     digest: str
     created: str
@@ -227,15 +227,11 @@ class Gatherer:
         if found is None:  # a build that was removed since
             return None
         try:
-            created = date_of(found)
-            if "manifests" not in found.content:
-                alone = self._member(path, digest, "")
-                return _Index(digest, created or _date((alone,)), (alone,))
             listed = [
                 (str(item["digest"]), _platform(item.get("platform") or {})) for item in found.content["manifests"]
             ]
             members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
-            return _Index(digest, created or _date(members), tuple(members))
+            return _Index(digest, date_of(found), tuple(members))
         except (AttributeError, KeyError, TypeError, ValueError, RosmlError) as error:
             self.registry.head(path, digest)  # a registry that does not answer any more is another matter
             self.remarks.append(f"{repository}@{digest} is left out: it cannot be read ({error})")
@@ -248,11 +244,10 @@ class Gatherer:
         config = json.loads(self.registry.blob(path, found.content["config"]["digest"]))
         layers = tuple((str(layer["digest"]), int(layer["size"])) for layer in found.content["layers"])
         labels = {str(name): str(text) for name, text in ((config.get("config") or {}).get("Labels") or {}).items()}
-        where = platform or _platform({"os": "linux", **config})
         entry = self._current.get(digest)
         if entry is None:  # of one that another has taken the place of since
             entry = Records(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
-        return _Member(digest, where, layers, labels, entry)
+        return _Member(digest, platform, layers, labels, entry)
 
     # ---- What it means -----------------------------------------------------------------------------------------------
 
@@ -403,11 +398,6 @@ class _Table:
             )
             for part, positions in self._grouped(member).items()
         }
-
-
-def _date(members: Sequence[_Member]) -> str:
-    """When images were made, of which no run made an index; empty where nobody knows."""
-    return max((member.entry.date for member in members if member.entry), default="")
 
 
 def _scan(entry: Entry) -> Scan:

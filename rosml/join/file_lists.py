@@ -12,7 +12,7 @@ import zlib
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
-from rosml.registry.oci import Manifest, Registry
+from rosml.registry.oci import Registry
 
 ARTIFACT = "application/vnd.rosml.files.v1"
 MEDIA_TYPE = "application/vnd.rosml.files.v1+gzip"
@@ -114,13 +114,3 @@ class Lists:
         if artifact is None or not artifact.content.get("layers"):
             return None
         return Files.parse(unpacked(registry.blob(repository, artifact.content["layers"][0]["digest"])))
-
-
-def attach(registry: Registry, repository: str, manifest: Manifest, data: bytes) -> str:
-    """Attaches a list that was made elsewhere to an image manifest; gives the artifact's digest.
-
-    Args:
-        data: sorted lines, gzip'd.
-    """
-    unpacked(data)
-    return registry.attach(repository, manifest.descriptor, ARTIFACT, data, MEDIA_TYPE)

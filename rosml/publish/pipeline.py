@@ -244,9 +244,8 @@ class Pipeline:
     def _attest(self, item: Item, made: Made, started: str) -> None:
         """Attaches to what was made, or joined, what it was made from; what is attached already is not said again."""
         place = self.repository(item.repository)
-        definition = provenance.Definition(
-            self._parameters(item), self.plan.inputs.digest(*item.key), tuple(self._dependencies(item, made))
-        )
+        inputs = self.plan.inputs.digest(*item.key)
+        definition = provenance.definition(self._parameters(item), inputs, self._dependencies(item, made))
         provenance.attach(self.registry, place, made.digest, definition, self.machine, started, now())
 
     @cached_property

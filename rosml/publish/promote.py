@@ -33,7 +33,7 @@ class Promotion:
         self.pipeline = pipeline
         self.registry = pipeline.registry
         self.date = pipeline.plan.date
-        self._settled: frozenset[tuple[str, str]] = frozenset()
+        self._there: dict[tuple[str, str], str] = {}
         self._silent: RosmlError | None = None
 
     def run(self) -> list[Move]:
@@ -42,7 +42,7 @@ class Promotion:
         Raises:
             RosmlError: the registry does not answer, or takes no record of where tags were; no tag was moved.
         """
-        self._settled = self._settled_tags()
+        self._there = self._pointing()
         planned: list[tuple[Image | Part, list[Move]]] = []
         for thing in self.pipeline.plan.things():
             entry = self.pipeline.plan.known.get((thing.target, INDEX))
@@ -106,23 +106,19 @@ class Promotion:
             return False
         return True
 
-    def _settled_tags(self) -> frozenset[tuple[str, str]]:
-        """Repository and tag of all that point at what the records name. Most of them do on most nights: they are asked for
+    def _pointing(self) -> dict[tuple[str, str], str]:
+        """Where tags of all indexes point, by repository and tag. Most of them need no move on most nights: they are asked for
         side by side, since one after the other would take minutes on a registry that is far away.
         """
         known = self.pipeline.plan.known
-        entries = [
-            (thing, known[key]) for thing in self.pipeline.plan.things() if (key := (thing.target, INDEX)) in known
-        ]
         wanted = [
-            (self.pipeline.repository(entry.repository), tag, entry.digest)
-            for thing, entry in entries
-            if entry.digest
+            (self.pipeline.repository(entry.repository), tag)
+            for thing in self.pipeline.plan.things()
+            if (entry := known.get((thing.target, INDEX))) and entry.digest
             for tag in (dated(tags_of(thing)[0], entry.date), *tags_of(thing))
         ]
         with ThreadPoolExecutor(READERS) as pool:
-            there = pool.map(lambda item: self.registry.head(*item[:2]) == item[2], wanted)
-            return frozenset(item[:2] for item, same in zip(wanted, there, strict=True) if same)
+            return dict(zip(wanted, pool.map(lambda item: self.registry.head(*item), wanted), strict=True))
 
     def _moves(self, thing: Image | Part, entry: Entry) -> Iterable[Move]:
         """The moves of an image, in their order; those that would go back, or lose an architecture, are told instead."""
@@ -130,18 +126,15 @@ class Promotion:
         tags = tags_of(thing)
         main = tags[0]
         day = dated(main, entry.date)
-        if (repository, day) not in self._settled:
-            for name in chain([day], (f"{day}.{number}" for number in count(2))):  # the day's second one is its .2
-                there = self.registry.head(repository, name)
-                if not there:
-                    yield Move(entry.repository, name, "", entry.digest)
-                if there in ("", entry.digest):
-                    break
+        for name in chain([day], (f"{day}.{number}" for number in count(2))):  # the day's second one is its .2
+            there = self._there[repository, day] if name == day else self.registry.head(repository, name)
+            if not there:
+                yield Move(entry.repository, name, "", entry.digest)
+            if there in ("", entry.digest):
+                break
         spelled = [tag for tag in tags if tag.startswith(f"{main}-")]
         for tag in (*spelled, *(tag for tag in tags if tag not in spelled)):
-            if (repository, tag) in self._settled:
-                continue
-            old = self.registry.head(repository, tag)
+            old = self._there[repository, tag]
             if old == entry.digest:
                 continue
             if reason := self._keeps(repository, old, entry):

@@ -61,19 +61,20 @@ class Machine:
         return cls(f"{server}/{workflow}", f"{run}/attempts/{environ.get('GITHUB_RUN_ATTEMPT', '1')}")
 
 
-@dataclass(frozen=True)
-class Definition:
-    """What decides an image, and what it was made from.
+def definition(parameters: Mapping[str, str], inputs: str, dependencies: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+    """What decides an image, and what it was made from: the predicate's `buildDefinition`.
 
-    Attributes:
+    Args:
         parameters: what was asked for: target, platform, channel.
         inputs: digest of everything in the checkout that decides its content.
         dependencies: resource descriptors: base image, parts, locks, the checkout, packages.
     """
-
-    parameters: Mapping[str, str]
-    inputs: str
-    dependencies: tuple[Mapping[str, Any], ...]
+    return {
+        "buildType": BUILD_TYPE,
+        "externalParameters": {name: text for name, text in parameters.items() if text},
+        "internalParameters": {"inputs": inputs},
+        "resolvedDependencies": list(dependencies),
+    }
 
 
 # ---- What an image was made from -------------------------------------------------------------------------------------
@@ -172,7 +173,7 @@ def _digest(digest: str) -> dict[str, str]:
 
 
 def statement(
-    name: str, digest: str, definition: Definition, machine: Machine, started: str, finished: str
+    name: str, digest: str, definition: Mapping[str, Any], machine: Machine, started: str, finished: str
 ) -> dict[str, Any]:
     """What is said of a manifest.
 
@@ -187,12 +188,7 @@ def statement(
         "subject": [{"name": name, "digest": _digest(digest)}],
         "predicateType": PREDICATE,
         "predicate": {
-            "buildDefinition": {
-                "buildType": BUILD_TYPE,
-                "externalParameters": {name: text for name, text in definition.parameters.items() if text},
-                "internalParameters": {"inputs": definition.inputs},
-                "resolvedDependencies": [dict(item) for item in definition.dependencies],
-            },
+            "buildDefinition": definition,
             "runDetails": {"builder": {"id": machine.builder}, "metadata": metadata},
         },
     }
@@ -202,7 +198,7 @@ def attach(
     client: Registry,
     repository: str,
     digest: str,
-    definition: Definition,
+    definition: Mapping[str, Any],
     machine: Machine,
     started: str,
     finished: str,

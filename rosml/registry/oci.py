@@ -274,8 +274,7 @@ class Registry:
         self._challenge: _Challenge | None = None
         self._tokens: dict[frozenset[str], tuple[str, float]] = {}
         self._lock = threading.Lock()  # of its own state; never held while somebody is asked
-        self._finding = threading.Lock()
-        self._asking: dict[frozenset[str], threading.Lock] = {}
+        self._asking = threading.Lock()
         self._attaching = threading.Lock()
         self._reached = False
         self._uploaded = 0
@@ -804,29 +803,22 @@ class Registry:
             challenge = self._challenge
         if challenge is None:
             return ""
-        known = self._account()
-        if not challenge.bearer:
-            if known is None:
-                raise self._denied("in", "it asks for a user's name and a password")
-            return "Basic " + base64.b64encode(f"{known.username}:{known.password}".encode()).decode()
-        if header := self._kept(scopes, refused):
+        if challenge.bearer and (header := self._kept(scopes, refused)):
             return header
-        with self._lock:
-            asking = self._asking.setdefault(scopes, threading.Lock())
-        with asking:  # one thread asks; who needs the same token waits for it, and nobody else does
+        with self._asking:  # one thread at a time runs the program that keeps passwords, and asks for tokens
+            if not self._asked:
+                self._credentials, self._asked = self._find_credentials(self.host), True
+            known = self._credentials
+            if not challenge.bearer:
+                if known is None:
+                    raise self._denied("in", "it asks for a user's name and a password")
+                return "Basic " + base64.b64encode(f"{known.username}:{known.password}".encode()).decode()
             if header := self._kept(scopes, refused):
                 return header
             token, seconds = self._token(challenge, scopes | challenge.scopes if refused else scopes, known)
             with self._lock:
                 self._tokens[scopes] = (token, time.monotonic() + 0.8 * seconds)
             return f"Bearer {token}"
-
-    def _account(self) -> Credentials | None:
-        """Who asks; a program that keeps passwords is run once."""
-        with self._finding:
-            if not self._asked:
-                self._credentials, self._asked = self._find_credentials(self.host), True
-            return self._credentials
 
     def _kept(self, scopes: frozenset[str], refused: str) -> str:
         """The header with the token that is there for some scopes; empty where there is none, or it does not hold."""

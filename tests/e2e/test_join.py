@@ -133,7 +133,8 @@ def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
     digest = client.put_manifest(repository, "", oci.encoded(other), oci.IMAGE)
     changed = client.manifest(repository, digest)
     assert changed
-    file_lists.attach(client, repository, changed, gzip.compress(b"opt/mini-part/tensorflow-cc\n"))
+    others = gzip.compress(b"opt/mini-part/tensorflow-cc\n")
+    client.attach(repository, changed.descriptor, file_lists.ARTIFACT, others, file_lists.MEDIA_TYPE)
     arguments = [f"{mini.registry}/part@{digest}", *parts(mini)[1:]]
     outcome = joined(
         mini.folder, f"{mini.registry}/ros:bookworm-core", *arguments, "--tag", f"{mini.registry}/mine:never"

@@ -255,7 +255,7 @@ def test_manifests_do_not_know_of_it(
 
 
 def test_nothing_is_said_of_a_manifest_that_is_gone(registry: Place) -> None:
-    made = provenance.Definition({}, "sha256:1", ())
+    made = provenance.definition({}, "sha256:1", ())
     with pytest.raises(RosmlError, match="ros@sha256:2 is not in the registry any more"):
         provenance.attach(registry.registry, "ros", "sha256:2", made, provenance.Machine("me", "1"), DAY, NEXT)
 

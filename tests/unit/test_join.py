@@ -299,7 +299,8 @@ def test_dockers_media_types_become_ocis(place: Place) -> None:
     digest = place.registry.head(base.repository, "docker")
     subject = place.registry.manifest(base.repository, digest)
     assert subject
-    file_lists.attach(place.registry, base.repository, subject, gzip.compress(b"usr/bin/env\n"))
+    listed = gzip.compress(b"usr/bin/env\n")
+    place.registry.attach(base.repository, subject.descriptor, file_lists.ARTIFACT, listed, file_lists.MEDIA_TYPE)
     found = place.join(str(base._replace(reference="docker")), *place.stack())
     layers = place.image(found.manifests["linux/amd64"])[0]["layers"]
     assert {layer["mediaType"] for layer in layers} == {"application/vnd.oci.image.layer.v1.tar+gzip"}

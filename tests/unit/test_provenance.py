@@ -10,7 +10,7 @@ import pytest
 from projects import git
 
 from rosml.publish import provenance
-from rosml.publish.provenance import Definition, Machine
+from rosml.publish.provenance import Machine
 
 DATE = "2026-11-22T03:00:00Z"
 DIGEST = "sha256:" + "1" * 64
@@ -89,7 +89,7 @@ def test_locks(checkout: Path) -> None:
 
 
 def test_the_statement() -> None:
-    definition = Definition({"target": "t", "stack": ""}, "abc", ({"name": "x"},))
+    definition = provenance.definition({"target": "t", "stack": ""}, "abc", [{"name": "x"}])
     said = provenance.statement("rosml/ros", DIGEST, definition, Machine("b", "i"), DATE, DATE)
     assert said == {
         "_type": "https://in-toto.io/Statement/v1",
