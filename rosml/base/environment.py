@@ -6,7 +6,7 @@ import importlib.util
 import sys
 from pathlib import Path
 
-REQUIRED = ("click", "httpx", "pydantic", "rich", "tenacity", "yaml")
+REQUIRED = ("click", "httpx", "pydantic", "rich", "yaml")
 """What pyproject.toml asks for, as it is imported; some of it is imported late, in the middle of the work."""
 
 

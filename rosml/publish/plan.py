@@ -335,6 +335,7 @@ def survey(
     force: bool = False,
     scanning: str = "",
     date: str = "",
+    inputs: Inputs | None = None,
     upstream: Mapping[str, str] | None = None,
     whole: bool = False,
 ) -> Plan:
@@ -349,6 +350,7 @@ def survey(
         force: make everything anew.
         scanning: digest of the scanner's policy; empty where nothing is scanned.
         date: of the run.
+        inputs: of the image set's targets, where they were read before.
         upstream: of when the packages of distributions are, by a plan. All steps of a run take them to be of one moment:
             what moves between two of them is the next run's.
         whole: what images stand on is judged for all of its architectures.
@@ -361,7 +363,7 @@ def survey(
     plan = Plan(
         services,
         image_set,
-        Inputs(services.root, image_set),
+        inputs or Inputs(services.root, image_set),
         {},
         dict(upstream or {}),
         set(),

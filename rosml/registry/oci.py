@@ -21,7 +21,6 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeVar
 
 import httpx
-import tenacity
 
 from rosml.base import web
 from rosml.base.errors import RosmlError
@@ -588,20 +587,22 @@ class Registry:
         """
         tag = _fallback_tag(subject)
 
-        def read() -> tuple[str, list[Any]]:
+        def read() -> tuple[str, list[Any], bool]:
             found = self.manifest(repository, tag)
-            return (found.digest, list(found.content.get("manifests") or [])) if found else ("", [])
+            there = list(found.content.get("manifests") or []) if found else []
+            return found.digest if found else "", there, entry["digest"] in [item["digest"] for item in there]
 
         with self._attaching:
-            for attempt in range(ATTEMPTS):
-                digest, there = read()
-                if entry["digest"] in [item["digest"] for item in there]:
+            for _ in range(ATTEMPTS):
+                digest, there, known = read()
+                if known:
                     return
-                if self.head(repository, tag) == digest and attempt < ATTEMPTS - 1:
+                if self.head(repository, tag) == digest:
                     content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": [*there, entry]}
                     self.put_manifest(repository, tag, content, INDEX)
-                else:
-                    time.sleep(random.uniform(0, WAIT))
+                    if read()[2]:
+                        return
+                time.sleep(random.uniform(0, WAIT))
         raise RosmlError(f"{self.host}/{repository}:{tag} is written by others all the time", "run it again")
 
     # ---- Requests ----------------------------------------------------------------------------------------------------
@@ -658,31 +659,23 @@ class Registry:
             path = answer.url.join(following).raw_path.decode().partition("/v2/")[2] if following else ""
 
     def _retried(self, work: Callable[[], T]) -> T:
-        def enough(state: tenacity.RetryCallState) -> bool:
-            error = state.outcome.exception() if state.outcome else None
-            if isinstance(error, _Untrusted):
-                return True
-            if isinstance(error, _Transient) and error.connected:
-                self._reached = True
-            return state.attempt_number >= (ATTEMPTS if self._reached else ATTEMPTS_UNREACHED)
-
-        def wait(state: tenacity.RetryCallState) -> float:
-            error = state.outcome.exception() if state.outcome else None
-            asked = error.after if isinstance(error, _Transient) else 0.0
-            backoff = tenacity.wait_exponential_jitter(multiplier=WAIT, max=LONGEST_WAIT, jitter=WAIT)(state)
-            return min(max(backoff, asked), LONGEST_WAIT)
-
-        try:
-            return tenacity.Retrying(
-                retry=tenacity.retry_if_exception_type(_Transient), stop=enough, wait=wait, reraise=True
-            )(work)
-        except _Untrusted as error:
-            raise RosmlError(f"{self.host}: {error}", certificates.remedy(self.host, str(error))) from None
-        except _Transient as error:
-            remedy = "run it again; what is finished is kept"
-            if not self._reached:
-                remedy = "check its name, the network and the proxies (HTTPS_PROXY)"
-            raise RosmlError(f"{self.host}: {error}", remedy) from None
+        """Does some work, again as long as that may help: later each time, or when the registry asks for it."""
+        attempt = 0
+        while True:
+            try:
+                return work()
+            except _Untrusted as error:
+                raise RosmlError(f"{self.host}: {error}", certificates.remedy(self.host, str(error))) from None
+            except _Transient as error:
+                attempt += 1
+                self._reached = self._reached or error.connected
+                if attempt >= (ATTEMPTS if self._reached else ATTEMPTS_UNREACHED):
+                    remedy = "run it again; what is finished is kept"
+                    if not self._reached:
+                        remedy = "check its name, the network and the proxies (HTTPS_PROXY)"
+                    raise RosmlError(f"{self.host}: {error}", remedy) from None
+                backoff = WAIT * 2 ** (attempt - 1) + random.uniform(0, WAIT)
+                time.sleep(min(max(backoff, error.after), LONGEST_WAIT))
 
     def _send(
         self,

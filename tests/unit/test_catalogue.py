@@ -273,7 +273,7 @@ def without_what_is_attached(registry: MemoryRegistry) -> MemoryRegistry:
 
 
 def test_an_image_without_a_run(real: ImageSet) -> None:
-    """As `make image` publishes it: no entry in the records, no date; a manifest may stand without an index."""
+    """Of which the records know nothing, as of one that `rosml join` tagged; a tag at a manifest without an index is told."""
     shelf = Shelf(real)
     shelf.night(FIRST, ["bookworm"])
     ros = f"{PREFIX}/ros"
@@ -283,7 +283,12 @@ def test_an_image_without_a_run(real: ImageSet) -> None:
     bare = without_what_is_attached(shelf.registry)
     bare.names[ros] = {"bookworm-core": member}
     item = image(gather(bare, real), "bookworm-core")
-    (platform,) = item.builds[0].platforms
+    assert (item.status, item.builds) == ("not built", ())
+    assert item.reason == f"its tag points at {member}, which cannot be read"
+    content = {name: value for name, value in index.content.items() if name != "annotations"}
+    bare.names[ros] = {"bookworm-core": bare.put_manifest(ros, "", content, index.media_type)}
+    item = image(gather(bare, real), "bookworm-core")
+    platform = item.builds[0].platforms[0]
     assert (item.status, item.builds[0].created, platform.platform) == ("built", "", "linux/amd64")
     assert (platform.tests, platform.scan, platform.size.unpacked, platform.inputs) == (None, None, None, "")
     assert (platform.versions, platform.found_inside) == ({"python": "3.11"}, False)
@@ -298,15 +303,13 @@ def test_an_image_that_was_published_by_itself(real: ImageSet) -> None:
     assert index
     member = index.content["manifests"][0]["digest"]
     bare = without_what_is_attached(shelf.registry)
-    content = {name: value for name, value in index.content.items() if name != "annotations"}
-    bare.names[ros] = {"bookworm-core": bare.put_manifest(ros, "", content, index.media_type)}
+    bare.names[ros] = {"bookworm-core": index.digest}
     entry = store.Entry(
         "bookworm-core", "amd64", repository="ros", digest=member, passed=21, versions={"ros-distro": "x"}, date=FIRST
     )
     book = store.Records(bare, PREFIX)
     book.attach(entry, {})
     build = image(gather(bare, real), "bookworm-core").builds[0]
-    assert build.created == FIRST
     assert (build.platforms[0].tests, build.platforms[0].versions) == (Ran(passed=21, failures=()), entry.versions)
     with pytest.raises(RosmlError, match="not in the registry"):
         book.attach(dataclasses.replace(entry, digest=f"sha256:{'0' * 64}"), {})
