@@ -33,6 +33,7 @@ from rosml.publish.plan import ELSEWHERE, Item, Plan
 from rosml.publish.sign import PATIENCE, Signer, SignerFailed
 from rosml.records.store import DATE, INDEX, INPUTS, Entry, Records
 from rosml.registry import repositories
+from rosml.registry.oci import Registry
 from rosml.scan import judge as scanning
 from rosml.scan import sarif
 from rosml.scan.policy import Rules
@@ -77,7 +78,7 @@ class Pipeline:
 
     Attributes:
         plan: what there is to do.
-        registry: where images go (`oci.Registry`). host: its address. prefix: path of its repositories.
+        registry: where images go. host: its address. prefix: path of its repositories.
         say: told what is going on, a line at a time.
         serving: the architectures that the registry serves; all of the matrix if empty.
         outcomes: what was done so far.
@@ -88,7 +89,7 @@ class Pipeline:
     """
 
     plan: Plan
-    registry: Any
+    registry: Registry
     host: str
     prefix: str
     say: Callable[[str], None]
@@ -133,7 +134,7 @@ class Pipeline:
         """Bytes that the registry got since its client was made: layers that it did not have, configs, manifests, what is
         attached, the records. Without what regctl and cosign send: indexes and signatures, of about 1 kB each.
         """
-        return self.pushed + int(self.registry.uploaded)
+        return self.pushed + self.registry.uploaded
 
     # ---- Items -------------------------------------------------------------------------------------------------------
 
@@ -173,7 +174,9 @@ class Pipeline:
 
     def _do(self, step: str, item: Item, place: str, why: Sequence[str], work: Callable[[Item, Entry], Entry]) -> None:
         """Does a step's work on an item, and writes down what came of it."""
-        self._require_push()
+        if not self._may_push:  # asked before the first work is done, which may take hours
+            self.registry.may_push(self.records.repository)
+            self._may_push = True
         self.say(f"{step} {item.target} for {item.architecture} {place}: {'; '.join(why)}")
         entry = self.plan.known.get(item.key) or Entry(*item.key)
         started, before = time.monotonic(), self.uploaded
@@ -189,16 +192,6 @@ class Pipeline:
         self._write(item, entry)
         reason = entry.failed.get("reason", "") if state == "failed" else "; ".join(why)
         self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before))
-
-    def _require_push(self) -> None:
-        """Checks, before the first work is done, that its result may be written down: it may take hours.
-
-        Raises:
-            RosmlError: it may not.
-        """
-        if not self._may_push:
-            self.registry.may_push(self.records.repository)
-            self._may_push = True
 
     def _write(self, item: Item, entry: Entry) -> None:
         entry = self._remembered(entry)

@@ -227,17 +227,10 @@ class Records:
         content = oci.artifact(ARTIFACT, data, LAYER, annotations)
         digest = self.registry.put_manifest(self.repository, name, content, oci.IMAGE)
         if before not in ("", digest):
-            self._discard(name, before)
+            with suppress(RosmlError):  # the artifact is written by now, whatever becomes of the one before
+                if self.registry.head(self.repository, name) != before:  # or somebody moved the tag back to it
+                    self.registry.discard(self.repository, before)
         return digest
-
-    def _discard(self, name: str, before: str) -> None:
-        """Removes what a tag pointed at before; not where somebody else moved the tag back to it, who would lose that.
-
-        An artifact is written by now, whatever becomes of the one before.
-        """
-        with suppress(RosmlError):
-            if self.registry.head(self.repository, name) != before:
-                self.registry.discard(self.repository, before)
 
 
 def date_of(manifest: Any) -> str:

@@ -81,16 +81,22 @@ def from_docker(host: str) -> Credentials | None:
     return _of(config.get("auths"), names, str(file))
 
 
+def json_object(text: str | bytes) -> dict[str, Any] | None:
+    """The JSON object of a text; None where it is none."""
+    try:
+        content = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return content if isinstance(content, dict) else None
+
+
 def _from_variable(names: tuple[str, ...]) -> Credentials | None:
     """Those of a registry in DOCKER_AUTH_CONFIG. Nothing of its text is shown."""
     text = os.environ.get(VARIABLE, "")
     if not text:
         return None
-    try:
-        content = json.loads(text)
-    except (ValueError, RecursionError):
-        content = None
-    if not isinstance(content, dict):
+    content = json_object(text)
+    if content is None:
         remedy = f'let it hold {{"auths": {{"{names[-1]}": {{"auth": …}}}}}}, or unset it'
         raise RosmlError(f"{VARIABLE} is no JSON object", remedy, exit_code=2)
     return _of(content.get("auths"), names, VARIABLE)
@@ -106,15 +112,13 @@ def _of(auths: Any, names: tuple[str, ...], place: str) -> Credentials | None:
 
 def _read(file: Path) -> dict[str, Any]:
     try:
-        config = json.loads(file.read_bytes())
+        config = json_object(file.read_bytes())
     except FileNotFoundError:
         return {}
     except OSError as error:
         raise RosmlError(f"cannot read {file}: {error.strerror}", "make it readable, or set DOCKER_CONFIG") from None
-    except (ValueError, RecursionError):
-        config = None
-    if not isinstance(config, dict):
-        raise RosmlError(f"{file} is no JSON object", "mend it, or log in again: docker login") from None
+    if config is None:
+        raise RosmlError(f"{file} is no JSON object", "mend it, or log in again: docker login")
     return config
 
 

@@ -239,6 +239,7 @@ class Registry:
     Attributes:
         host: as references have it, e.g. `ghcr.io` or `127.0.0.1:5000`.
         base: the address of its root.
+        uploaded: bytes of bodies that were sent so far, those of attempts that failed included.
     """
 
     def __init__(
@@ -276,7 +277,7 @@ class Registry:
         self._asking = threading.Lock()
         self._attaching = threading.Lock()
         self._reached = False
-        self._uploaded = 0
+        self.uploaded = 0
         self._keeping: set[str] = set()  # repositories that did not discard something
 
     def __repr__(self) -> str:
@@ -291,11 +292,6 @@ class Registry:
     def close(self) -> None:
         """Closes its connections."""
         self._client.close()
-
-    @property
-    def uploaded(self) -> int:
-        """Bytes of bodies that were sent so far, those of attempts that failed included."""
-        return self._uploaded
 
     # ---- Manifests ---------------------------------------------------------------------------------------------------
 
@@ -422,7 +418,7 @@ class Registry:
         Raises:
             RosmlError: there is none, or it has another digest; the registry does not answer or refuses.
         """
-        return _verified(self._ask("GET", f"{repository}/blobs/{digest}", repository, redirects=True).content, digest)
+        return _verified(self._ask("GET", f"{repository}/blobs/{digest}", repository).content, digest)
 
     def json_blob(self, repository: str, digest: str) -> dict[str, Any]:
         """A blob that is a JSON object, as an image's config is.
@@ -430,11 +426,8 @@ class Registry:
         Raises:
             RosmlError: as in `blob`; or it is no JSON object.
         """
-        try:
-            content = json.loads(self.blob(repository, digest))
-        except ValueError:
-            content = None
-        if not isinstance(content, dict):
+        content = docker.json_object(self.blob(repository, digest))
+        if content is None:
             raise RosmlError(f"{self.host}/{repository}: {digest} is no JSON object", "push it anew")
         return content
 
@@ -445,7 +438,7 @@ class Registry:
             RosmlError: the registry does not answer or refuses.
         """
         path = f"{repository}/blobs/{digest}"
-        return self._ask("HEAD", path, repository, allow=(404,), redirects=True).status_code != 404
+        return self._ask("HEAD", path, repository, allow=(404,)).status_code != 404
 
     def put_blob(self, repository: str, data: bytes) -> str:
         """Puts a blob, unless it is there. Gives its digest.
@@ -501,7 +494,7 @@ class Registry:
         location = str(begun.url.join(begun.headers["location"]))
         address = httpx.URL(f"{location}{'&' if '?' in location else '?'}digest={_quoted(digest)}")
         headers = {"Content-Type": "application/octet-stream", "Content-Length": str(size)}
-        ended = self._send("PUT", address, scopes, headers=headers, content=content, size=size)
+        ended = self._send("PUT", address, scopes, headers=headers, content=content)
         if ended.status_code == 404:  # the registry forgot the upload: another one may hold
             raise _Transient("the registry no longer knows the upload")
         self._expect(ended, (), repository, push=True)
@@ -627,21 +620,12 @@ class Registry:
         allow: tuple[int, ...] = (),
         push: bool = False,
         also: Iterable[str] = (),
-        redirects: bool = False,
     ) -> httpx.Response:
         """A request, sent again as long as that may help. Any success is an answer, and what `allow` lists."""
         scopes = self._scopes(repository, push, also)
 
         def once() -> httpx.Response:
-            answer = self._send(
-                method,
-                self._address(path),
-                scopes,
-                headers=headers,
-                content=content,
-                size=len(content or b""),
-                redirects=redirects,
-            )
+            answer = self._send(method, self._address(path), scopes, headers=headers, content=content)
             return self._expect(answer, allow, repository, push)
 
         return self._retried(once)
@@ -685,14 +669,10 @@ class Registry:
         *,
         headers: Mapping[str, str] | None = None,
         content: bytes | Iterator[bytes] | None = None,
-        size: int = 0,
-        redirects: bool = False,
     ) -> httpx.Response:
         """One request, with who asks: again, once, if the registry then says how it wants to be told."""
         request = self._client.build_request(method, address, headers=dict(headers or {}), content=content)
-        with self._open(
-            request, scopes, again=not isinstance(content, Iterator), size=size, redirects=redirects
-        ) as answer:
+        with self._open(request, scopes, again=not isinstance(content, Iterator)) as answer:
             with _transport(method, address):
                 answer.read()
             return answer
@@ -702,7 +682,7 @@ class Registry:
         """A blob while it arrives."""
         address = self._address(f"{repository}/blobs/{digest}")
         request = self._client.build_request("GET", address)
-        with self._open(request, self._scopes(repository), redirects=True) as answer:
+        with self._open(request, self._scopes(repository)) as answer:
             if not answer.is_success:
                 answer.read()
                 self._expect(answer, (), repository, push=False)
@@ -710,31 +690,21 @@ class Registry:
                 yield answer
 
     @contextlib.contextmanager
-    def _open(
-        self,
-        request: httpx.Request,
-        scopes: frozenset[str],
-        *,
-        again: bool = True,
-        size: int = 0,
-        redirects: bool = False,
-    ) -> Iterator[httpx.Response]:
-        answer, sent = self._exchange(request, scopes, "", size, redirects)
+    def _open(self, request: httpx.Request, scopes: frozenset[str], again: bool = True) -> Iterator[httpx.Response]:
+        answer, sent = self._exchange(request, scopes, "")
         if answer.status_code == 401 and (challenge := _challenge(answer)):
             answer.close()
             with self._lock:
                 self._challenge = challenge
             if not again:
                 raise _Transient("the registry asked anew who uploads")
-            answer, _ = self._exchange(request, scopes, sent, size, redirects)
+            answer, _ = self._exchange(request, scopes, sent)
         try:
             yield answer
         finally:
             answer.close()
 
-    def _exchange(
-        self, request: httpx.Request, scopes: frozenset[str], refused: str, size: int, redirects: bool
-    ) -> tuple[httpx.Response, str]:
+    def _exchange(self, request: httpx.Request, scopes: frozenset[str], refused: str) -> tuple[httpx.Response, str]:
         """Sends a request with who asks. Gives the answer, and what it was sent with."""
         header = ""
         if _origin(request.url) == _origin(self.base):  # nobody else is told who asks
@@ -743,10 +713,10 @@ class Registry:
         if header:
             request.headers["Authorization"] = header
         with _transport(request.method, request.url):
-            answer = self._client.send(request, stream=True, follow_redirects=redirects)
+            answer = self._client.send(request, stream=True, follow_redirects=request.method in ("GET", "HEAD"))
         with self._lock:
             self._reached = True
-            self._uploaded += size
+            self.uploaded += int(request.headers.get("content-length", 0))
         return answer, header
 
     def _expect(self, answer: httpx.Response, allow: tuple[int, ...], repository: str, push: bool) -> httpx.Response:
@@ -774,11 +744,8 @@ class Registry:
         return RosmlError(f"{self.host} lets nobody {what} {known} ({said})", remedy)
 
     def _object(self, answer: httpx.Response) -> dict[str, Any]:
-        try:
-            content = json.loads(answer.content)
-        except ValueError:
-            content = None
-        if not isinstance(content, dict):
+        content = docker.json_object(answer.content)
+        if content is None:
             raise RosmlError(
                 f"{self.host}: the answer to GET {answer.request.url.path} is no JSON object", "run it again"
             )

@@ -106,7 +106,8 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
 def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp_path: Path) -> None:
     scan(run(), tmp_path / "scan.json")
     found = run()
-    found.registry = Shelved(found.registry)
+    shelved: Any = Shelved(found.registry)
+    found.registry = shelved
     entry = found.plan.known[CORE]
     found.plan.known[CORE] = entry.made(f"sha256:{'7' * 64}")
     scan_results.record(found, tmp_path / "scan.json")
