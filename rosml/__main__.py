@@ -1,4 +1,4 @@
-"""`python -m rosml`: the command `rosml`, where nobody installed it."""
+"""`python -m rosml`: the command `rosml`, where nobody installed it; what the scripts of a checkout call."""
 
 import sys
 
@@ -8,5 +8,7 @@ import rosml.base.environment  # noqa: F401 (first: says what to do where the ot
 
 from rosml.cli import main
 
+run = main.run
+
 if __name__ == "__main__":
-    sys.exit(main.run())
+    sys.exit(run())

@@ -36,7 +36,7 @@ GROUPS = ("app", "dev", "page")
 COMMANDS = {
     **dict.fromkeys(("up", "tools", "linters", "emulate"), "dev"),
     **dict.fromkeys(("suite", "browser"), "page"),
-    **dict.fromkeys(("client", "engine", "scanner", "signer", "room"), "app"),
+    **dict.fromkeys(("client", "scanner", "signer", "room"), "app"),
     **dict.fromkeys(("down", "status", "clean"), ""),
 }
 """The commands of `rosml setup`, and the group of packages that each needs; none where those that are there do."""

@@ -1,18 +1,12 @@
 #!/usr/bin/env python3
 """`rosml generate`, from a checkout without a set-up of its own: rosml/cli/generate.py."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
-
-# isort: split
-
-from rosml.cli import command, generate
+from rosml.__main__ import run
 
 if __name__ == "__main__":
-    sys.exit(command.ended(command.run(generate.main)))
+    sys.exit(run("generate"))

@@ -7,7 +7,7 @@ import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import ParamSpec, TypeVar
+from typing import Any
 
 import click
 
@@ -111,69 +111,62 @@ def diff(version: str, matrix: Path, as_json: bool) -> None:
         tables.print_difference(found)
 
 
-@cli.group(name="publish", context_settings=SETTINGS)
-def publishing() -> None:
-    """The steps of a publishing run, and what is done with published tags.
+TOP = ("image", "part", "plan", "status")
+"""Commands of a publishing run that are words of their own."""
 
-    \b
-    Examples:
-      rosml publish all --registry ghcr.io/me/rosml --only 'bookworm-*' --serve amd64
-      rosml publish undo --registry ghcr.io/me/rosml
-    """
-
-
-Given = ParamSpec("Given")
-Result = TypeVar("Result")
-
-
-def _in_checkout(callback: Callable[Given, Result]) -> Callable[Given, Result]:
-    """Has a command say first that it needs a checkout, where there is none."""
-
-    @functools.wraps(callback)
-    def called(*arguments: Given.args, **options: Given.kwargs) -> Result:
-        if not IN_CHECKOUT:
-            text = "there is no checkout here: no folder of yours, this one or one above it, has matrix.yaml and Dockerfile"
-            raise RosmlError(text, "git clone the project, or your fork of it, and call it there", exit_code=2)
-        return callback(*arguments, **options)
-
-    return called
-
-
-TOP = {"image": "image", "part": "part", "plan": "plan", "status": "status"}
-"""Commands of a publishing run that are words of their own, and the words."""
-
-for name, step in publish.cli.commands.items():
-    if name in TOP:
-        cli.add_command(step, TOP[name])
-    else:
-        publishing.add_command(step)
+cli.add_command(publish.cli, "publish")
+for name in TOP:
+    cli.add_command(publish.cli.commands[name])
 cli.add_command(join.main, "join")
 cli.add_command(locks.main, "locks")
 cli.add_command(catalogue.main, "catalogue")
 cli.add_command(generate.main, "generate")
 cli.add_command(setup.main, "setup")
 
+
+def _require_checkout() -> None:
+    """Says that a command needs a checkout, where there is none."""
+    if not IN_CHECKOUT:
+        text = "there is no checkout here: no folder of yours, this one or one above it, has matrix.yaml and Dockerfile"
+        raise RosmlError(text, "git clone the project, or your fork of it, and call it there", exit_code=2)
+
+
+def _begin_with(check: Callable[[], None], step: click.Command) -> None:
+    """Has a command check something before it does anything else."""
+    callback = step.callback
+    assert callback
+
+    @functools.wraps(callback)
+    def called(*arguments: Any, **options: Any) -> Any:
+        check()
+        return callback(*arguments, **options)
+
+    step.callback = called
+
+
 ALONE = {"explain", "join", "list", "catalogue", "status", "undo", "prune"}
 """Commands that need no checkout."""
 
-for name, step in [*cli.commands.items(), *publishing.commands.items()]:
-    if name not in ALONE and not isinstance(step, click.Group):
-        assert step.callback
-        step.callback = _in_checkout(step.callback)
-
 for step in setup.main.commands.values():
-    assert step.callback
-    step.callback = _in_checkout(setup.bootstrapped(step.callback))
+    _begin_with(setup.bootstrap, step)
+    _begin_with(_require_checkout, step)
+for name, step in {**cli.commands, **publish.cli.commands}.items():
+    if name not in ALONE and not isinstance(step, click.Group):
+        _begin_with(_require_checkout, step)
 
 KEPT = {"join": join.KEPT, "setup": setup.KEPT} | dict.fromkeys(("image", "part", "publish"), publish.KEPT)
 """What is said after Ctrl-C, by the first word."""
 
 
-def run() -> int:
-    """What the installed command calls; gives its exit code. Shells ask it how words go on (`rosml --help` says how)."""
+def run(word: str = "") -> int:
+    """What the installed command calls; gives its exit code. Shells ask it how words go on (`rosml --help` says how).
+
+    Args:
+        word: the only one of its commands that a script calls.
+    """
     if (answered := completion.answer(cli)) is not None:
         return answered
-    word = next(iter(sys.argv[1:]), "")
+    called, word = (cli.commands[word], word) if word else (cli, next(iter(sys.argv[1:]), ""))
     prints = word in ("list", "explain", "diff")
-    code = command.run(cli, KEPT.get(word, "interrupted"), reader_gone=0 if prints else command.BROKEN_PIPE)
+    code = command.run(called, KEPT.get(word, "interrupted"), reader_gone=0 if prints else command.BROKEN_PIPE)
     return command.ended(code)

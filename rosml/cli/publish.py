@@ -32,15 +32,12 @@ KEPT = "interrupted: no tag points at what is not finished; what was finished is
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"]})
 def cli() -> None:
-    """Builds, tests and publishes images of matrix.yaml.
-
-    Needs the services that 'rosml setup' starts.
+    """Builds, tests and publishes images of matrix.yaml: the steps of a publishing run, and what is done with published tags.
 
     \b
     Examples:
-      rosml image bookworm-core-torch-cu128
       rosml publish all --registry ghcr.io/me/rosml --only 'bookworm-*' --serve amd64
-      rosml status
+      rosml publish undo --registry ghcr.io/me/rosml
     """
 
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import functools
 import json
 import os
 import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable
-from typing import TYPE_CHECKING, ParamSpec, TypeVar
+from typing import TYPE_CHECKING
 
 import click
 
@@ -40,21 +38,12 @@ PREINSTALLED = (
 
 TESTS = click.option("--tests", is_flag=True, help="also what its tests need: a registry, and pytest")
 
-Given = ParamSpec("Given")
-Result = TypeVar("Result")
 
-
-def bootstrapped(callback: Callable[Given, Result]) -> Callable[Given, Result]:
-    """Has a command become scripts/bootstrap.py, which brings uv and Python packages and calls the command again."""
-
-    @functools.wraps(callback)
-    def called(*arguments: Given.args, **options: Given.kwargs) -> Result:
-        if UV not in os.environ:
-            program = [sys.executable, str(ROOT / "scripts/bootstrap.py")]
-            os.execv(program[0], [*program, *(sys.argv[2:] or ["up"])])
-        return callback(*arguments, **options)
-
-    return called
+def bootstrap() -> None:
+    """Becomes scripts/bootstrap.py, which brings uv and Python packages and calls the command again; once."""
+    if UV not in os.environ:
+        program = [sys.executable, str(ROOT / "scripts/bootstrap.py")]
+        os.execv(program[0], [*program, *(sys.argv[2:] or ["up"])])
 
 
 @click.group(invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]})
@@ -129,15 +118,6 @@ def emulate() -> None:
     if emulation.ensure(_installer(state)):
         builder.stop(state)  # it looks once which architectures there are
     _up(state)
-
-
-@main.command()
-def engine() -> None:
-    """Installs Docker where there is none: tests run images in it."""
-    from rosml.machine.setup.tools import engine_packages
-
-    installer = _installer(_state())
-    installer.debian_packages(engine_packages(installer))
 
 
 @main.command()

@@ -161,7 +161,7 @@ def test_help_has_an_example(name: str) -> None:
 def test_a_command_that_is_mistyped(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     for wrong, meant in (("imge", "image"), ("undoo", "undo")):
         assert command.run(COMMANDS[name], arguments=[wrong]) == 2
-        assert f"Did you mean '{meant}'?" in capsys.readouterr().err
+        assert re.search(f"Did you mean .*'{meant}'", capsys.readouterr().err)
 
 
 @pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
@@ -181,9 +181,12 @@ def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
     assert (b"\x1b[" in told) == coloured
 
 
+LOOKS = re.compile(r"\n(import rosml\.base\.environment  # noqa|from rosml\.__main__ import run\n)")
+
+
 def test_every_command_looks_for_its_packages() -> None:
     scripts = [file for file in (ROOT / "scripts").glob("*.py") if file.name != "bootstrap.py"]
-    assert [file.name for file in scripts if "\nimport rosml.base.environment  # noqa" not in file.read_text()] == []
+    assert [file.name for file in scripts if not LOOKS.search(file.read_text())] == []
 
 
 def test_what_is_looked_for_is_what_the_project_asks_for() -> None:

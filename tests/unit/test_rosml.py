@@ -21,7 +21,7 @@ from conftest import ROOT
 from registry_stand_in import standing_in
 
 import rosml
-from rosml.cli import main
+from rosml.cli import main, publish
 from rosml.images import load
 from rosml.registry.oci import Registry
 from tests.e2e import parts
@@ -60,7 +60,7 @@ ALL = dict(commands(main.cli))
 def test_its_words() -> None:
     assert sorted(main.cli.commands) == sorted([*WORDS, "status"])
     assert {"all", "build", "join", "test", "scan", "record", "index", "promote", "undo", "prune"} <= set(
-        main.publishing.commands
+        publish.cli.commands
     )
 
 

@@ -14,7 +14,7 @@ import sys
 import threading
 import time
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -408,13 +408,17 @@ def test_an_engine_for_the_tests_of_the_contract(
 ) -> None:
     """Installed only where no Docker answers; where it cannot be, tests would be missing: that is a failure."""
     monkeypatch.setattr(tools, "docker_is_there", lambda installer: answers)
-    assert installed("engine", state, monkeypatch, there, root) == (asked, remedy)
+    assert installed(tools.engine_packages, state, monkeypatch, there, root) == (asked, remedy)
 
 
 def installed(
-    word: str, state: State, monkeypatch: pytest.MonkeyPatch, there: list[str], root: bool
+    lacking: Callable[[Installer], dict[str, str]],
+    state: State,
+    monkeypatch: pytest.MonkeyPatch,
+    there: list[str],
+    root: bool,
 ) -> tuple[list[str], str]:
-    """What a command has apt install on a machine with some programs, and the remedy that it gives where it fails."""
+    """What apt is to install on a machine with some programs, and the remedy where that fails."""
     packages: list[str] = []
     monkeypatch.setattr(tools, "which_system", lambda name: name if name in there else None)
     monkeypatch.setattr(installer, "which_system", lambda name: name if name in there else None)
@@ -423,7 +427,8 @@ def installed(
         installer, "run", lambda say, what, argv, *_, **__: packages.extend(argv[-1:] * ("install" in argv))
     )
     try:
-        call(state, monkeypatch, word)
+        made = Installer(state)
+        made.debian_packages(lacking(made))
     except RosmlError as error:
         return packages, error.remedy
     return packages, ""
@@ -441,7 +446,7 @@ def installed(
 def test_a_browser_for_the_tests_of_the_page(
     state: State, monkeypatch: pytest.MonkeyPatch, there: list[str], root: bool, asked: list[str], remedy: str
 ) -> None:
-    assert installed("browser", state, monkeypatch, there, root) == (asked, remedy)
+    assert installed(lambda _: tools.browser_packages(), state, monkeypatch, there, root) == (asked, remedy)
 
 
 @pytest.mark.parametrize(
