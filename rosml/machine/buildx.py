@@ -9,7 +9,6 @@ import shlex
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -128,7 +127,7 @@ def turn_file(services: Services) -> Path:
     return (services.buildx_config or services.state) / "turns" / services.builder
 
 
-def run(services: Services, bake: Bake, progress: BuildProgress | None = None) -> tuple[BuildProgress, dict[str, str]]:
+def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
     """Builds a target; lines for people go to standard error, everything to `.state/log/<name>.log`.
 
     Builds in one builder take turns. BuildKit solves builds that run at the same time in one graph; one that begins while
@@ -142,18 +141,12 @@ def run(services: Services, bake: Bake, progress: BuildProgress | None = None) -
         RosmlError: the build failed; the message has the failed step's last lines.
         KeyboardInterrupt: the user stopped it; the builder was told.
     """
-    begin = time.monotonic()
-    with turn(
-        turn_file(services),
-        lambda: BuildProgress(sys.stderr).say(f"waiting for another build in builder '{services.builder}'"),
-    ):
-        waited = time.monotonic() - begin
-        progress, metadata = _run(services, bake, progress)
-        progress.waited += waited
-        return progress, metadata
+    waits = f"waiting for another build in builder '{services.builder}'"
+    with turn(turn_file(services), lambda: BuildProgress(sys.stderr).say(waits)):
+        return _run(services, bake)
 
 
-def _run(services: Services, bake: Bake, progress: BuildProgress | None) -> tuple[BuildProgress, dict[str, str]]:
+def _run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
     folder = services.state / "log"
     folder.mkdir(parents=True, exist_ok=True)
     log_path = folder / f"{bake.name}.log"
@@ -162,7 +155,7 @@ def _run(services: Services, bake: Bake, progress: BuildProgress | None) -> tupl
     with log_path.open("w") as log:
         arguments = command(services, bake, metadata)
         log.write(f"$ {shlex.join(arguments)}\n")
-        progress = progress or BuildProgress(sys.stderr, log)
+        progress = BuildProgress(sys.stderr, log)
         try:
             process = subprocess.Popen(
                 arguments,
@@ -195,7 +188,9 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
     step = progress.failed()
     lines = list(step.tail) if step else []
     # uv names every hash that it would have accepted: the reason may stand far above the last lines.
-    remedy = _remedy([*_end(log), *progress.other, step.error if step else "", *lines])
+    remedy = _remedy(
+        [*_end(log), *progress.other, step.error if step else "", *lines]
+    )
     message = f"building {bake.target} failed"
     if step:
         message += f" in step {step.label}"
@@ -238,9 +233,7 @@ def _stop(process: subprocess.Popen[str]) -> None:
 def _metadata(path: Path, target: str) -> dict[str, str]:
     """What buildx wrote about a target; empty where it wrote nothing."""
     try:
-        content = json.loads(path.read_text())[target]
-    except (OSError, ValueError, TypeError, KeyError):
+        content = json.loads(path.read_text())[target].items()
+    except (OSError, ValueError, TypeError, KeyError, AttributeError):
         return {}
-    if not isinstance(content, dict):
-        return {}
-    return {key: value for key, value in content.items() if isinstance(value, str)}
+    return {key: value for key, value in content if isinstance(value, str)}

@@ -1,4 +1,4 @@
-"""What BuildKit reports while it builds, as lines for people and durations for the summary.
+"""What BuildKit reports while it builds, as lines for people.
 
 The input is `buildx --progress rawjson`: one JSON object a line, with steps (`vertexes`) that start and end, and what
 they print (`logs`, base64).
@@ -26,8 +26,6 @@ _MOUNT = re.compile(r"--mount=\S+\s*")
 HEARTBEAT_SECONDS = 20.0
 """A step that is silent for as long is named again, so that nobody takes it for dead."""
 
-WAITING = "waiting for the builder"
-"""The phase in which another build had its turn."""
 TAIL_LINES = 20
 """How many of a step's last lines are shown when it fails."""
 
@@ -69,24 +67,6 @@ class Step:
         return f"[{context}] {' '.join(command.split())}"
 
     @property
-    def phase(self) -> str:
-        """Which line of the summary the step's time belongs to."""
-        text = self.name
-        if _PART.match(text):
-            return "build parts"
-        if " test" in text.split("]")[0] or "structure-test" in text:
-            return "structure tests"
-        if "exporting" in text or "pushing" in text:
-            return "compress and push"
-        if (" ros " in text or " ros-wheels " in text) and "RUN" in text:
-            return "install ROS packages"
-        if " base " in text and "RUN" in text:
-            return "install essentials"
-        if "COPY --link" in text:
-            return "join parts"
-        return "other"
-
-    @property
     def internal(self) -> bool:
         """A step of BuildKit's own bookkeeping, of no interest to people."""
         return "internal]" in self.name or " context " in self.name.split("]")[0] or "LINK COPY" in self.name
@@ -96,20 +76,16 @@ def _seconds(timestamp: str) -> float:
     """Seconds since the epoch of an RFC 3339 time with any number of digits; 0.0 for Go's zero time."""
     if not timestamp or timestamp.startswith("0001"):
         return 0.0
-    text = re.sub(r"\.(\d{1,6})\d*", lambda match: "." + match[1].ljust(6, "0"), timestamp).replace("Z", "+00:00")
-    return datetime.fromisoformat(text).timestamp()
+    return datetime.fromisoformat(timestamp).timestamp()
 
 
 class BuildProgress:
-    """Follows one build: prints a line when a step of some length ends, and keeps all steps for the summary.
+    """Follows one build: prints a line when a step of some length ends, and keeps all steps.
 
     Args:
         out: where lines for people go.
         log: where everything goes, in plain text.
         clock: monotonic seconds; replaced in tests.
-
-    Attributes:
-        waited: seconds that the build waited for another one in the same builder before it began.
     """
 
     def __init__(
@@ -117,7 +93,6 @@ class BuildProgress:
     ) -> None:
         self.steps: dict[str, Step] = {}
         self.other: deque[str] = deque(maxlen=TAIL_LINES)
-        self.waited = 0.0
         self._out = out
         self._log = log
         self._clock = clock
@@ -165,14 +140,6 @@ class BuildProgress:
         """The step that went wrong, if one did; steps that were only cancelled because of it do not count."""
         wrong = [step for step in self.steps.values() if step.error and "context canceled" not in step.error]
         return wrong[0] if wrong else None
-
-    def phases(self) -> dict[str, float]:
-        """Seconds of work by phase, longest first. Steps run side by side: the sum may exceed the wall time."""
-        totals: dict[str, float] = {WAITING: self.waited}
-        for step in self.steps.values():
-            if not step.internal:
-                totals[step.phase] = totals.get(step.phase, 0.0) + step.seconds
-        return dict(sorted(((k, v) for k, v in totals.items() if v >= 0.05), key=lambda item: -item[1]))
 
     def _vertex(self, vertex: dict[str, object]) -> None:
         digest = str(vertex.get("digest", ""))

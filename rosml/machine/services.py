@@ -6,10 +6,11 @@ import json
 import os
 import subprocess
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 import httpx
+from pydantic import TypeAdapter
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -65,27 +66,14 @@ class Services:
         """
         path = root / ".state" / "services.json"
         try:
-            facts = json.loads(path.read_text())
-            config = facts["buildx_config"]
-            return cls(
-                root=root,
-                registry=str(facts["registry"]),
-                buildx=tuple(map(str, facts["buildx"])),
-                builder=str(facts["builder"]),
-                builder_kind=str(facts["builder_kind"]),
-                buildx_config=Path(config) if config else None,
-                regctl=str(facts["regctl"]),
-                uv=str(facts["uv"]),
-                ca_bundle=str(facts["ca_bundle"]),
-                bases=tuple(map(str, facts["bases"])),
-            )
+            return _WRITTEN.validate_python({**json.loads(path.read_text()), "root": root})
         except FileNotFoundError:
             if not required:
                 return cls(root, "", (), "", "", None, "", "", os.environ.get("SSL_CERT_FILE", ""), bases=())
             raise RosmlError("the local registry and the builder are not up", REMEDY) from None
         except OSError as error:
             raise RosmlError(f"cannot read {path}: {error.strerror}", REMEDY) from None
-        except (KeyError, TypeError, ValueError):
+        except (TypeError, ValueError):
             raise RosmlError(f"{path} is damaged", f"{REMEDY}, which writes it anew") from None
 
     def save(self) -> None:
@@ -94,9 +82,7 @@ class Services:
         Raises:
             RosmlError: the file cannot be written.
         """
-        facts = {name: value for name, value in asdict(self).items() if name != "root"}
-        config = self.buildx_config and str(self.buildx_config)
-        text = json.dumps({**facts, "buildx_config": config}, indent=2) + "\n"
+        text = _WRITTEN.dump_json(self, indent=2, exclude={"root"}).decode() + "\n"
         files.write(self.state / "services.json", text)
 
     @property
@@ -200,3 +186,7 @@ class Services:
             raise RosmlError(
                 f"the builder '{self.builder}' does not run programs for {platform}", "run 'make emulation'"
             )
+
+
+_WRITTEN = TypeAdapter(Services)
+"""How services.json is read and written."""
