@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rosml import ROOT
-from rosml.base import ci, files, terminal
+from rosml.base import ci, files
 from rosml.base.errors import RosmlError
 from rosml.cli import options
 
@@ -57,6 +57,7 @@ def main(
       rosml locks --bases      take base images that their makers renewed
     """
     from rosml.base.problems import unknown
+    from rosml.cli import tables
     from rosml.images import load, locked
     from rosml.locks.resolve import lock, moves
     from rosml.matrix import source
@@ -83,7 +84,7 @@ def main(
     moved = moves(earlier, {path: locks.texts[path] for path in stale if path in earlier})
     fresh = [path for path in stale if path not in earlier]
     if not as_json:
-        print_moves(moved)
+        tables.show(COLUMNS, rows_of(moved))
     if report:
         files.write(report, markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else ""))
     for path in sorted(there - locks.texts.keys()):
@@ -174,20 +175,17 @@ def base_table(pinned: Pins) -> str:
     return f"\n{text}" + (f"\n{lines}" if lines else "")
 
 
+COLUMNS = ("stack", "package", "old", "new", "locks")
+
+
+def rows_of(moved: Mapping[Move, int]) -> list[tuple[str, ...]]:
+    """Old and new versions, and how many locks have each."""
+    return [(m.stack, m.package, m.old or "-", m.new or "-", str(count)) for m, count in sorted(moved.items())]
+
+
 def markdown(moved: Mapping[Move, int], fresh: Sequence[str], left_out: Mapping[Any, str]) -> str:
     """The table, new locks, and those that stay as they are with the reason: the text of a pull request."""
-    rows = [(m.stack, m.package, m.old or "-", m.new or "-", str(count)) for m, count in sorted(moved.items())]
-    text = ci.table(("stack", "package", "old", "new", "locks"), rows) if rows else "No version moved.\n"
+    text = ci.table(COLUMNS, rows_of(moved)) if moved else "No version moved.\n"
     lines = [f"- new: `{path}`" for path in fresh]
     lines += [f"- {request}: locks stay as they are: {reason}" for request, reason in left_out.items()]
     return text + ("\n" + "\n".join(lines) + "\n" if lines else "")
-
-
-def print_moves(moved: Mapping[Move, int]) -> None:
-    """A table of old and new versions."""
-    if not moved:
-        return
-    table = terminal.table("stack", "package", "old", "new", "locks")
-    for move, count in sorted(moved.items()):
-        table.add_row(move.stack, move.package, move.old or "-", move.new or "-", str(count))
-    terminal.show(table)

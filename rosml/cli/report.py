@@ -10,6 +10,7 @@ from typing import Any
 from rosml.base import ci, terminal
 from rosml.base.problems import counted, some
 from rosml.base.units import duration, size
+from rosml.cli import tables
 from rosml.publish import shards as dealing
 from rosml.publish.pipeline import Outcome, Pipeline
 from rosml.publish.plan import Task, changes
@@ -85,26 +86,23 @@ def _changed(pipeline: Pipeline, task: Task, why: bool) -> dict[str, Any]:
 def print_plan(pipeline: Pipeline, why: bool) -> None:
     """A line for each item that something is to be done about, and counts of the others."""
     found = tasks(pipeline)
-    table = terminal.table("image", "architecture", "to do", "why", wrapped=["why"])
-    for task in found:
-        if task.steps:
-            changed = _changed(pipeline, task, why).get("inputs", [])
-            reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
-            table.add_row(task.item.target, task.item.architecture, ", ".join(task.steps), reason)
-    out = terminal.console()
-    todo = sum(bool(task.steps) for task in found)
-    if todo:
-        terminal.show(table)
+    todo = [task for task in found if task.steps]
+    rows = []
+    for task in todo:
+        changed = _changed(pipeline, task, why).get("inputs", [])
+        reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
+        rows.append((task.item.target, task.item.architecture, ", ".join(task.steps), reason))
+    tables.show(("image", "architecture", "to do", "why"), rows, wrapped=["why"])
     hindered = Counter(task.hindered.partition(":")[0] for task in found if task.hindered)
     rest = "".join(f", {number} {reason}" for reason, number in hindered.items())
-    unchanged = len(found) - todo - sum(hindered.values())
-    out.print(f"{todo} to do, {unchanged} as they should be{rest}", style="dim")
+    unchanged = len(found) - len(todo) - sum(hindered.values())
+    terminal.console().print(f"{len(todo)} to do, {unchanged} as they should be{rest}", style="dim")
 
 
 def show(pipeline: Pipeline, as_json: bool) -> None:
     """What a run did, on standard output; and in CI's summary, where there is one."""
     tell_outcomes(pipeline.outcomes, pipeline.plan.date, pipeline.uploaded, pipeline.started, as_json)
-    ci.summary(markdown(pipeline, pipeline.outcomes))
+    ci.summary(markdown(pipeline))
 
 
 def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
@@ -114,21 +112,27 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
         date: of the run. uploaded: bytes that the registry got. started: when it began, by the monotonic clock.
         as_json: as an object, and not as a table.
     """
-    seconds = time.monotonic() - started
     if as_json:
-        print(json.dumps(_data(outcomes, date, uploaded, seconds), indent=2))
-    else:
-        _print_table(outcomes, f"{size(uploaded)} uploaded, {duration(seconds)}")
-
-
-def _data(outcomes: list[Outcome], date: str, uploaded: int, seconds: float) -> dict[str, Any]:
-    return {
-        "date": date,
-        "seconds": round(seconds, 2),
-        "uploaded": uploaded,
-        "counts": dict(Counter(f"{outcome.step} {outcome.state}" for outcome in outcomes)),
-        "outcomes": [outcome.to_json() for outcome in outcomes],
-    }
+        content = {
+            "date": date,
+            "seconds": round(time.monotonic() - started, 2),
+            "uploaded": uploaded,
+            "counts": dict(Counter(f"{outcome.step} {outcome.state}" for outcome in outcomes)),
+            "outcomes": [outcome.to_json() for outcome in outcomes],
+        }
+        print(json.dumps(content, indent=2))
+        return
+    colours = {"done": "green", "failed": "red"}
+    rows = (
+        (it.step, it.target, it.architecture, f"[{colours[it.state]}]{it.state}[/]", duration(it.seconds), _first(it))
+        for it in _interesting(outcomes)
+    )
+    tables.show(("step", "image", "architecture", "state", "time", "what"), rows, right=["time"], wrapped=["what"])
+    out = terminal.console()
+    for reason, number in _waiting(outcomes).items():
+        out.print(f"waits: {number} times: {reason}", style="yellow", markup=False)
+    text = ", ".join(_counts(outcomes)) or "nothing to do: everything is as it should be"
+    out.print(text, _effort(uploaded, started), sep="\n", style="dim")
 
 
 def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
@@ -136,43 +140,35 @@ def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
     return [outcome for outcome in outcomes if outcome.state != "waits"]
 
 
-def _print_table(outcomes: list[Outcome], effort: str) -> None:
-    columns = ("step", "image", "architecture", "state", "time", "what")
-    table = terminal.table(*columns, right=["time"], wrapped=["what"])
-    colours = {"done": "green", "failed": "red", "waits": "yellow"}
-    for outcome in _interesting(outcomes):
-        state = f"[{colours[outcome.state]}]{outcome.state}[/]"
-        reason = outcome.reason.splitlines()[0] if outcome.reason else ""
-        table.add_row(outcome.step, outcome.target, outcome.architecture, state, duration(outcome.seconds), reason)
-    if table.row_count:
-        terminal.show(table)
-    out = terminal.console()
-    for reason, number in _waiting(outcomes).items():
-        out.print(f"waits: {number} times: {reason}", style="yellow", markup=False)
+def _first(outcome: Outcome) -> str:
+    """The first line of an outcome's reason."""
+    return outcome.reason.partition("\n")[0]
+
+
+def _counts(outcomes: list[Outcome]) -> list[str]:
+    """How many there are of each step and state."""
     counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
-    text = ", ".join(f"{step}: {number} {state}" for (step, state), number in counts.items())
-    out.print(text or "nothing to do: everything is as it should be", style="dim")
-    out.print(effort, style="dim")
+    return [f"{step}: {number} {state}" for (step, state), number in counts.items()]
 
 
-def _effort(pipeline: Pipeline) -> str:
+def _effort(uploaded: int, started: float) -> str:
     """What a run cost: bytes and time."""
-    return f"{size(pipeline.uploaded)} uploaded, {duration(time.monotonic() - pipeline.started)}"
+    return f"{size(uploaded)} uploaded, {duration(time.monotonic() - started)}"
 
 
 def _waiting(outcomes: list[Outcome]) -> Counter[str]:
     return Counter(outcome.reason for outcome in outcomes if outcome.state == "waits")
 
 
-def markdown(pipeline: Pipeline, outcomes: list[Outcome]) -> str:
+def markdown(pipeline: Pipeline) -> str:
     """The summary of a job in CI."""
-    counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
+    outcomes = pipeline.outcomes
     touched = {(outcome.target, outcome.architecture) for outcome in outcomes}
     alone = [task for task in tasks(pipeline) if task.item.key not in touched]
     skipped = sum(not task.steps and not task.hindered for task in alone)
-    lines = ["", f"## Publishing run of {pipeline.plan.date}", ""]
-    lines += [f"- {step}: {number} {state}" for (step, state), number in counts.items()]
-    lines += [f"- {skipped} left alone, as they should be", f"- {_effort(pipeline)}", ""]
+    effort = _effort(pipeline.uploaded, pipeline.started)
+    lines = ["", f"## Publishing run of {pipeline.plan.date}", "", *(f"- {text}" for text in _counts(outcomes))]
+    lines += [f"- {skipped} left alone, as they should be", f"- {effort}", ""]
     rows = []
     for outcome in _interesting(outcomes):
         entry = pipeline.plan.known.get((outcome.target, outcome.architecture or store.INDEX))
@@ -180,9 +176,8 @@ def markdown(pipeline: Pipeline, outcomes: list[Outcome]) -> str:
             size(entry.size) if entry and entry.size else "",
             f"`{entry.digest[:19]}`" if entry and entry.digest else "",
         )
-        first = outcome.reason.partition("\n")[0]
         what = (outcome.step, f"`{outcome.target}`", outcome.architecture, outcome.state)
-        rows.append((*what, duration(outcome.seconds), *facts, first))
+        rows.append((*what, duration(outcome.seconds), *facts, _first(outcome)))
     if rows:
         columns = ("step", "image", "architecture", "state", "time", "size", "digest", "what")
         lines += [ci.table(columns, rows)]

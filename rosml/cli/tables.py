@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import click
@@ -16,32 +17,38 @@ from rosml.images import missing
 from rosml.images.facts import facts
 from rosml.images.image_set import Image
 from rosml.publish.shards import Dealt
-from rosml.scan.judge import Run, Scanned
-
-if TYPE_CHECKING:
-    from rich.table import Table
-from collections import Counter
-
 from rosml.publish.status import STATES, ImageStatus, age
+from rosml.scan.judge import Run
 from rosml.scan.sarif import COLUMNS, finding_rows, summary
 
+if TYPE_CHECKING:
+    from rich.text import Text
+
 COLOURS = {"critical": "bold red", "high": "red", "medium": "yellow"}
+
+
+def show(
+    columns: Sequence[str],
+    rows: Iterable[Iterable[str | Text]],
+    right: Collection[str] = (),
+    wrapped: Collection[str] = (),
+) -> None:
+    """Prints a table; nothing where it has no rows."""
+    table = terminal.table(*columns, right=right, wrapped=wrapped)
+    for row in rows:
+        table.add_row(*row)
+    if table.row_count:
+        terminal.show(table)
 
 
 def print_difference(difference: Difference) -> None:
     """Prints it in few lines, whatever the number of images."""
     from rich.text import Text  # slow to import, and only needed here
 
-    columns = ("what", "why", "which")
-    table = terminal.table(*columns, wrapped=columns)
-    table.padding = (0, 2, 0, 0)
-    for row in rows(difference):
-        table.add_row(*map(Text, row))
-    out = terminal.console()
+    out, columns = terminal.console(), ("what", "why", "which")
     if difference.registry:
         out.print(f"registry: {' → '.join(difference.registry)}; all names change")
-    if table.row_count:
-        terminal.show(table)
+    show(columns, (map(Text, row) for row in rows(difference)), wrapped=columns)
     counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
     out.print(", ".join([*counts, f"{difference.same} same"]), style="dim")
 
@@ -54,13 +61,12 @@ def images_as_json(inputs: Inputs, images: Sequence[Image]) -> str:
 def print_images(images: Sequence[Image]) -> None:
     """Prints images, a row each."""
     size = "GB unpacked (forecast)"
-    table = terminal.table("target", "versions", "platforms", "main tag", "lock", size, right=[size])
+    rows = []
     for image in images:
         versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
-        platforms = ", ".join(image.platforms)
-        state = "" if image.locked else "missing"
-        table.add_row(image.target, versions, platforms, image.tags[0], state, f"{image.disk.unpacked / 1000:.1f}")
-    terminal.show(table)
+        state, gigabytes = "" if image.locked else "missing", f"{image.disk.unpacked / 1000:.1f}"
+        rows.append((image.target, versions, ", ".join(image.platforms), image.tags[0], state, gigabytes))
+    show(("target", "versions", "platforms", "main tag", "lock", size), rows, right=[size])
     out = terminal.console()
     parts = {name for image in images for name in image.parts}
     out.print(f"{counted(len(images), 'image')}, {counted(len(parts), 'part')}", style="dim")
@@ -74,12 +80,12 @@ def print_images(images: Sequence[Image]) -> None:
 def print_shards(plan: Dealt, left_out: int = 0) -> None:
     """Prints one line for each shard, and what the whole takes. `left_out`: how many images have no lock."""
     numbers = ("images", "parts", "minutes", "GB download", "GB disk")
-    table = terminal.table("shard", "runner", "distributions", *numbers, right=numbers)
+    rows = []
     for shard in plan.shards:
         sizes = (f"{megabytes / 1000:.1f}" for megabytes in (shard.download_mb, shard.disk_mb))
         counts = (str(len(shard.targets)), str(len(shard.parts)), f"{shard.seconds / 60:.0f}")
-        table.add_row(shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes)
-    terminal.show(table)
+        rows.append((shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes))
+    show(("shard", "runner", "distributions", *numbers), rows, right=numbers)
     out = terminal.console()
     seconds = [shard.seconds for shard in plan.shards]
     total = f"{max(seconds) / 60:.0f} minutes until all is built, {sum(seconds) / 60:.0f} minutes of machines"
@@ -91,23 +97,16 @@ def print_shards(plan: Dealt, left_out: int = 0) -> None:
         out.print(f"{len(plan.shards)} shards instead of {plan.allowed}: {units}, which are never split", style="dim")
 
 
-def findings_table(scanned: Scanned) -> Table:
-    """An image's findings that stop it or are ignored, the worst first."""
+def print_scan(run: Run) -> None:
+    """Prints a run: each image's line and its findings that stop it or are ignored, the worst first; what is wrong with the
+    policy's entries, and the run's outcome."""
     from rich.text import Text  # slow to import, and only needed here
 
-    made = terminal.table(*COLUMNS)
-    for severity, *others in finding_rows([it for it in scanned.findings if it.fails or it.ignored]):
-        made.add_row(Text(severity, COLOURS.get(severity, "")), *map(Text, others))
-    return made
-
-
-def print_scan(run: Run) -> None:
-    """Prints a run: each image's line and table, what is wrong with the policy's entries, and the run's outcome."""
     said: set[str] = set()
     for image in run.images:
         click.echo(summary(image))
-        if any(finding.fails or finding.ignored for finding in image.findings):
-            terminal.show(findings_table(image))
+        found = finding_rows([it for it in image.findings if it.fails or it.ignored])
+        show(COLUMNS, ([Text(first, COLOURS.get(first, "")), *map(Text, others)] for first, *others in found))
         for note in image.notes:
             if note not in said:
                 click.echo(f"note: {note}")
@@ -122,11 +121,11 @@ def print_scan(run: Run) -> None:
 
 def print_status(found: list[ImageStatus]) -> None:
     """A line for each image, and how many there are of each state."""
-    table = terminal.table("image", "state", "age", "platforms", "why", wrapped=["why"])
-    for item in found:
-        state = f"[{STATES[item.state]}]{item.state}[/]"
-        table.add_row(item.target, state, age(item.age), ", ".join(item.platforms), item.reason)
-    terminal.show(table)
+    rows = (
+        (it.target, f"[{STATES[it.state]}]{it.state}[/]", age(it.age), ", ".join(it.platforms), it.reason)
+        for it in found
+    )
+    show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"])
     counts = Counter(item.state for item in found)
     text = ", ".join(f"{counts[name]} {name}" for name in STATES if counts[name])
     terminal.console().print(f"{counted(len(found), 'image')}: {text}", style="dim")

@@ -188,9 +188,7 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
     step = progress.failed()
     lines = list(step.tail) if step else []
     # uv names every hash that it would have accepted: the reason may stand far above the last lines.
-    remedy = _remedy(
-        [*_end(log), *progress.other, step.error if step else "", *lines]
-    )
+    remedy = _remedy([*_end(log), *progress.other, step.error if step else "", *lines])
     message = f"building {bake.target} failed"
     if step:
         message += f" in step {step.label}"
