@@ -24,7 +24,7 @@ from rosml.matrix.names import dated
 from rosml.publish import plan as planning
 from rosml.publish.pipeline import Pipeline
 from rosml.publish.plan import Item, Plan
-from rosml.publish.promote import Promotion
+from rosml.publish.steps import STEPS
 from rosml.records.store import DATE, INDEX, READERS, Entry, Records
 from rosml.registry import oci
 
@@ -82,8 +82,8 @@ def measure(services: Services, image_set: ImageSet, prefix: str, date: str, say
         before, started = client.uploaded, time.monotonic()
         run = Pipeline(_survey(services, image_set, client, prefix, date), client, services.registry, prefix, say)
         _require_idle(run.plan)
-        for step in (run.build, run.join, run.test, run.index, Promotion(run).run):
-            step()
+        for step in STEPS.values():
+            step(run)
         seconds, uploaded = time.monotonic() - started, client.uploaded - before
     done = sum(outcome.state != "waits" for outcome in run.outcomes)
     return IdleRun(len(run.plan.items), tags, seconds, uploaded, done)

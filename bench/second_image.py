@@ -32,6 +32,7 @@ from rosml.images import lock_file
 from rosml.images.image_set import Image, ImageSet
 from rosml.machine import base_images, buildx, disk, regctl
 from rosml.machine.progress import BuildProgress
+from rosml.machine.services import Services
 
 NAMESPACE = "bench"
 """Namespace in the local registry: nothing of anybody else is in it."""
@@ -329,7 +330,7 @@ class _Bench:
         left = []
         for reference in self.pushed:
             try:
-                regctl.delete(self.here.services, reference)
+                regctl.regctl(self.here.services, "manifest", "delete", reference)
             except RosmlError:
                 left.append(reference)
         self._prune(self._name())
@@ -409,13 +410,13 @@ class _Bench:
     def _side(self, images: dict[str, _Pushed], ros: dict[str, str]) -> Side:
         """What a way came to, from its two images."""
         services, today, yesterday = self.here.services, images["today"], images["yesterday"]
-        there = {**regctl.stored(services, yesterday.reference), **regctl.stored(services, ros["today"])}
+        there = {**stored(services, yesterday.reference), **stored(services, ros["today"])}
         pulled = {layer.digest for layer in regctl.layers(services, yesterday.reference)}
         layers = regctl.layers(services, today.reference)
-        stored = regctl.stored(services, today.reference)
+        now = stored(services, today.reference)
         return Side(
             build_and_push_seconds=today.seconds,
-            registry_new_bytes=sum(size for digest, size in stored.items() if digest not in there),
+            registry_new_bytes=sum(size for digest, size in now.items() if digest not in there),
             pull_bytes=sum(layer.size for layer in layers if layer.digest not in pulled),
             first_image_seconds=yesterday.seconds,
             install_seconds=today.seconds_of("pip install"),
@@ -491,3 +492,15 @@ def notes(found: Comparison) -> list[str]:
         "ROS's change is a file of some bytes; a real one adds its own size to the pull both ways",
         "nothing was tagged, and the manifests are removed; their layers stay until 'make clean', which removes all there is",
     ]
+
+
+def stored(services: Services, reference: str) -> dict[str, int]:
+    """All that a registry stores for an image manifest, in bytes by digest: its layers, its config, and itself.
+
+    Args:
+        reference: the repository, and the manifest's digest after an ``@``.
+    """
+    content = regctl.manifest(services, reference)
+    entries = {entry["digest"]: int(entry["size"]) for entry in (*content["layers"], content["config"])}
+    descriptor = regctl.regctl(services, "manifest", "head", "--format", "{{.GetDescriptor.Size}}", reference)
+    return {**entries, reference.rpartition("@")[2]: int(descriptor)}

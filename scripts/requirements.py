@@ -26,11 +26,6 @@ from rosml.cli import command
 FILES: dict[str, tuple[str, ...]] = {"app": (), "dev": ("dev",), "page": ("dev", "page")}
 """Groups of pyproject.toml that a file has, beside the packages of the commands."""
 
-HEADER = """\
-# {what}, by hash. Written by: uv run scripts/requirements.py
-# asked for: sha256:{digest}
-"""
-
 
 def group(project: dict[str, Any], name: str) -> Iterator[str]:
     """The requirements of a group, with those of the groups that it includes."""
@@ -59,16 +54,16 @@ def path(root: Path, file: str) -> Path:
 def header(file: str, wanted: str) -> str:
     """A file's first lines, which say what it was resolved from."""
     what = " and ".join(["The commands' Python packages", *(f"the group {name}" for name in FILES[file])])
-    return HEADER.format(what=what, digest=hashlib.sha256(wanted.encode()).hexdigest())
+    digest = hashlib.sha256(wanted.encode()).hexdigest()
+    return f"# {what}, by hash. Written by: uv run scripts/requirements.py\n# asked for: sha256:{digest}\n"
 
 
 def stale(root: Path) -> list[str]:
     """Files that were not resolved from what pyproject.toml asks for now."""
-    wanted = asked(root)
     return [
         str(path(root, file).relative_to(root))
-        for file in FILES
-        if not path(root, file).is_file() or not path(root, file).read_text().startswith(header(file, wanted[file]))
+        for file, wanted in asked(root).items()
+        if not path(root, file).is_file() or not path(root, file).read_text().startswith(header(file, wanted))
     ]
 
 
@@ -78,7 +73,8 @@ def resolve(root: Path, upgrade: bool) -> None:
     Raises:
         RosmlError: uv is missing, or found no versions that fit.
     """
-    wanted, python = asked(root), requires_python(root)
+    wanted = asked(root)
+    python = tomllib.loads((root / "pyproject.toml").read_text())["project"]["requires-python"].removeprefix(">=")
     for file in sorted(FILES, key=lambda name: -len(wanted[name])):
         target = path(root, file)
         argv = ["uv", "pip", "compile", "-", "--quiet", "--universal", "--python-version", python, "--generate-hashes"]
@@ -94,12 +90,6 @@ def resolve(root: Path, upgrade: bool) -> None:
         except subprocess.CalledProcessError as error:
             raise RosmlError(f"uv cannot resolve {target.name}:\n{error.stderr.strip()}", "see what uv says") from None
         target.write_text(header(file, wanted[file]) + target.read_text())
-
-
-def requires_python(root: Path) -> str:
-    """The oldest Python that the commands run with."""
-    text: str = tomllib.loads((root / "pyproject.toml").read_text())["project"]["requires-python"]
-    return text.removeprefix(">=")
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})

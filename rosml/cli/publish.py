@@ -238,13 +238,10 @@ def part(
     image_set = loading.load(matrix, ROOT)
     wanted = [found.find(image_set, name) for name in dict.fromkeys(parts)]
     if not wanted:
-        if as_json:
-            click.echo(
-                json.dumps([{"name": item.name, "platforms": [*item.platforms]} for item in image_set.parts], indent=2)
-            )
-        else:
-            for item in image_set.parts:
-                click.echo(f"{item.name}  {', '.join(item.platforms)}")
+        known = {item.name: [*item.platforms] for item in image_set.parts}
+        listed = [{"name": name, "platforms": platforms} for name, platforms in known.items()]
+        lines = (f"{name}  {', '.join(platforms)}" for name, platforms in known.items())
+        click.echo(json.dumps(listed, indent=2) if as_json else "\n".join(lines))
         return
     services = Services.load(ROOT)
     services.require_registry()
@@ -440,15 +437,12 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
     @cli.command(name, help=f"{help_text}\n\n\b\nExample:\n  rosml publish {name} --plan plan.json --shard amd64-1")
     @_options(*options)
     def command_of_step(**options: Any) -> None:
-        from rosml.publish import promote
+        from rosml.publish.steps import STEPS
 
         call = Call(**options)
         wait_for_turn()
         pipeline = call.pipeline()
-        if name == "promote":
-            promote.Promotion(pipeline).run()
-        else:
-            getattr(pipeline, name)()
+        STEPS[name](pipeline)
         call.report(pipeline)
 
 
@@ -475,22 +469,25 @@ def everything(**options: Any) -> None:
       rosml publish all --only 'bookworm-core*' --serve amd64
       rosml publish all --since origin/main --at-most 2 --serve amd64
     """
-    from rosml.publish import promote
+    from rosml.publish.steps import STEPS
 
     call = Call(**options)
     wait_for_turn()
     pipeline = call.pipeline()
-    for name in ("build", "join", "test"):
-        getattr(pipeline, name)()
-    if call.require_scan:
-        _scan(call, pipeline, fetch=False, database="", reports=None, results=None)
-    pipeline.index()
-    promote.Promotion(pipeline).run()
+    for name, step in STEPS.items():
+        if name == "index" and call.require_scan:
+            _scan(call, pipeline)
+        step(pipeline)
     call.report(pipeline)
 
 
 def _scan(
-    call: Call, pipeline: Pipeline, fetch: bool, database: str, reports: Path | None, results: Results | None
+    call: Call,
+    pipeline: Pipeline,
+    fetch: bool = False,
+    database: str = "",
+    reports: Path | None = None,
+    results: Results | None = None,
 ) -> Run:
     """Scans by a call's policy, with the database that is there or is fetched."""
     from rosml.machine import trust

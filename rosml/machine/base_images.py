@@ -17,29 +17,13 @@ import re
 import subprocess
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Protocol
 
 from rosml.base.errors import RosmlError
 from rosml.machine.services import REMEDY, Services
 from rosml.matrix import names
+from rosml.matrix.model import OperatingSystem
 
 PINNED = re.compile(r"[^\s@]+@sha256:[0-9a-f]{64}")
-
-
-class OperatingSystem(Protocol):
-    """What is needed of an operating system of matrix.yaml."""
-
-    @property
-    def image(self) -> str:
-        """E.g. `docker.io/library/debian:bookworm`."""
-
-    @property
-    def digest(self) -> str:
-        """Digest of that image."""
-
-    @property
-    def python(self) -> str:
-        """Version of its Python."""
 
 
 @dataclass(frozen=True)

@@ -83,23 +83,6 @@ def layers(services: Services, reference: str) -> tuple[Layer, ...]:
     return tuple(Layer(entry["digest"], entry["size"]) for entry in manifest(services, reference)["layers"])
 
 
-def stored(services: Services, reference: str) -> dict[str, int]:
-    """All that a registry stores for an image manifest, in bytes by digest: its layers, its config, and itself.
-
-    Args:
-        reference: the repository, and the manifest's digest after an ``@``.
-    """
-    content = manifest(services, reference)
-    entries = {entry["digest"]: int(entry["size"]) for entry in (*content["layers"], content["config"])}
-    descriptor = regctl(services, "manifest", "head", "--format", "{{.GetDescriptor.Size}}", reference)
-    return {**entries, reference.rpartition("@")[2]: int(descriptor)}
-
-
-def delete(services: Services, reference: str) -> None:
-    """Removes a manifest by its digest, and tags that point at it. Its layers stay until somebody collects them."""
-    regctl(services, "manifest", "delete", reference)
-
-
 def digest(services: Services, reference: str) -> str:
     """The digest behind a tag; empty when there is no such tag."""
     try:

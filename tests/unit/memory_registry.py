@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from steps import STEPS, do
 
 from rosml.base.errors import RosmlError
 from rosml.build import package_state
@@ -25,6 +24,7 @@ from rosml.publish import plan, provenance, undo
 from rosml.publish.pipeline import Outcome, Pipeline
 from rosml.publish.plan import Plan
 from rosml.publish.sign import SignerFailed
+from rosml.publish.steps import STEPS
 from rosml.records import store, tag_moves
 from rosml.registry.oci import Manifest, Registry
 
@@ -330,7 +330,7 @@ class Place:
         """A run with all its steps."""
         run = self.run(image_set, **options)
         for step in STEPS:
-            do(run, step)
+            STEPS[step](run)
         return run
 
     def undo(self, run: str = "", date: str = LATER) -> list[Outcome]:

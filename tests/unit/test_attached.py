@@ -10,7 +10,6 @@ from typing import Any
 import pytest
 from memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Place, Run, place
 from projects import git
-from steps import do
 from stubs import services
 
 from rosml.base.errors import RosmlError
@@ -19,6 +18,7 @@ from rosml.images.labels import REVISION, SOURCE
 from rosml.publish import provenance
 from rosml.publish.provenance import MEDIA_TYPE
 from rosml.publish.prune import Pruner
+from rosml.publish.steps import STEPS
 from rosml.records import store
 from rosml.records.store import ARTIFACT, INDEX, Records
 
@@ -118,9 +118,9 @@ def test_what_is_attached_goes_with_its_image(registry: Place, image_set: ImageS
 def test_a_registry_that_takes_no_entry_moves_no_tag(registry: Place, image_set: ImageSet) -> None:
     run = registry.run(image_set, only=ONLY)
     for step in ("build", "join", "test", "index"):
-        do(run, step)
+        STEPS[step](run)
     registry.registry.refuses.add("attach")
-    do(run, "promote")
+    STEPS["promote"](run)
     assert run.failed and registry.tagged("ros") == {}
     registry.registry.refuses.clear()
     assert not registry.publish(image_set, only=ONLY).failed

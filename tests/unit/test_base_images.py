@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +13,7 @@ from rosml.base.errors import RosmlError
 from rosml.machine import base_images
 from rosml.machine.base_images import Assembler
 from rosml.machine.services import Services
+from rosml.matrix.model import OperatingSystem
 
 DIGEST, OTHER = f"sha256:{'a' * 64}", f"sha256:{'b' * 64}"
 OFFICIAL = f"docker.io/library/system:1@{DIGEST}"
@@ -21,14 +21,14 @@ GIVEN = f"registry.test:5000/copy:1@{OTHER}"
 VARIABLE = "OS_SYSTEM_1_0"
 
 
-@dataclass(frozen=True)
-class System:
-    image: str = "docker.io/library/system:1"
-    digest: str = DIGEST
-    python: str = "3.12"
-
-
-SYSTEMS = {"system-1.0": System()}
+FACTS = {
+    "image": "docker.io/library/system:1",
+    "digest": DIGEST,
+    "python": "3.12",
+    "numpy": "<2",
+    "architectures": ["amd64"],
+}
+SYSTEMS = {"system-1.0": OperatingSystem.model_validate({**FACTS, "tools": ["git"]})}
 
 
 @pytest.fixture(autouse=True)

@@ -31,7 +31,6 @@ from memory_registry import (
     waiting,
 )
 from projects import BASE
-from steps import do
 from stubs import services
 
 from rosml.bake.inputs import Inputs
@@ -48,6 +47,7 @@ from rosml.machine.services import Services
 from rosml.matrix import names
 from rosml.publish import pipeline, plan_file, status
 from rosml.publish.pipeline import Pipeline
+from rosml.publish.steps import STEPS
 from rosml.records import store
 from rosml.registry import repositories
 
@@ -416,8 +416,8 @@ def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: py
         here.registry.die_at, here.registry.die_after = number, after
         run = here.run(small, **options)
         with pytest.raises(Killed):
-            for step in ("build", "join", "test", "index", "promote"):
-                do(run, step)
+            for step in STEPS:
+                STEPS[step](run)
         here.check(small)
         recorded = {
             key for key, entry in here.run(small, **options).plan.known.items() if entry.digest and not entry.failed
@@ -571,8 +571,8 @@ def test_a_date_that_is_none_is_told_and_holds_no_tag(
     assert "its date is none" in found.reason and found.age is None
     said: list[str] = []
     run.say = said.append
-    for step in ("build", "join", "test", "index", "promote"):
-        do(run, step)
+    for step in STEPS:
+        STEPS[step](run)
     assert not run.failed
     assert registry.tagged("ros")["alpha-core"] != there
     assert any("which is no date: taken for older" in line for line in said)
@@ -594,7 +594,7 @@ def test_the_digest_of_another_image_gets_no_index(registry: Place, image_set: I
     forge(registry, "alpha-base", "amd64", digest=core.digest)
     run = registry.run(image_set, date=NEXT, only=["alpha-base"])
     run.index()
-    do(run, "promote")
+    STEPS["promote"](run)
     (failed,) = [outcome for outcome in run.outcomes if outcome.state == "failed"]
     assert f"the records' entry alpha-base.amd64 names {core.digest}, which is alpha-core for amd64" in failed.reason
     assert registry.tagged("ros") == before
@@ -626,7 +626,7 @@ def test_the_index_of_another_image_gets_no_tag(registry: Place, image_set: Imag
     run = registry.run(image_set, date=NEXT, only=["alpha-core"])
     run.plan.present.add(("alpha-core", "index"))
     before = registry.tagged("ros")
-    do(run, "promote")
+    STEPS["promote"](run)
     assert run.failed and registry.tagged("ros") == before
     reason = next(outcome.reason for outcome in run.outcomes if outcome.state == "failed")
     says = {"title": "that of alpha-base", "members": "of other images", "gone": "not in the registry any more"}
@@ -687,9 +687,9 @@ def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, image_se
     file.write_text(report.plan_json(registry.run(image_set), 2, why=False))
     known = plan_file.read_plan(file).upstream
     assert known == registry.upstream
-    for number, step in enumerate(("build", "join", "test", "index", "promote")):
+    for number, step in enumerate(STEPS):
         run = registry.run(image_set, upstream=known)
-        do(run, step)
+        STEPS[step](run)
         assert not run.failed
         assert not [outcome for outcome in run.outcomes if outcome.state == "waits"]
         registry.upstream["alpha"] = f"after step {number}"

@@ -10,11 +10,11 @@ import pytest
 from memory_registry import NEXT, Place, Run, place, waiting
 from projects import BASE
 from scanning import World, advisory, rules
-from steps import do
 from stubs import services
 
 from rosml.images.image_set import ImageSet
 from rosml.publish.pipeline import policy_digest
+from rosml.publish.steps import STEPS
 from rosml.scan import judge as judging
 from rosml.scan.judge import Outcome, summarise
 from rosml.scan.results import Results
@@ -35,7 +35,7 @@ def scanned(registry: Place, image_set: ImageSet, world: World, **options: objec
     """A run of which a clean scan is asked before tags."""
     run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
     for step in ("build", "join", "test"):
-        do(run, step)
+        STEPS[step](run)
     for item in run.plan.items:
         packages = ("bash",) if item.kind == "ros" else (item.thing.kind,) if item.kind == "part" else ()  # type: ignore[union-attr]
         if packages:
@@ -45,7 +45,7 @@ def scanned(registry: Place, image_set: ImageSet, world: World, **options: objec
     trivy.fetch(rules().policy.database)
     run.scan(rules(), trivy)
     run.index()
-    do(run, "promote")
+    STEPS["promote"](run)
     return run
 
 
@@ -81,7 +81,7 @@ def test_what_is_handed_over_is_not_written(registry: Place, image_set: ImageSet
     """SBOMs and outcomes of every image are for another job."""
     run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
     for step in ("build", "test"):
-        do(run, step)
+        STEPS[step](run)
     for item in run.plan.items:
         world.part("x", "bash", ros=True)
         world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]
@@ -98,11 +98,11 @@ def test_what_is_handed_over_is_not_written(registry: Place, image_set: ImageSet
 def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, image_set: ImageSet) -> None:
     run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
     for step in ("build", "test"):
-        do(run, step)
+        STEPS[step](run)
     found = run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
     assert found.outcome is Outcome.SCANNER_FAILED
     run.index()
-    do(run, "promote")
+    STEPS["promote"](run)
     assert registry.tagged("ros") == {}
     assert any("scanner failed" in reason for reason in waiting(run, "alpha-core"))
 

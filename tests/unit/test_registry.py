@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from stubs import answering_registry, calls, executable, services
 
+from bench.second_image import stored
 from rosml.base.errors import RosmlError
 from rosml.machine import regctl
 from rosml.machine.regctl import Layer
@@ -40,12 +41,7 @@ def test_stored(tmp_path: Path, address: str) -> None:
     layers = '{"digest": "l", "size": 7}, {"digest": "l", "size": 7}'
     answer = f'{{"layers": [{layers}], "config": {{"digest": "c", "size": 3}}}}'
     found = having(tmp_path, address, f"case $2 in get) echo '{answer}' ;; head) echo 99 ;; esac")
-    assert regctl.stored(found, f"r@{DIGEST}") == {"l": 7, "c": 3, DIGEST: 99}
-
-
-def test_delete(tmp_path: Path, address: str) -> None:
-    regctl.delete(having(tmp_path, address, ""), f"r@{DIGEST}")
-    assert calls(tmp_path) == [f"manifest delete r@{DIGEST}"]
+    assert stored(found, f"r@{DIGEST}") == {"l": 7, "c": 3, DIGEST: 99}
 
 
 def test_config(tmp_path: Path, address: str) -> None:
@@ -83,10 +79,10 @@ def test_another_failure_is_not_a_missing_tag(tmp_path: Path, address: str, refe
 
 def test_failure_says_the_last_line(tmp_path: Path, address: str) -> None:
     with pytest.raises(RosmlError) as caught:
-        regctl.delete(having(tmp_path, address, "echo one >&2; echo denied >&2; exit 1"), "r:t")
-    assert caught.value.message == "regctl manifest delete r:t: denied"
+        regctl.manifest(having(tmp_path, address, "echo one >&2; echo denied >&2; exit 1"), "r:t")
+    assert caught.value.message == "regctl manifest get --format raw-body r:t: denied"
     with pytest.raises(RosmlError, match=r"r:t: exit code 3$"):
-        regctl.delete(having(tmp_path, address, "exit 3"), "r:t")
+        regctl.manifest(having(tmp_path, address, "exit 3"), "r:t")
 
 
 def test_registry_is_down(tmp_path: Path) -> None:
