@@ -30,11 +30,8 @@ class Name(click.ParamType[str]):
             images = load.load(ROOT / "matrix.yaml", ROOT)
         except RosmlError:
             return []
-        names = {
-            "targets": list(images.by_target),
-            "parts": list(images.part_by_name),
-            "groups": selection.groups_of(images),
-        }
+        groups = selection.groups_of(images)
+        names = {"targets": [*images.by_target], "parts": [*images.part_by_name], "groups": groups}
         return [CompletionItem(name) for name in names[self.kind] if name.startswith(incomplete)]
 
 

@@ -34,32 +34,21 @@ COMMAND = "make generate"
     type=click.Path(path_type=Path),
     help="Write this bake file instead, and nothing else; with --shards: this plan, as JSON.",
 )
-def main(
-    check: bool,
-    as_json: bool,
-    shards: int | None,
-    matrix: Path,
-    output: Path | None,
-) -> None:
+def main(check: bool, as_json: bool, shards: int | None, matrix: Path, output: Path | None) -> None:
     if check and shards is not None:
         raise click.UsageError("--check and --shards do different things; use one of them")
     if as_json and shards is None:
         raise click.UsageError("--json belongs to --shards")
     if output and output.exists() and output.resolve() == matrix.resolve():
         raise click.UsageError(f"--output {output} would overwrite the matrix; name another file")
-    from rosml.images import load
+    from rosml.images import load, missing
 
     image_set = load.load(matrix, ROOT)
     if shards is not None:
         deal_out(image_set, shards, as_json, output)
-    else:
-        from rosml.images import missing
-
-        wanted, lost = generated(image_set, output), missing.lost(image_set)
-        if check:
-            verify(wanted, lost)
-            return
-        write(wanted, lost)
+        return
+    act = verify if check else write
+    act(generated(image_set, output), missing.lost(image_set))
 
 
 def deal_out(image_set: ImageSet, shards: int, as_json: bool, output: Path | None) -> None:
@@ -111,9 +100,8 @@ def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
     differences = {file: files.difference(file, content) for file, content in wanted.items()}
     stale = [files.shown(file) for file, text in differences.items() if text]
     click.echo("".join(differences.values()), nl=False)
-    problems = [f"{', '.join(stale)}: stale"] if stale else []
-    remedies = [f"run '{COMMAND}' and commit the result"] if stale else []
-    if lost:
-        problems, remedies = [lost.message, *problems], [lost.remedy, *remedies]
-    if problems:
+    found = [(lost.message, lost.remedy)] if lost else []
+    found += [(f"{', '.join(stale)}: stale", f"run '{COMMAND}' and commit the result")] if stale else []
+    if found:
+        problems, remedies = zip(*found, strict=True)
         raise RosmlError("\n".join(problems), remedy="; then ".join(remedies))

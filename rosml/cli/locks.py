@@ -36,13 +36,7 @@ if TYPE_CHECKING:
 )
 @click.option("--json", "as_json", is_flag=True, help="Print what moved as JSON; all else goes to standard error.")
 def main(
-    upgrade: bool,
-    bases: bool,
-    check: bool,
-    stacks: tuple[str, ...],
-    matrix: Path,
-    report: Path | None,
-    as_json: bool,
+    upgrade: bool, bases: bool, check: bool, stacks: tuple[str, ...], matrix: Path, report: Path | None, as_json: bool
 ) -> None:
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 

@@ -211,13 +211,7 @@ def image(target: str, matrix: Path, namespace: str, platform: str, check: bool,
 )
 @click.option("--again", is_flag=True, help="assemble them without the builder's cache")
 def part(
-    parts: tuple[str, ...],
-    matrix: Path,
-    namespace: str,
-    as_json: bool,
-    markdown: bool,
-    platform: str,
-    again: bool,
+    parts: tuple[str, ...], matrix: Path, namespace: str, as_json: bool, markdown: bool, platform: str, again: bool
 ) -> None:
     """Assembles parts and publishes them in the local registry: what COPY --link adds to an image of one's own.
 

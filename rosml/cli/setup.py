@@ -104,7 +104,7 @@ def client() -> None:
 def linters() -> None:
     """The Python packages, and actionlint, which is built in some seconds."""
     installer = _installer(_state())
-    if not installer.found_exactly("actionlint", "--version"):
+    if not installer.found("actionlint", "--version"):
         installer.go_program("actionlint")
         installer.drop_go_caches()
 
@@ -228,7 +228,7 @@ def _program(name: str, ask: str, file: str, tests: bool) -> None:
     from rosml.base import files
 
     installer = _installer(_state())
-    path = installer.found_exactly(name, ask) or installer.go_program(name)
+    path = installer.found(name, ask) or installer.go_program(name)
     if tests:
         installer.go_program("registry")
     installer.drop_go_caches()

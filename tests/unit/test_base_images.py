@@ -21,14 +21,16 @@ GIVEN = f"registry.test:5000/copy:1@{OTHER}"
 VARIABLE = "OS_SYSTEM_1_0"
 
 
-FACTS = {
-    "image": "docker.io/library/system:1",
-    "digest": DIGEST,
-    "python": "3.12",
-    "numpy": "<2",
-    "architectures": ["amd64"],
+SYSTEMS = {
+    "system-1.0": OperatingSystem(
+        image="docker.io/library/system:1",
+        digest=DIGEST,
+        python="3.12",
+        numpy="<2",
+        architectures=("amd64",),
+        tools="git",
+    )
 }
-SYSTEMS = {"system-1.0": OperatingSystem.model_validate({**FACTS, "tools": ["git"]})}
 
 
 @pytest.fixture(autouse=True)

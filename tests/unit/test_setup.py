@@ -127,8 +127,8 @@ def test_a_tool_on_path_is_used_if_it_is_new_enough(state: State, monkeypatch: p
     mine = program(state.root / "mine", "regctl", "echo VCSTag: v0.11.9")
     monkeypatch.setenv("PATH", str(mine.parent))
     installer = Installer(state)
-    assert installer.found("regctl", ["version"], (0, 11)) == str(mine)
-    assert installer.found("regctl", ["version"], (0, 12)) is None
+    assert installer.found("regctl", "version", (0, 11)) == str(mine)
+    assert installer.found("regctl", "version", (0, 12)) is None
     assert installer.have == ["regctl v0.11.9 (found on PATH)"]
 
 
@@ -272,7 +272,7 @@ def test_a_client_leaves_services_that_are_up(state: State, monkeypatch: pytest.
 def test_our_own_folder_does_not_count_as_the_machines(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
     program(state.bin, "regctl", "echo v9.9.9")
     monkeypatch.setenv("PATH", str(state.bin))
-    assert Installer(state).found("regctl", ["version"], (0, 11)) is None
+    assert Installer(state).found("regctl", "version", (0, 11)) is None
 
 
 @pytest.fixture

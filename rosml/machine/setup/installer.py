@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from rosml.base import files
@@ -68,28 +68,24 @@ class Installer:
                 stream.write(f"{self.state.bin}\n")
 
     # ---- what the machine has -------------------------------------------------------------------------------------
-    def found(self, name: str, ask: Sequence[str], wanted: Version, exactly: bool = False) -> str | None:
+    def found(self, name: str, ask: str, oldest: Version = ()) -> str | None:
         """A program on the user's PATH (``.state/bin`` does not count), if its version will do.
 
         Args:
             ask: how it tells its version.
-            wanted: the oldest version that will do. exactly: the only one.
+            oldest: that will do; without it, the pinned one alone does: its findings depend on it.
         """
         path = shutil.which(name, path=self.outer_path())
         if path is None:
             return None
-        version = version_in(output_of([path, *ask]))
-        if version == wanted or (version > wanted and not exactly):
+        version, wanted = version_in(output_of([path, ask])), oldest or version_in(self.pin(name).version)
+        if version == wanted or (oldest and version > oldest):
             self.have.append(f"{name} v{dotted(version)} (found on PATH)")
             return path
         has = f"v{dotted(version)}" if version else "of unknown version"
-        what = f"not v{dotted(wanted)}, which is pinned" if exactly else f"older than v{dotted(wanted)}"
+        what = f"not v{dotted(wanted)}, which is pinned" if not oldest else f"older than v{dotted(wanted)}"
         self.state.say(f"{name}: the one on PATH ({path}, {has}) is {what}: not used")
         return None
-
-    def found_exactly(self, name: str, ask: str) -> str | None:
-        """A program on the user's PATH that is of the very version that is pinned: for one whose findings depend on it."""
-        return self.found(name, [ask], version_in(self.pin(name).version), exactly=True)
 
     def outer_path(self) -> str:
         """PATH without our own folder."""
@@ -107,8 +103,8 @@ class Installer:
 
     def is_built(self, name: str) -> bool:
         """Whether a program is in ``.state/bin``, and the file that vouches for it says that it is as it is pinned now."""
-        program, stamp = self.state.bin / name, self._stamp(name)
-        return program.exists() and stamp.exists() and stamp.read_text() == self._stamp_text(name)
+        stamp = self._stamp(name)
+        return (self.state.bin / name).exists() and stamp.exists() and stamp.read_text() == self._stamp_text(name)
 
     def _stamp(self, name: str) -> Path:
         return self.state.bin / f".{name}.pin"
@@ -210,11 +206,9 @@ class Installer:
         The module cache is writable: ``-modcacherw``.
         """
         old = self.state.folder / f"go-{os.getpid()}"
-        try:
+        with suppress(FileNotFoundError):
             (self.state.folder / "go").rename(old)
             subprocess.Popen(["rm", "-rf", str(old)], stdin=subprocess.DEVNULL, start_new_session=True)
-        except OSError:
-            shutil.rmtree(self.state.folder / "go", ignore_errors=True)
 
     # ---- Debian ---------------------------------------------------------------------------------------------------
     def apt(self, packages: Mapping[str, str]) -> str:

@@ -111,9 +111,9 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
         packages = {**packages, **engine_packages(installer), **browser_packages()}
     if packages:
         installer.apt(packages)  # whether it may is told now, not after minutes of compiling
-    regctl = installer.found("regctl", ["version"], OLDEST_REGCTL)
+    regctl = installer.found("regctl", "version", OLDEST_REGCTL)
     buildx = buildx_of(installer)
-    linter = not tests or installer.found_exactly("actionlint", "--version")
+    linter = not tests or installer.found("actionlint", "--version")
     there = {"regctl": regctl, "buildx": buildx, "actionlint": linter, "registry": "", "buildkitd": kind != "buildkitd"}
     wanted = [name for name, found in there.items() if not found]
     with ThreadPoolExecutor(1) as pool, installer.fetching(wanted):
