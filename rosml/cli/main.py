@@ -166,7 +166,7 @@ def run(word: str = "") -> int:
     """
     if (answered := completion.answer(cli)) is not None:
         return answered
-    called, word = (cli.commands[word], word) if word else (cli, next(iter(sys.argv[1:]), ""))
-    prints = word in ("list", "explain", "diff")
-    code = command.run(called, KEPT.get(word, "interrupted"), reader_gone=0 if prints else command.BROKEN_PIPE)
+    called, first = (cli.commands[word], word) if word else (cli, next(iter(sys.argv[1:]), ""))
+    prints = first in ("list", "explain", "diff") or word not in ("", "publish")  # who reads a script's output may stop
+    code = command.run(called, KEPT.get(first, "interrupted"), reader_gone=0 if prints else command.BROKEN_PIPE)
     return command.ended(code)
