@@ -312,8 +312,9 @@ def make(folder: Path, services: Services) -> Mini:
         "bookworm": matrix["operating_systems"]["bookworm"] | {"image": image, "digest": digest}
     }
     matrix["frameworks"] = {name: matrix["frameworks"][name] for name in ("none", "tensorflow")}
-    matrix["stacks"] = {"cpu": {k: v for k, v in matrix["stacks"]["cpu"].items() if k != "torch"}}
-    matrix["releases"] = {"tensorflow": {"2.20.0": matrix["releases"]["tensorflow"]["2.20.0"]}, "torch": {}}
+    matrix["parts"] = [part for part in matrix["parts"] if part["name"] != "torch"]
+    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | {"releases": {"tensorflow": "2.20.0"}}}
+    matrix["releases"] = {"tensorflow": {"2.20.0": matrix["releases"]["tensorflow"]["2.20.0"]}}
     matrix["releases"]["tensorflow"]["2.20.0"]["wheels"] = {"cpu": ["amd64", "arm64"]}
     parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name != "torch"}
     matrix["disk"] |= {"parts": {"cpu": parts}, "budgets": {}}
@@ -332,7 +333,7 @@ def make(folder: Path, services: Services) -> Mini:
         "base/install": NOTHING,
         "part/install-assembler": NOTHING,
         "base/contract": CONTRACT,
-        "tensorflow/install-compiler": NOTHING,
+        "tensorflow/install-assembler": NOTHING,
     }.items():
         (folder / f"components/{name}.sh").write_text(text)
     found = Mini(folder, services, "").elsewhere()
