@@ -15,7 +15,7 @@ from tests.skips import pytest_make_collect_report, pytest_runtest_makereport  #
 
 if not __debug__:
     raise pytest.UsageError("python -O leaves assertions out: unset PYTHONOPTIMIZE")
-for name in ("MAKELEVEL", "MAKEFLAGS", "MFLAGS"):  # a make that a test calls is not a sub-make
+for name in ("MAKELEVEL", "MAKEFLAGS", "MFLAGS", "PROOF", "SHARD"):  # a make that a test calls is not a sub-make
     os.environ.pop(name, None)
 # Nor are its repositories the one whose hook calls the tests.
 local = subprocess.run(["git", "rev-parse", "--local-env-vars"], capture_output=True, text=True, check=True).stdout

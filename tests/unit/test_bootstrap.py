@@ -202,7 +202,11 @@ def test_interrupted(ready: Bootstrap, number: signal.Signals) -> None:
         process.send_signal(number)
         _, said = process.communicate(timeout=20)
     assert (process.returncode, said) == (130, "interrupted; call it again to carry on\n")
-    assert not Path(f"/proc/{(ready.root / 'pid').read_text().strip()}").exists()
+    waited_for = Path(f"/proc/{(ready.root / 'pid').read_text().strip()}")
+    end = time.monotonic() + 20
+    while waited_for.exists() and time.monotonic() < end:
+        time.sleep(0.01)
+    assert not waited_for.exists()
 
 
 @pytest.mark.parametrize("name", [".state", ".state/log"])
