@@ -223,12 +223,13 @@ class Gatherer:
             RosmlError: the registry does not answer.
         """
         path = self._path(repository)
-        found = self.registry.manifest(path, digest)
-        if found is None:  # a build that was removed since
-            return None
         try:
+            found = self.registry.manifest(path, digest)
+            if found is None:  # a build that was removed since
+                return None
             listed = [
-                (str(item["digest"]), _platform(item.get("platform") or {})) for item in found.content["manifests"]
+                (str(item["digest"]), _platform(item.get("platform") or {}))
+                for item in found.content["manifests"] or []
             ]
             members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
             return _Index(digest, date_of(found), tuple(members))

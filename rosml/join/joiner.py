@@ -165,7 +165,7 @@ class Joiner:
         if where not in self._sources:
             registry = self._registries(where.host)
             manifest = manifest or registry.manifest(where.repository, where.reference)
-            if manifest is None or "layers" not in manifest.content:
+            if manifest is None or not manifest.content.keys() >= {"config", "layers"}:
                 raise RosmlError(f"{where} is no image, or not there any more", "check its name", exit_code=2)
             if manifest.content["config"].get("mediaType") not in (oci.CONFIG, oci.DOCKER_CONFIG):
                 raise RosmlError(f"{where} is an artifact of another kind, no image", "check its name", exit_code=2)

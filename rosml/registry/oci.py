@@ -21,10 +21,11 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeVar
 
 import httpx
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rosml.base import web
 from rosml.base.errors import RosmlError
-from rosml.base.problems import listed
+from rosml.base.problems import dotted, listed
 from rosml.registry import certificates
 from rosml.registry import credentials as docker
 from rosml.registry.credentials import DOCKER_HUB, Credentials
@@ -195,6 +196,45 @@ class Manifest:
         return {"mediaType": self.media_type, "digest": self.digest, "size": self.size}
 
 
+class _Shape(BaseModel):
+    """What this program reads of an answer, in the form that the distribution API gives it; it may have more. Annotations are
+    in none: anybody may write anything there."""
+
+    model_config = ConfigDict(strict=True)
+
+
+class _Platform(_Shape):
+    os: str = ""
+    architecture: str = ""
+    variant: str | None = None
+
+
+class _Descriptor(_Shape):
+    mediaType: str
+    digest: str = Field(pattern=r"^[a-z0-9+._-]+:[A-Za-z0-9=_-]+$")
+    size: int = Field(ge=0)
+    platform: _Platform | None = None
+
+
+class _Image(_Shape):
+    schemaVersion: int
+    config: _Descriptor | None = None
+    layers: list[_Descriptor] = []
+
+
+class _Index(_Shape):
+    schemaVersion: int
+    manifests: list[_Descriptor] | None
+
+
+class _Referrers(_Shape):
+    manifests: list[_Descriptor] | None
+
+
+class _Tags(_Shape):
+    tags: list[str] | None
+
+
 REMEDY = (
     "let its operator allow it, or delete with its own tools; on ghcr.io these are the versions of the package, on GitHub's"
     " page of it or by GitHub's API"
@@ -312,6 +352,7 @@ class Registry:
         content = self._object(answer)
         kind = answer.headers.get("content-type", "").partition(";")[0].strip()
         media_type = str(content.get("mediaType") or kind)
+        self._shaped(answer, content, _Index if media_type in INDEXES else _Image)
         return Manifest(content, digest, media_type, len(answer.content))
 
     def put_manifest(
@@ -375,8 +416,8 @@ class Registry:
             RosmlError: the registry does not answer or refuses.
         """
         found: list[str] = []
-        for page in self._pages(f"{repository}/tags/list?n=1000", repository):
-            found += page.get("tags") or []
+        for page in self._pages(f"{repository}/tags/list?n=1000", repository, _Tags):
+            found += page["tags"] or []
         return found
 
     def delete(self, repository: str, reference: str) -> None:
@@ -524,7 +565,7 @@ class Registry:
             RosmlError: the registry does not answer or refuses.
         """
         query = f"?artifactType={_quoted(artifact_type)}" if artifact_type else ""
-        pages = list(self._pages(f"{repository}/referrers/{digest}{query}", repository))
+        pages = list(self._pages(f"{repository}/referrers/{digest}{query}", repository, _Referrers))
         if not pages and (fallback := self.manifest(repository, _fallback_tag(digest))):
             pages = [fallback.content]
         found = [entry for page in pages for entry in page.get("manifests") or []]
@@ -630,7 +671,7 @@ class Registry:
 
         return self._retried(once)
 
-    def _pages(self, path: str, repository: str) -> Iterator[dict[str, Any]]:
+    def _pages(self, path: str, repository: str, shape: type[_Shape]) -> Iterator[dict[str, Any]]:
         """All pages of a list; none if the registry knows no such list."""
         seen: set[str] = set()
         while path and path not in seen:  # a registry that links to where we were would never end
@@ -638,7 +679,7 @@ class Registry:
             answer = self._ask("GET", path, repository, allow=(404,))
             if answer.status_code == 404:
                 return
-            yield self._object(answer)
+            yield self._shaped(answer, self._object(answer), shape)
             following = answer.links.get("next", {}).get("url", "")
             path = answer.url.join(following).raw_path.decode().partition("/v2/")[2] if following else ""
 
@@ -749,6 +790,22 @@ class Registry:
             raise RosmlError(
                 f"{self.host}: the answer to GET {answer.request.url.path} is no JSON object", "run it again"
             )
+        return content
+
+    def _shaped(self, answer: httpx.Response, content: dict[str, Any], shape: type[_Shape]) -> dict[str, Any]:
+        """An answer, if it has what this program reads of it, in the form that the distribution API gives it.
+
+        Raises:
+            RosmlError: it has not.
+        """
+        try:
+            shape.model_validate(content)
+        except ValidationError as error:
+            wrong = error.errors(include_url=False, include_context=False, include_input=False)[0]
+            said = f"{dotted(wrong['loc'])}: {wrong['msg'][:1].lower()}{wrong['msg'][1:]}"
+            text = f"{self.host} does not answer as a registry: GET {answer.request.url.path}: {said}"
+            remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push anew what is damaged there"
+            raise RosmlError(text, remedy) from None
         return content
 
     # ---- Who asks ----------------------------------------------------------------------------------------------------

@@ -307,6 +307,55 @@ def test_an_answer_that_is_no_object(server: StandIn, registry: Registry, body: 
         registry.manifest("a", "x")
 
 
+NO_DIGEST = {"mediaType": oci.IMAGE, "size": 1}
+NO_SIZE = {"mediaType": oci.IMAGE, "digest": DIGEST}
+NO_PLATFORM = {**NO_SIZE, "size": 1, "platform": "linux"}
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        {"tags": ["a", 1, None, {}]},
+        {"schemaVersion": 2, "mediaType": oci.INDEX},
+        {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": {"x": 1}},
+        {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [{"x": 1}]},
+        {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [NO_DIGEST]},
+        {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [{**NO_SIZE, "size": 1, "digest": "x"}]},
+        {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [NO_PLATFORM]},
+        {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": [NO_SIZE]},
+        {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": None},
+        {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": "x", "layers": []},
+    ],
+)
+def test_a_manifest_of_another_shape(server: StandIn, registry: Registry, answer: dict[str, Any]) -> None:
+    server.fault("GET", "/manifests/", 200, body=json.dumps(answer).encode())
+    with pytest.raises(
+        RosmlError, match=f"{server.address} does not answer as a registry: GET /v2/a/manifests/x: "
+    ) as no:
+        registry.manifest("a", "x")
+    assert "HTTPS_PROXY" in no.value.remedy
+    assert "pydantic" not in no.value.message
+
+
+@pytest.mark.parametrize("answer", [{}, {"tags": "a"}, {"tags": ["a", 1, None, {}]}])
+def test_tags_of_another_shape(server: StandIn, registry: Registry, answer: dict[str, Any]) -> None:
+    server.fault("GET", "/tags/list", 200, body=json.dumps(answer).encode())
+    with pytest.raises(RosmlError, match="does not answer as a registry"):
+        registry.tags("a")
+
+
+def test_a_repository_without_tags(server: StandIn, registry: Registry) -> None:
+    server.fault("GET", "/tags/list", 200, body=b'{"name": "a", "tags": null}')
+    assert registry.tags("a") == []
+
+
+@pytest.mark.parametrize("answer", [{"tags": []}, {"manifests": ["x"]}, {"manifests": [NO_DIGEST]}])
+def test_referrers_of_another_shape(server: StandIn, registry: Registry, answer: dict[str, Any]) -> None:
+    server.fault("GET", "/referrers/", 200, body=json.dumps(answer).encode())
+    with pytest.raises(RosmlError, match="does not answer as a registry"):
+        registry.referrers("a", DIGEST)
+
+
 def test_a_registry_says_why(server: StandIn, registry: Registry) -> None:
     server.fault("PUT", "/manifests/", 400, body=b'{"errors": [{"code": "X", "message": "blob unknown"}]}')
     with pytest.raises(RosmlError, match=r"PUT /v2/a/manifests/x: 400 \(blob unknown\)"):
