@@ -52,6 +52,7 @@ def run(
     With `--json`, an error is an object on standard output as well: `{"error": …, "remedy": …}`.
     """
     signal.signal(signal.SIGTERM, _terminate)
+    _stand_in_for_closed()
     for stream in (sys.stdout, sys.stderr):  # an arrow, or a file's name, that the terminal cannot show
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
@@ -78,9 +79,11 @@ def run(
         found = error.object[max(0, error.start - 30) : error.start].decode(errors="replace")
         return _failed(as_json, f"a file is not UTF-8, after {found!r}", "", 1)
     except BrokenPipeError:  # the reader of our output is gone: `… --list | head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains when it ends
+        _drop_output()
         return reader_gone
     except OSError as error:
+        if error.errno == errno.EBADF:
+            _drop_output()
         return _failed(as_json, *_of_the_system(error), 1)
     return 0
 
@@ -128,8 +131,22 @@ def _told(as_json: bool, message: str, remedy: str, code: int) -> int:
             click.echo(json.dumps({"error": click.unstyle(message), "remedy": remedy}, indent=2))
             sys.stdout.flush()
         except OSError:  # its reader is gone, or its disk is full; people were told already
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            _drop_output()
     return code
+
+
+def _stand_in_for_closed() -> None:
+    """Puts something in the place of closed output: a file that is opened next would get its number, and what is printed
+    would go into that. What is written to standard output fails; messages get lost, as who closed them wants it."""
+    if sys.stdout is None:
+        sys.stdout = open(os.open(os.devnull, os.O_RDONLY), "w", encoding="utf-8")
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")
+
+
+def _drop_output() -> None:
+    """Sends what was not written yet to nobody: Python would try it again when it ends, and complain."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 _IN_THE_WAY = "move it away, then run it again"
@@ -151,6 +168,8 @@ def _of_the_system(error: OSError) -> tuple[str, str]:
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
         remedy = "free some disk space (make down; make clean removes all that was made), then run it again"
         return f"{name}: {reason}" if name else reason, remedy
+    if error.errno == errno.EBADF and not name:
+        return "standard output is closed: nothing can be printed", "send it to a file or a program, or to /dev/null"
     return f"{name}: {reason}" if name else reason, ""
 
 
