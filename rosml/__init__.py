@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+from itertools import takewhile
 from pathlib import Path
 
 __version__ = "0.1.0"
@@ -20,18 +21,38 @@ def root_of(package: Path) -> Path:
     """The checkout that the package is in; else that in which somebody works; else what was installed with the package."""
     if (package.parent / "scripts/bootstrap.py").is_file():
         return package.parent
+    return next((folder for folder in _around() if _is_checkout(folder) and _is_trusted(folder)), package / "data")
+
+
+def passed_over(package: Path) -> Path | None:
+    """The checkout in which somebody works that is another user's, and therefore not the package's root; None if there is
+    none."""
+    root = root_of(package)
+    nearer = takewhile(lambda folder: folder != root, _around())
+    return None if root == package.parent else next((folder for folder in nearer if _is_checkout(folder)), None)
+
+
+def _around() -> list[Path]:
+    """The current folder and those above it; none where it was removed, or is not to be entered."""
     try:
         here = Path.cwd()
-    except OSError:  # removed, or not to be entered
-        return package / "data"
-    return next((folder for folder in (here, *here.parents) if _is_checkout(folder)), package / "data")
+    except OSError:
+        return []
+    return [here, *here.parents]
 
 
 def _is_checkout(folder: Path) -> bool:
-    """Whether a folder is a checkout, and this user's or root's: programs of it are called."""
+    """Whether a folder is a checkout."""
     try:
-        users = {os.geteuid(), 0, int(os.environ.get("SUDO_UID") or 0)}
-        return all((folder / name).exists() for name in PARTS) and folder.stat().st_uid in users
+        return all((folder / name).exists() for name in PARTS)
+    except OSError:
+        return False
+
+
+def _is_trusted(folder: Path) -> bool:
+    """Whether a folder is this user's or root's: programs of a checkout are called."""
+    try:
+        return folder.stat().st_uid in {os.geteuid(), 0, int(os.environ.get("SUDO_UID") or 0)}
     except (OSError, ValueError):
         return False
 
@@ -52,6 +73,9 @@ ROOT = root_of(_PACKAGE)
 
 IN_CHECKOUT = ROOT != _PACKAGE / "data"
 """Whether that is a checkout, in which images can be built."""
+
+FOREIGN = passed_over(_PACKAGE)
+"""The checkout of another user in which somebody works, and which is not used; None if there is none."""
 
 STATE = ROOT / ".state" if IN_CHECKOUT else _cache()
 """What commands keep: `.state` of the checkout; the user's cache where there is no checkout."""

@@ -139,9 +139,9 @@ def _stand_in_for_closed() -> None:
     """Puts something in the place of closed output: a file that is opened next would get its number, and what is printed
     would go into that. What is written to standard output fails; messages get lost, as who closed them wants it."""
     if sys.stdout is None:
-        sys.stdout = open(os.open(os.devnull, os.O_RDONLY), "w", encoding="utf-8")
+        sys.stdout = io.TextIOWrapper(io.BufferedWriter(io.FileIO(os.open(os.devnull, os.O_RDONLY), "w")), "utf-8")
     if sys.stderr is None:
-        sys.stderr = open(os.devnull, "w", encoding="utf-8")
+        sys.stderr = io.TextIOWrapper(io.FileIO(os.devnull, "w"), "utf-8")
 
 
 def _drop_output() -> None:

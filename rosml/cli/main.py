@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import functools
 import json
+import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import click
+from click.core import ParameterSource
 
-from rosml import IN_CHECKOUT, ROOT, __version__
+from rosml import FOREIGN, IN_CHECKOUT, ROOT, __version__
 from rosml.base.errors import RosmlError
 from rosml.cli import catalogue, command, completion, generate, join, locks, options, publish, setup
 
@@ -126,9 +128,33 @@ cli.add_command(setup.main, "setup")
 
 def _require_checkout() -> None:
     """Says that a command needs a checkout, where there is none."""
+    if not IN_CHECKOUT and FOREIGN:
+        raise RosmlError(*_foreign(FOREIGN), exit_code=2)
     if not IN_CHECKOUT:
         text = "there is no checkout here: no folder of yours, this one or one above it, has matrix.yaml and Dockerfile"
         raise RosmlError(text, "git clone the project, or your fork of it, and call it there", exit_code=2)
+
+
+def _foreign(folder: Path) -> tuple[str, str]:
+    """Why a checkout is not used, and what to do about it."""
+    import pwd  # only needed here
+
+    names = {user.pw_uid: user.pw_name for user in pwd.getpwall()}
+    owner = folder.stat().st_uid
+    text = (
+        f"the checkout {folder} is not used: it belongs to {names.get(owner, f'user {owner}')}, and not to you or root"
+    )
+    return text, f"chown -R {names.get(os.geteuid(), os.geteuid())} {folder}, or call this as its owner"
+
+
+def _say_whose_matrix() -> None:
+    """Says that the matrix is not that of the folder where somebody works, unless they named it."""
+    source = click.get_current_context().get_parameter_source("matrix")
+    if FOREIGN and source is ParameterSource.DEFAULT:
+        text, remedy = _foreign(FOREIGN)
+        which = str(ROOT / "matrix.yaml") if IN_CHECKOUT else "the one that came with rosml"
+        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {text}; the matrix is {which}", err=True)
+        click.echo(f"{click.style('remedy:', bold=True)} {remedy}; or name its matrix with --matrix", err=True)
 
 
 def _begin_with(check: Callable[[], None], step: click.Command) -> None:
@@ -151,6 +177,8 @@ for step in setup.main.commands.values():
     _begin_with(setup.bootstrap, step)
     _begin_with(_require_checkout, step)
 for name, step in {**cli.commands, **publish.cli.commands}.items():
+    if not isinstance(step, click.Group):
+        _begin_with(_say_whose_matrix, step)
     if name not in ALONE and not isinstance(step, click.Group):
         _begin_with(_require_checkout, step)
 

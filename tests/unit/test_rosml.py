@@ -21,6 +21,7 @@ from conftest import ROOT
 from registry_stand_in import standing_in
 
 import rosml
+from rosml.base.errors import RosmlError
 from rosml.cli import main, publish
 from rosml.images import load
 from rosml.registry.oci import Registry
@@ -132,6 +133,47 @@ def test_another_users_folder_is_no_checkout(tmp_path: Path, monkeypatch: pytest
     assert rosml.root_of(tmp_path / "x") == (tmp_path if owner == 0 else tmp_path / "x/data")
     monkeypatch.setenv("SUDO_UID", str(owner))
     assert rosml.root_of(tmp_path / "x") == tmp_path
+
+
+def test_which_checkout_is_passed_over(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in rosml.PARTS:
+        (tmp_path / name).touch()
+    (tmp_path / "docs").mkdir()
+    monkeypatch.chdir(tmp_path / "docs")
+    package = tmp_path / "site-packages/rosml"
+    assert rosml.passed_over(package) is None, "it is this user's"
+    monkeypatch.setattr(rosml, "_is_trusted", lambda folder: False)
+    assert rosml.passed_over(package) == tmp_path
+    monkeypatch.chdir(tmp_path.parent)
+    assert rosml.passed_over(package) is None, "nobody works there"
+    monkeypatch.chdir(tmp_path)
+    (package.parent / "scripts").mkdir(parents=True)
+    (package.parent / "scripts/bootstrap.py").touch()
+    assert rosml.passed_over(package) is None, "the package is a checkout's own"
+
+
+def foreign(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+    monkeypatch.setattr(main, "FOREIGN", folder)
+    monkeypatch.setattr(main, "IN_CHECKOUT", False)
+
+
+def test_another_users_checkout_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whose matrix is shown, and what to do about it."""
+    foreign(monkeypatch, tmp_path)
+    shown = CliRunner().invoke(main.cli, ["explain", JOINED.target])
+    assert shown.exit_code == 0
+    assert f"warning: the checkout {tmp_path} is not used: it belongs to " in shown.stderr
+    assert "the matrix is the one that came with rosml" in shown.stderr
+    assert re.search(r"remedy: chown -R \S+ .* --matrix\n", shown.stderr)
+    named = CliRunner().invoke(main.cli, ["explain", JOINED.target, "--matrix", str(ROOT / "matrix.yaml")])
+    assert (named.exit_code, named.stderr) == (0, "")
+
+
+def test_what_needs_a_checkout_names_the_one_of_another_user(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    foreign(monkeypatch, tmp_path)
+    refused = CliRunner().invoke(main.cli, ["diff", "HEAD"]).exception
+    assert isinstance(refused, RosmlError)
+    assert f"{tmp_path} is not used: it belongs to " in refused.message and "chown" in refused.remedy
 
 
 # ---- Installed, without a checkout -----------------------------------------------------------------------------------
