@@ -92,6 +92,7 @@ class Image:
             than all other tests runs in them, and not in this one, unless a lock is missing to build any of them.
         locks: locks of the wheels that its ROS comes from, and of its parts.
         unlocked: those that are missing; without all of them it cannot be built, and is in no group.
+        damaged: those of `unlocked` that are there, and damaged or not of what the matrix says now.
         lost: those of them that should be there, since they wait for no other index.
         disk: forecast of its size with everything below it.
         budget: MB that its parts may have together in the registry; None if that is left open.
@@ -123,6 +124,7 @@ class Image:
     covered: tuple[str, ...] = ()
     unlocked: tuple[str, ...] = ()
     lost: tuple[str, ...] = ()
+    damaged: tuple[str, ...] = ()
     budget: int | None = None
 
     @property

@@ -9,7 +9,7 @@ from rosml.base.problems import InputError
 from rosml.images.collisions import collisions
 from rosml.images.expand import expand
 from rosml.images.image_set import ImageSet
-from rosml.images.locked import current_locks, with_locks
+from rosml.images.locked import current_locks, unusable_locks, with_locks
 from rosml.matrix.source import Document, read
 from rosml.matrix.validate import validate
 
@@ -26,7 +26,8 @@ def load(file: Path, root: Path = ROOT) -> ImageSet:
         InputError: it has problems: all that can be seen at once, each with its place (exit code 2).
     """
     result = image_set(read(file))
-    return with_locks(result, current_locks(result, root))
+    present = current_locks(result, root)
+    return with_locks(result, present, unusable_locks(result, root, present))
 
 
 def image_set(document: Document) -> ImageSet:

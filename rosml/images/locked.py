@@ -43,14 +43,24 @@ def _text(file: Path) -> str:
         raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", "give this user read access") from None
 
 
-def with_locks(image_set: ImageSet, present: Collection[str]) -> ImageSet:
-    """An image set that knows which of its images and parts lack a lock."""
+def unusable_locks(image_set: ImageSet, root: Path, present: Collection[str]) -> frozenset[str]:
+    """The locks that something is in the place of, although they are not among those that can be used."""
+    return frozenset(lock for lock in image_set.locks.difference(present) if os.path.lexists(root / lock))
+
+
+def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collection[str] = ()) -> ImageSet:
+    """An image set that knows which of its images and parts lack a lock.
+
+    Args:
+        present: the locks that can be used. unusable: those that are there, and cannot.
+    """
     absent = image_set.locks.difference(present)
     lost = absent - missing.waiting(image_set.matrix, image_set.parts)
 
     def without(image: Image) -> Image:
         unlocked = tuple(lock for lock in image.locks if lock in absent)
-        return replace(image, unlocked=unlocked, lost=tuple(lock for lock in unlocked if lock in lost))
+        damaged = tuple(lock for lock in unlocked if lock in unusable)
+        return replace(image, unlocked=unlocked, damaged=damaged, lost=tuple(lock for lock in unlocked if lock in lost))
 
     images = tuple(without(image) if absent.intersection(image.locks) else image for image in image_set.images)
     locked = {image.target for image in images if image.locked}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
@@ -49,7 +49,20 @@ def _asks(matrix: Matrix, stack: str, architecture: str, python: str, family: st
 
 def reason(image: Image) -> str:
     """What an image lacks: `locks/cpu/amd64/3.11/torch.txt is missing`."""
-    return f"{listed(image.unlocked)} {'is' if len(image.unlocked) == 1 else 'are'} missing"
+    return _told(image.unlocked, image.damaged, listed)
+
+
+def _told(locks: Sequence[str], damaged: Collection[str], names: Callable[[list[str]], str]) -> str:
+    """What is wrong with some locks: those that are not there, then those that are there and cannot be used.
+
+    Args:
+        names: spells several of them out.
+    """
+    kinds = (
+        ("missing", [lock for lock in locks if lock not in damaged]),
+        ("damaged, or not of the release that matrix.yaml names", [lock for lock in locks if lock in damaged]),
+    )
+    return "; ".join(f"{names(found)} {'is' if len(found) == 1 else 'are'} {what}" for what, found in kinds if found)
 
 
 def remedy(image: Image) -> str:
@@ -63,6 +76,6 @@ def lost(image_set: ImageSet) -> RosmlError | None:
     if not images:
         return None
     locks = list(dict.fromkeys(lock for image in image_set.images for lock in image.lost))
-    are = "is" if len(locks) == 1 else "are"
-    text = f"{counted(len(images), 'image')} cannot be built ({some(images)}): {some(locks)} {are} missing, or not of the release that matrix.yaml names"
-    return RosmlError(text, RESTORE)
+    damaged = {lock for image in image_set.images for lock in image.damaged}
+    cannot = f"{counted(len(images), 'image')} cannot be built ({some(images)})"
+    return RosmlError(f"{cannot}: {_told(locks, damaged, some)}", RESTORE)

@@ -10,6 +10,7 @@ from datetime import datetime
 from typing import Any
 
 from rosml.base.clock import TIME, is_ahead, is_date
+from rosml.images import missing
 from rosml.images.image_set import Image, Part, repository_of, tags_of
 from rosml.publish.plan import ELSEWHERE, WAITING, Plan
 from rosml.records.store import INDEX, Entry, date_of
@@ -90,6 +91,8 @@ def _state(plan: Plan, thing: Image | Part, tagged: str, serving: Sequence[str])
     index = plan.known.get((thing.target, INDEX))
     still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
     if isinstance(thing, Image) and thing.unlocked and not tagged:
+        if thing.damaged:
+            return "lock missing", missing.reason(thing)
         return "lock missing", f"{len(thing.unlocked)} of its locks are missing"
     entries = [entry for key in members if (entry := plan.known.get(key))]
     failures = [f"{e.architecture}: {_reason(e)}" for e in entries if e.failed and not _over(plan, e)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -11,11 +12,13 @@ from rosml.cli import command
 from rosml.cli import generate as generate_bake
 from rosml.images import load as loading
 from rosml.images import missing
+from rosml.images.explain import explained
 from rosml.images.image_set import ImageSet
 from rosml.images.locked import with_locks
 
 TORCH = "locks/cu1/amd64/3.12/torch.txt"
 COMMON = "locks/cpu/amd64/3.14/common.txt"
+GONE = "locks/cu1/amd64/3.14/torch.txt"
 WAITING = "locks/cpu/amd64/3.12/torch.txt"
 ELSEWHERE = 'cpu: [arm64]}, elsewhere: {cpu: {amd64: {"3.14": sha256:' + "4" * 64 + "}}}, requires: [jinja2]}"
 
@@ -45,7 +48,7 @@ def test_lost_locks_name_their_images(elsewhere: ImageSet) -> None:
     assert one is not None
     assert one.message == (
         "6 images cannot be built (alpha-core-torch-cu1, alpha-base-torch-cu1, alpha-desktop-torch-cu1, "
-        f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing, or not of the release that matrix.yaml names"
+        f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing"
     )
     assert one.remedy == "run 'make locks'; if they were there and got lost: git checkout locks"
     two = missing.lost(without(elsewhere, TORCH, COMMON))
@@ -77,6 +80,50 @@ def test_generating_tells_what_is_left_out(project: list[str], capsys: pytest.Ca
     assert lines[0].endswith("out.hcl: written")
     assert lines[1].startswith("warning: 6 images cannot be built (alpha-core-torch-cu1, ")
     assert lines[2:] == [f"remedy: {missing.RESTORE}"]
+
+
+def _cut(lock: Path) -> None:
+    lock.write_text(lock.read_text()[:-9])
+
+
+def _of_another_release(lock: Path) -> None:
+    lock.write_text(lock.read_text().replace("torch==", "torch==0."))
+
+
+def _folder(lock: Path) -> None:
+    lock.unlink()
+    lock.mkdir()
+
+
+def _loose_link(lock: Path) -> None:
+    lock.unlink()
+    lock.symlink_to("nowhere")
+
+
+DAMAGE: dict[str, Callable[[Path], object]] = {
+    "empty": lambda lock: lock.write_text(""),
+    "not UTF-8": lambda lock: lock.write_bytes(b"\xff" * 99),
+    "cut": _cut,
+    "of another release": _of_another_release,
+    "a folder": _folder,
+    "a link to nothing": _loose_link,
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
+def test_a_damaged_lock_is_not_called_missing(tmp_path: Path, damage: Callable[[Path], object]) -> None:
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    write_locks(tmp_path, parse(SMALL))
+    damage(tmp_path / TORCH)
+    (tmp_path / GONE).unlink()
+    image_set = loading.load(tmp_path / "matrix.yaml", tmp_path)
+    damaged = f"{TORCH} is damaged, or not of the release that matrix.yaml names"
+    assert missing.reason(image_set.image("alpha-core-torch-cu1")) == damaged
+    said = missing.lost(image_set)
+    assert said is not None
+    assert said.message.endswith(f"): {GONE} is missing; {damaged}")
+    text = explained(image_set, "alpha-core-torch-cu1").text
+    assert text.endswith(f"{damaged}; run 'make locks'")
 
 
 def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pytest.CaptureFixture[str]) -> None:
