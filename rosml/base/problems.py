@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from rosml.base.errors import RosmlError
+
+if TYPE_CHECKING:
+    from pydantic import ValidationError
 
 Path = tuple[str | int, ...]
 """The way from a file's top to a value: keys, and indexes of lists."""
@@ -51,6 +55,12 @@ def dotted(path: Path) -> str:
         else:
             text += f".{step}" if text else step
     return text
+
+
+def first_of(error: ValidationError) -> str:
+    """The first problem of data of the wrong shape: `manifests[0].digest: field required`."""
+    wrong = error.errors(include_url=False, include_context=False, include_input=False)[0]
+    return ": ".join(part for part in (dotted(wrong["loc"]), wrong["msg"][:1].lower() + wrong["msg"][1:]) if part)
 
 
 def listed(names: Sequence[str], last: str = "and") -> str:

@@ -9,7 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rosml.base.clock import checked_date
 from rosml.base.errors import RosmlError
-from rosml.base.problems import unknown
+from rosml.base.problems import first_of, unknown
 
 PLAN_FORMAT = 1
 """Version of plan.json's format."""
@@ -57,10 +57,9 @@ def read_plan(file: Path, shard: str = "") -> Planned:
     try:
         found = Planned.model_validate_json(file.read_bytes())
     except (OSError, ValidationError) as error:
-        reason = error.strerror if isinstance(error, OSError) else str(error)
-        raise RosmlError(
-            f"{file} is no plan: {reason}", "write it with: publish.py plan --output FILE", exit_code=2
-        ) from None
+        reason = error.strerror if isinstance(error, OSError) else first_of(error)
+        text = f"{file} is no plan of this version: {reason}"
+        raise RosmlError(text, "write it anew with: rosml plan --output FILE", exit_code=2) from None
     checked_date(found.date)
     if not shard:
         return found

@@ -4,21 +4,40 @@ in entries that are about the very same image, and SBOMs beside manifests that a
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, ValidationError
 
 from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
 from rosml.publish.pipeline import Outcome as Done
 from rosml.publish.pipeline import Pipeline
 from rosml.records import store
 from rosml.registry.oci import is_digest, is_place
 from rosml.registry.repositories import repository_path
 from rosml.scan.judge import Outcome
-from rosml.scan.results import FORMAT
 from rosml.scan.sbom import Sbom, Shelf
+
+
+class _Facts(BaseModel):
+    model_config = ConfigDict(frozen=True, strict=True)
+
+
+class _HandedSbom(_Facts):
+    repository: str
+    digest: str
+    scanner: str
+    content: str
+
+
+class _Handed(_Facts):
+    """What the file says, as `scan/results.py` writes it."""
+
+    version: Literal[1]
+    entries: list[Any]
+    sboms: list[_HandedSbom]
 
 
 def record(pipeline: Pipeline, file: Path) -> None:
@@ -28,14 +47,13 @@ def record(pipeline: Pipeline, file: Path) -> None:
         RosmlError: the file cannot be read, or the registry fails.
     """
     try:
-        content = json.loads(file.read_text(encoding="utf-8"))
-        if content["version"] != FORMAT:
-            raise ValueError(f"it has format {content['version']}")
-        entries = [_entry(item) for item in content["entries"]]
-        sboms = [_sbom(item, pipeline.host, pipeline.prefix) for item in content["sboms"]]
-    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-        text = f"{file} holds no results of a scan: {error}"
-        raise RosmlError(text, "write it with: publish.py scan --output FILE", exit_code=2) from None
+        content = _Handed.model_validate_json(file.read_bytes())
+        entries = [_entry(item) for item in content.entries]
+        sboms = [_sbom(item, pipeline.host, pipeline.prefix) for item in content.sboms]
+    except (OSError, ValueError) as error:
+        reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error
+        text = f"{file} holds no results of a scan: {reason}"
+        raise RosmlError(text, "write it anew with: rosml publish scan --output FILE", exit_code=2) from None
     for repository, digest, scanner, sbom in sboms:
         shelf = Shelf(pipeline.registry, scanner)
         if pipeline.registry.head(repository, digest) and shelf.load(repository, digest) is None:
@@ -59,20 +77,20 @@ def _entry(item: Any) -> store.Entry:
     return found
 
 
-def _sbom(item: Mapping[str, str], host: str, prefix: str) -> tuple[str, str, str, Sbom]:
+def _sbom(item: _HandedSbom, host: str, prefix: str) -> tuple[str, str, str, Sbom]:
     """Repository, digest, scanner and SBOM.
 
     Raises:
         ValueError: it is no SBOM, or one of something else.
     """
-    repository, digest, scanner = (str(item[name]) for name in ("repository", "digest", "scanner"))
+    repository, digest = item.repository, item.digest
     ours = is_place(host, repository) and repository.startswith(repository_path(prefix, ""))
     if not is_digest(digest) or not ours:
         raise ValueError(f"{repository}@{digest} is none of our images")
-    sbom = Sbom(item["content"].encode())
+    sbom = Sbom(item.content.encode())
     try:
         if not sbom.is_of(digest):
             raise ValueError(f"an SBOM in it is not of {digest}")
     except RosmlError as error:
         raise ValueError(error.message) from None
-    return repository, digest, scanner, sbom
+    return repository, digest, item.scanner, sbom

@@ -25,7 +25,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rosml.base import web
 from rosml.base.errors import RosmlError
-from rosml.base.problems import dotted, listed
+from rosml.base.problems import first_of, listed
 from rosml.registry import certificates
 from rosml.registry import credentials as docker
 from rosml.registry.credentials import DOCKER_HUB, Credentials
@@ -801,9 +801,7 @@ class Registry:
         try:
             shape.model_validate(content)
         except ValidationError as error:
-            wrong = error.errors(include_url=False, include_context=False, include_input=False)[0]
-            said = f"{dotted(wrong['loc'])}: {wrong['msg'][:1].lower()}{wrong['msg'][1:]}"
-            text = f"{self.host} does not answer as a registry: GET {answer.request.url.path}: {said}"
+            text = f"{self.host} does not answer as a registry: GET {answer.request.url.path}: {first_of(error)}"
             remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push anew what is damaged there"
             raise RosmlError(text, remedy) from None
         return content

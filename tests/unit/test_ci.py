@@ -188,6 +188,24 @@ def test_a_plan_that_is_none(registry: Place, image_set: ImageSet, tmp_path: Pat
         plan_file.read_plan(tmp_path / "plan.json")
 
 
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (b"", "invalid JSON"),
+        (b"\xff", "invalid JSON"),
+        (b"[]", "input should be an object"),
+        (b"{}", "version: field required"),
+        (b'{"version": 2}', "version: input should be 1"),
+    ],
+)
+def test_what_is_wrong_with_a_plan_is_said_in_words(tmp_path: Path, text: bytes, says: str) -> None:
+    (tmp_path / "plan.json").write_bytes(text)
+    with pytest.raises(RosmlError, match=f"is no plan of this version: {says}") as caught:
+        plan_file.read_plan(tmp_path / "plan.json")
+    assert "\n" not in caught.value.message and "pydantic" not in caught.value.message
+    assert caught.value.remedy == "write it anew with: rosml plan --output FILE"
+
+
 def test_force_makes_everything_anew_once_on_several_machines(registry: Place, image_set: ImageSet) -> None:
     """Each step in a process of its own, as jobs in CI run it."""
     first = registry.publish(image_set)

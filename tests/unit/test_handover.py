@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -144,3 +145,31 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
         scan_results.record(found, file)
     assert caught.value.exit_code == 2
     assert run().plan.known[CORE].scanned == ""
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (b"", "invalid JSON"),
+        (b"\xff", "invalid JSON"),
+        (b"[]", "input should be an object"),
+        (b"{}", "version: field required"),
+        (b'{"version": 2}', "version: input should be 1"),
+        (b'{"version": 1, "entries": {}, "sboms": []}', "entries: input should be a valid array"),
+        (b'{"version": 1, "entries": [], "sboms": ["x"]}', "sboms[0]: input should be an object"),
+        (b'{"version": 1, "entries": ["x"], "sboms": []}', "an outcome in it is none"),
+    ],
+)
+def test_what_is_wrong_with_a_file_is_said_in_words(
+    run: Callable[[], Run], tmp_path: Path, text: bytes, says: str
+) -> None:
+    file = tmp_path / "scan.json"
+    file.write_bytes(text)
+    with pytest.raises(RosmlError, match=rf"holds no results of a scan: {re.escape(says)}") as caught:
+        scan_results.record(run(), file)
+    assert caught.value.remedy == "write it anew with: rosml publish scan --output FILE"
+
+
+def test_a_file_of_results_that_is_not_there(run: Callable[[], Run], tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match=r"scan: No such file or directory$"):
+        scan_results.record(run(), tmp_path / "scan.json")
