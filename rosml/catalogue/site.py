@@ -26,7 +26,7 @@ def script(content: str) -> str:
 
 
 def write(folder: Path, published: Published) -> list[Path]:
-    """Writes catalogue.json and the page into a folder; gives its files.
+    """Writes catalogue.json and the page into a folder, all or nothing; gives its files.
 
     Raises:
         RosmlError: it cannot be written.
@@ -36,6 +36,5 @@ def write(folder: Path, published: Published) -> list[Path]:
     for source in sorted(SOURCES.iterdir()):
         wanted[source.name] = source.read_text(encoding="utf-8")
     folder.mkdir(parents=True, exist_ok=True)
-    for name, data in wanted.items():
-        files.write(folder / name, data)
+    files.write_all({folder / name: data for name, data in wanted.items()}, within=folder)
     return [folder / name for name in wanted]

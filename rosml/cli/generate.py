@@ -47,8 +47,11 @@ def main(check: bool, as_json: bool, shards: int | None, matrix: Path, output: P
     if shards is not None:
         deal_out(image_set, shards, as_json, output)
         return
-    act = verify if check else write
-    act(generated(image_set, output), missing.lost(image_set))
+    wanted, lost = generated(image_set, output), missing.lost(image_set)
+    if check:
+        verify(wanted, lost)
+    else:
+        write(wanted, lost, None if output else ROOT)
 
 
 def deal_out(image_set: ImageSet, shards: int, as_json: bool, output: Path | None) -> None:
@@ -84,11 +87,16 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     }
 
 
-def write(wanted: dict[Path, str], lost: RosmlError | None = None) -> None:
-    """Writes the files that changed. `lost`: locks that should be there; images without them are in no group."""
-    for file, content in wanted.items():
-        changed = files.write(file, content)
-        click.echo(f"{files.shown(file)}: {'written' if changed else 'is up to date'}", err=True)
+def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path | None = None) -> None:
+    """Writes the files that changed.
+
+    Args:
+        lost: locks that should be there; images without them are in no group.
+        within: the folder that links may not lead out of; None for a file that the user named.
+    """
+    changed = files.write_all(wanted, within)
+    for file in wanted:
+        click.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)
     if lost:
         click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {lost.message}", err=True)
         click.echo(f"{click.style('remedy:', bold=True)} {lost.remedy}", err=True)

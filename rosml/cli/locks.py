@@ -72,7 +72,7 @@ def main(
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
     for path in () if check else stale:
         (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
-        files.write(ROOT / path, locks.texts[path])
+        files.write(ROOT / path, locks.texts[path], within=ROOT)
     for path in stale:  # when all is written: whoever reads along may stop reading
         click.echo(f"{path}: {'would change' if check else 'written'}", err=as_json)
     moved = moves(earlier, {path: locks.texts[path] for path in stale if path in earlier})

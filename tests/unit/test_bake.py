@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -19,6 +21,7 @@ from rosml.bake import bake_file, hcl, targets
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.cli import command, main
+from rosml.cli import generate as generating
 from rosml.images import apt_source, expand, labels, load
 from rosml.images.image_set import ImageSet
 from rosml.matrix import model, schema, source
@@ -147,6 +150,32 @@ def test_pipes_are_written_to_and_links_followed(small_file: Path) -> None:
     assert link.is_symlink()
     assert piped.stdout == target.read_text()
     assert Path("/dev/stdout").is_symlink()
+
+
+def test_generated_files_stay_in_the_checkout(
+    small: ImageSet, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A clone of somebody else's may have a link in the place of one."""
+    checkout, other = tmp_path / "checkout", tmp_path / "other"
+    checkout.mkdir()
+    other.write_text("mine")
+    shutil.copy(ROOT / "README.md", checkout)
+    (checkout / "docker-bake.hcl").symlink_to(other)
+    monkeypatch.setattr(generating, "ROOT", checkout)
+    monkeypatch.setattr(load, "load", lambda *_: small)
+    assert command.run(generating.main, arguments=[]) == 1
+    assert f"a link leads out of {checkout}, to {other}" in capsys.readouterr().err
+    assert other.read_text() == "mine"
+
+
+def test_a_full_disk_is_told_with_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(**_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("tempfile.mkstemp", full)
+    with pytest.raises(RosmlError, match="x: cannot be written: No space left on device") as caught:
+        files.write(tmp_path / "x", "y")
+    assert caught.value.remedy == "free some disk space, then run it again"
 
 
 def test_works_from_any_folder(tmp_path: Path) -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import resource
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -376,6 +378,44 @@ def test_the_page_is_written_beside_its_data(tmp_path: Path, found: Published) -
     script = (tmp_path / "a/b/data.js").read_text()
     inner = script.removeprefix("window.catalogue = JSON.parse(").removesuffix(");\n")
     assert json.loads(json.loads(inner)) == json.loads((tmp_path / "a/b/catalogue.json").read_text())
+
+
+@contextmanager
+def longest_file(size: int) -> Iterator[None]:
+    """No file may get longer, as on a disk that gets full. `size` is in bytes."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def test_a_page_that_finds_no_room_changes_nothing(tmp_path: Path, found: Published) -> None:
+    (tmp_path / "catalogue.json").write_text("before")
+    (tmp_path / "CNAME").write_text("mine")
+    size = max(file.stat().st_size for file in site.SOURCES.iterdir()) - 1
+    found = found.model_copy(update={"images": (), "parts": (), "layers": ()})  # there is room for the first files
+    assert len(site.text(found)) < size / 2
+    with longest_file(size), pytest.raises(RosmlError, match="cannot be written"):
+        site.write(tmp_path, found)
+    assert {file.name: file.read_text() for file in tmp_path.iterdir()} == {"catalogue.json": "before", "CNAME": "mine"}
+
+
+def test_a_page_stays_in_its_folder(tmp_path: Path, found: Published) -> None:
+    other, folder = tmp_path / "other.html", tmp_path / "site"
+    other.write_text("mine")
+    folder.mkdir()
+    (folder / "index.html").symlink_to(other)
+    with pytest.raises(RosmlError, match=f"a link leads out of {folder}, to {other}") as caught:
+        site.write(folder, found)
+    assert "remove the link" in caught.value.remedy
+    assert other.read_text() == "mine"
+    assert [file.name for file in folder.iterdir()] == ["index.html"]
+    (folder / "index.html").unlink()
+    (folder / "index.html").symlink_to("start.html")
+    site.write(folder, found)
+    assert (folder / "start.html").read_text() == (site.SOURCES / "index.html").read_text()
 
 
 @pytest.fixture
