@@ -79,17 +79,29 @@ class Inputs:
         return above | self._stage(stage, contexts, arguments, architecture)
 
     def check(self) -> None:
-        """Checks that what the image set describes would be tested: every file of structure tests is there.
+        """Checks that what the image set describes can be built, once its locks are there, and would be tested.
 
         Raises:
-            RosmlError: it cannot.
+            RosmlError: a file that a target is built from, or one of structure tests, is not there.
         """
+        if gone := self._gone():
+            text = f"{listed(gone)}: not there, and the Dockerfile builds parts or images from it"
+            raise RosmlError(text, "get it back with git checkout, or write it anew")
         folder = self.root / "tests" / "structure"
         tests = dict.fromkeys(name for image in self.image_set.images for name in image.tests)
         if untested := [
             f"{name}.yaml" for name in tests if folder.is_dir() and not (folder / f"{name}.yaml").is_file()
         ]:
             raise RosmlError(f"tests/structure has no {listed(untested)}", "write what must hold in these images there")
+
+    def _gone(self) -> list[str]:
+        """Files and folders that targets are built from and that are not there; but for locks, which are made later, and
+        patterns, which need match nothing."""
+        things: tuple[Image | Part, ...] = (*self.image_set.parts, *self.image_set.images)
+        for item in things:
+            self.digests(item)  # which makes those of the targets known that they stand on
+        gone = {name for found in self._known.values() for name, value in found.items() if value == MISSING}
+        return sorted(name for name in gone - self.image_set.locks if not set("*?[").intersection(name))
 
     def digest(self, target: str, architecture: str) -> str:
         """The digest of a target's inputs."""

@@ -62,7 +62,9 @@ def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     if not images:
         click.echo(command.in_words(selection.none_in(groups)), err=True)
     if as_json:
-        click.echo(tables.images_as_json(Inputs(ROOT, image_set), images), nl=False)
+        inputs = Inputs(ROOT, image_set)
+        inputs.check()
+        click.echo(tables.images_as_json(inputs, images), nl=False)
     elif images:
         tables.print_images(images)
 

@@ -6,7 +6,6 @@ import errno
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +14,7 @@ import pytest
 from bakes import printed
 from conftest import ROOT, SMALL, changed, parse
 from counting import calls
+from projects import copy
 
 from bench import synthetic
 from rosml.bake import bake_file, hcl, targets
@@ -157,9 +157,8 @@ def test_generated_files_stay_in_the_checkout(
 ) -> None:
     """A clone of somebody else's may have a link in the place of one."""
     checkout, other = tmp_path / "checkout", tmp_path / "other"
-    checkout.mkdir()
+    copy(checkout)
     other.write_text("mine")
-    shutil.copy(ROOT / "README.md", checkout)
     (checkout / "docker-bake.hcl").symlink_to(other)
     monkeypatch.setattr(generating, "ROOT", checkout)
     monkeypatch.setattr(load, "load", lambda *_: small)

@@ -371,6 +371,16 @@ def test_a_component_without_structure_tests_is_an_error(project: Path, small: I
         Inputs(project, small).check()
 
 
+@pytest.mark.parametrize("gone", ["components/torch", "components/base/install.sh"])
+def test_what_is_not_there_is_an_error(gone: str, project: Path, small: ImageSet) -> None:
+    """Not so a lock, which is made later."""
+    (project / "locks/cu1/amd64/3.12/torch.txt").unlink()
+    (project / gone).rename(project / "elsewhere")
+    with pytest.raises(RosmlError, match=rf"^{gone}: not there") as caught:
+        Inputs(project, small).check()
+    assert "git checkout" in caught.value.remedy
+
+
 def test_the_dockerfile_can_build_ours(real: ImageSet, small: ImageSet, project: Path) -> None:
     Inputs(ROOT, real).check()
     Inputs(project, small).check()
