@@ -142,7 +142,10 @@ def test_which_checkout_is_passed_over(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.chdir(tmp_path / "docs")
     package = tmp_path / "site-packages/rosml"
     assert rosml.passed_over(package) is None, "it is this user's"
-    monkeypatch.setattr(rosml, "_is_trusted", lambda folder: False)
+    if os.geteuid() == 0:
+        os.chown(tmp_path, 12345, -1)
+    monkeypatch.setattr("os.geteuid", lambda: 54321)
+    monkeypatch.delenv("SUDO_UID", raising=False)
     assert rosml.passed_over(package) == tmp_path
     monkeypatch.chdir(tmp_path.parent)
     assert rosml.passed_over(package) is None, "nobody works there"
