@@ -139,14 +139,9 @@ def _require_checkout() -> None:
 
 def _foreign(folder: Path) -> tuple[str, str]:
     """Why a checkout is not used, and what to do about it."""
-    import pwd  # only needed here
-
-    names = {user.pw_uid: user.pw_name for user in pwd.getpwall()}
     owner = folder.stat().st_uid
-    text = (
-        f"the checkout {folder} is not used: it belongs to {names.get(owner, f'user {owner}')}, and not to you or root"
-    )
-    return text, f"chown -R {names.get(os.geteuid(), os.geteuid())} {folder}, or call this as its owner"
+    text = f"the checkout {folder} is not used: it belongs to user {owner}, and not to you or root"
+    return text, f"chown -R {os.geteuid()} {folder}, or call this as its owner"
 
 
 def _say_whose_matrix() -> None:
