@@ -2,7 +2,7 @@
 
 \b
 Examples:
-  rosml generate             after a change of matrix.yaml (make generate)
+  rosml generate             after a change of matrix.yaml
   rosml generate --shards 8  which of eight machines would build what, and how long that takes
 """
 
@@ -16,6 +16,7 @@ import click
 from rosml import ROOT
 from rosml.base import files
 from rosml.base.errors import RosmlError
+from rosml.base.words import in_words
 from rosml.cli import options
 
 if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
@@ -90,8 +91,8 @@ def write(wanted: dict[Path, str], lost: RosmlError | None = None) -> None:
         changed = files.write(file, content)
         click.echo(f"{files.shown(file)}: {'written' if changed else 'is up to date'}", err=True)
     if lost:
-        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {lost.message}", err=True)
-        click.echo(f"{click.style('remedy:', bold=True)} {lost.remedy}", err=True)
+        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {in_words(lost.message)}", err=True)
+        click.echo(f"{click.style('remedy:', bold=True)} {in_words(lost.remedy)}", err=True)
 
 
 def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:

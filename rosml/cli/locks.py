@@ -14,6 +14,7 @@ import click
 from rosml import ROOT
 from rosml.base import ci, files
 from rosml.base.errors import RosmlError
+from rosml.base.words import in_words
 from rosml.cli import options
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ def main(
 ) -> None:
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 
-    With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'make generate' then.
+    With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'rosml generate' then.
 
     \b
     Examples:
@@ -107,7 +108,7 @@ def stop(error: RosmlError, as_json: bool) -> None:
     """Ends with an error; with `--json`, whose one object is printed by then, it is told on standard error alone."""
     if not as_json:
         raise error
-    click.echo(f"error: {error.message}\nremedy: {error.remedy}", err=True)
+    click.echo(in_words(f"error: {error.message}\nremedy: {error.remedy}"), err=True)
     raise click.exceptions.Exit(error.exit_code)
 
 

@@ -13,6 +13,7 @@ import click
 
 from rosml import IN_CHECKOUT, ROOT, __version__
 from rosml.base.errors import RosmlError
+from rosml.base.words import in_words
 from rosml.cli import catalogue, command, completion, generate, join, locks, options, publish, setup
 
 SETTINGS = {"help_option_names": ["-h", "--help"]}
@@ -58,7 +59,7 @@ def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     image_set = load.load(matrix, ROOT)
     images = selection.members(image_set, groups)
     if not images:
-        click.echo(command.in_words(selection.none_in(groups)), err=True)
+        click.echo(in_words(selection.none_in(groups)), err=True)
     if as_json:
         click.echo(tables.images_as_json(Inputs(ROOT, image_set), images), nl=False)
     elif images:
@@ -81,7 +82,7 @@ def explain(name: str, matrix: Path, as_json: bool) -> None:
     from rosml.images.explain import explained
 
     found = explained(load.load(matrix, ROOT), name)
-    click.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else command.in_words(found.text))
+    click.echo(in_words(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else found.text))
 
 
 @cli.command()

@@ -16,6 +16,7 @@ import click
 
 from rosml import ROOT
 from rosml.base import file_lock
+from rosml.base.words import in_words
 from rosml.cli import completion, options
 from rosml.cli.options import Function, place_of
 
@@ -43,7 +44,7 @@ def cli() -> None:
 
 def say(line: str) -> None:
     """Tells people what begins now."""
-    click.echo(click.style(f"==> {line}", bold=True), err=True)
+    click.echo(click.style(f"==> {in_words(line)}", bold=True), err=True)
 
 
 def wait_for_turn() -> None:
@@ -134,7 +135,7 @@ _OPTIONS: dict[str, Callable[[Function], Function]] = {
         "--policy",
         type=click.Path(path_type=Path),
         default=ROOT / "scan.yaml",
-        help="which vulnerabilities keep an image from its tags; scan.yaml",
+        help="the file that says which vulnerabilities keep an image from its tags; scan.yaml if left out",
     ),
     "json": options.JSON,
 }
@@ -380,7 +381,9 @@ class Call:
 @cli.command()
 @_options("registry", "matrix", "only", "architecture", "serve", "force", "date", "json")
 @click.option(
-    "--everywhere", is_flag=True, help="work for all architectures that the registry serves, on their machines"
+    "--everywhere",
+    is_flag=True,
+    help="plan for all architectures that the registry serves, each on machines of its own",
 )
 @click.option(
     "--shards",
@@ -396,8 +399,8 @@ class Call:
 def plan(everywhere: bool, shards: int, why: bool, output: Path | None, **options: Any) -> None:
     """Says what is to be done: which images are not as they should be, and why.
 
-    Compares the inputs of every image, and the dates of the packages it is built from, with what the registry's records
-    says. Unchanged images are not touched by any later step.
+    Compares the inputs of every image, and the dates of the packages that it is built from, with what the registry's
+    records say. No later step touches unchanged images.
 
     \b
     Examples:
@@ -454,7 +457,7 @@ def everything(**options: Any) -> None:
     """Builds, joins, tests and publishes all that is not as it should be: every step, one after the other.
 
     Scans where --require-scan is given, with the database that 'scan --fetch' left. Signs where --sign is given, with
-    cosign ('make signer').
+    cosign ('rosml setup signer').
 
     Interrupted at any point, the next call goes on where it was.
 
@@ -511,7 +514,7 @@ def _scan(
     help="write what was found there, for 'record', and nothing into the registry: reading is enough",
 )
 def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, **options: Any) -> None:
-    """Scans images for known vulnerabilities, by the policy in scan.yaml. Needs 'make scanner'.
+    """Scans images for known vulnerabilities, by the policy in scan.yaml. Needs 'rosml setup scanner'.
 
     Exits with 3 where the policy stops an image, with 4 where the scanner failed and nothing is known.
 
