@@ -81,7 +81,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
         ROOT / "docker-bake.hcl": bake_file.render(image_set),
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "rosml/catalogue/model.py", read=True),
-        ROOT / "README.md": readme.render((ROOT / "README.md").read_text(encoding="utf-8"), image_set),
+        ROOT / "README.md": readme.render(files.text(ROOT / "README.md"), image_set),
     }
 
 

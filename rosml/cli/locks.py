@@ -51,7 +51,7 @@ def main(
       rosml locks --check --json   what would move, for machines
       rosml locks --bases      take base images that their makers renewed
     """
-    from rosml.base.problems import unknown
+    from rosml.base.problems import listed, unknown
     from rosml.cli import tables
     from rosml.images import load, locked
     from rosml.locks.resolve import lock, moves
@@ -66,7 +66,7 @@ def main(
         return
     for name in stacks:
         if name not in (known := [*image_set.matrix.stacks, *(item.distribution for item in image_set.wheels)]):
-            raise RosmlError(unknown("stack", name, known), exit_code=2)
+            raise RosmlError(unknown("stack", name, known), f"there is {listed(known)}", exit_code=2)
     locks = lock(image_set, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
     there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}

@@ -71,7 +71,8 @@ def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
 @options.MATRIX
 @options.JSON
 def explain(name: str, matrix: Path, as_json: bool) -> None:
-    """Says why an image exists, or why it does not. NAME is a target or a tag.
+    """Says why an image exists, or why it does not. NAME is a target or a tag, with the registry or without. Dated tags
+    are not in the matrix: leave the date out.
 
     \b
     Examples:
@@ -128,7 +129,7 @@ cli.add_command(setup.main, "setup")
 def _require_checkout() -> None:
     """Says that a command needs a checkout, where there is none."""
     if not IN_CHECKOUT:
-        text = "there is no checkout here: no folder of yours, this one or one above it, has matrix.yaml and Dockerfile"
+        text = "there is no checkout here: no folder of yours, this one or one above it, has matrix.yaml, Dockerfile and scripts/bootstrap.py"
         raise RosmlError(text, "git clone the project, or your fork of it, and call it there", exit_code=2)
 
 

@@ -22,6 +22,7 @@ from rosml.cli.options import Function, place_of
 
 if TYPE_CHECKING:
     from rosml.images.image_set import ImageSet
+    from rosml.machine.services import Services
     from rosml.publish.pipeline import Pipeline
     from rosml.scan.judge import Run
     from rosml.scan.results import Results
@@ -315,7 +316,6 @@ class Call:
         from rosml.base import clock
         from rosml.images import selection
         from rosml.machine import trust
-        from rosml.machine.services import Services
         from rosml.publish import pipeline as running
         from rosml.publish import plan as planning
         from rosml.publish import plan_file
@@ -325,7 +325,6 @@ class Call:
 
         started = time.monotonic()
         image_set = self.image_set
-        services = Services.load(ROOT, required=not (reading and self.registry))
         upstream: Mapping[str, str] = {}
         if self.plan_file:
             plan = plan_file.read_plan(self.plan_file, self.shard)
@@ -341,12 +340,16 @@ class Call:
             if self.only:
                 raise click.UsageError("--since says which images; leave --only out")
             self.only = self.changed(image_set)
+        selection.select(image_set, self.only)
+        if self.date:
+            clock.checked_date(self.date)
+        services = self.services(reading)
         if not self.registry:
             services.require_registry()
         place = repositories.destination(self.registry or services.place)
         signer = Signer.find(ROOT, trust.trusting(services)) if self.sign else None  # told before anything is built
         client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
-        date = clock.checked_date(self.date) if self.date else clock.now()
+        date = self.date or clock.now()
         if not self.force:
             clock.require_not_ahead(date, clock.now())
         scanning = running.policy_digest(policy.load(self.policy)) if self.require_scan else ""
@@ -368,6 +371,16 @@ class Call:
         return running.Pipeline(
             found, client, place.host, place.prefix, say, self.serve, signer=signer, started=started
         )
+
+    def services(self, reading: bool) -> Services:
+        """Those of this machine; none are needed where nothing will be made and a registry is named."""
+        from rosml.base.errors import RosmlError
+        from rosml.machine.services import Services
+
+        try:
+            return Services.load(ROOT, required=not (reading and self.registry))
+        except RosmlError as error:
+            raise (options.unnamed(error) if reading else error) from None
 
     def report(self, pipeline: Pipeline) -> None:
         """Prints what was done; ends with 1 where something failed."""
@@ -400,7 +413,8 @@ def plan(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     """Says what is to be done: which images are not as they should be, and why.
 
     Compares the inputs of every image, and the dates of the packages that it is built from, with what the registry's
-    records say. No later step touches unchanged images.
+    records say. No later step touches unchanged images. Also with --registry, it needs what 'rosml setup', or 'rosml setup
+    client', leaves in the checkout.
 
     \b
     Examples:
@@ -588,7 +602,8 @@ def status(**options: Any) -> None:
     """Shows how every image stands: published, outdated, failed, missing, lock missing, or waiting
     for a builder; and why.
 
-    With --registry, it needs that registry alone.
+    With --registry, it needs no service of this machine: it asks that registry, and for images of a live repository of
+    packages, that repository for its date.
 
     \b
     Examples:

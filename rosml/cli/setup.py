@@ -81,13 +81,13 @@ def tools() -> None:
 
 @main.command()
 def up() -> None:
-    """The same, then starts the local registry and the builder."""
+    """Finds or installs the tools, then starts the local registry and the builder."""
     _up(_state())
 
 
 @main.command()
 def suite() -> None:
-    """The same for `make test`: with Docker, Chromium and actionlint where there are none."""
+    """Does what `up` does, for `make test`: with Docker, Chromium and actionlint where there are none."""
     _up(_state(), tests=True)
 
 
@@ -167,7 +167,7 @@ def down() -> None:
 
 @main.command()
 def clean() -> None:
-    """Stops them and removes all that was made (.state, .venv)."""
+    """Stops the registry and the builder, and removes all that was made (.state, .venv)."""
     _down(remove=True)  # scripts/bootstrap.py, which waits for this, removes the folders
 
 

@@ -116,6 +116,9 @@ def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert rosml.root_of(package) == package / "data", "somebody else's file of that name"
     (project / "Dockerfile").touch()
     (project / "components").mkdir()
+    assert rosml.root_of(package) == package / "data", "nor is this one a checkout, whose programs are called"
+    (project / "scripts").mkdir()
+    (project / "scripts/bootstrap.py").touch()
     assert rosml.root_of(package) == project
     (package.parent / "scripts").mkdir(parents=True)
     (package.parent / "scripts/bootstrap.py").touch()
@@ -124,6 +127,7 @@ def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
 
 def test_another_users_folder_is_no_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Programs of a checkout are called."""
+    (tmp_path / "scripts").mkdir()
     for name in rosml.PARTS:
         (tmp_path / name).touch()
     monkeypatch.chdir(tmp_path)
@@ -216,6 +220,47 @@ def test_what_needs_one_says_so(wheel: Path, tmp_path: Path, words: str) -> None
     assert done.returncode == 2
     assert "error: there is no checkout here" in done.stderr
     assert "remedy: git clone the project" in done.stderr
+
+
+@pytest.mark.parametrize("words", ["status", "catalogue"])
+def test_without_a_checkout_a_registry_is_named(wheel: Path, tmp_path: Path, words: str) -> None:
+    done = installed(wheel, tmp_path, words)
+    assert done.returncode == 1
+    assert done.stderr == "error: no registry is named\nremedy: name a registry with --registry\n"
+
+
+def test_what_is_wrong_is_told_before_services_are_asked_for(repository: Path) -> None:
+    for given, says in {
+        "plan --date nonsense": "'nonsense' is no time",
+        "plan --only nonsense": "no image named 'nonsense'",
+        "publish test --plan matrix.yaml": "matrix.yaml is no plan",
+    }.items():
+        argv = [sys.executable, "-m", "rosml", *given.split()]
+        done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+        assert (done.returncode, says in done.stderr) == (2, True), done.stderr
+
+
+def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
+    for name, given in (("Dockerfile", "list --json"), ("README.md", "generate --check")):
+        file = repository / name
+        whole = file.read_bytes()
+        file.write_bytes(b"# \n\xff" + whole)
+        argv = [sys.executable, "-m", "rosml", *given.split()]
+        done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+        assert done.returncode == 2
+        assert done.stderr == f"error: {name}:2: not UTF-8 (byte 0xff)\nremedy: save the file as UTF-8\n"
+        file.write_bytes(whole)
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["list --matrix .", "generate --output nowhere/x", "locks --stack nonsense"],
+    ids=lambda words: words.split()[0],
+)
+def test_what_cannot_be_read_or_written_has_a_remedy(repository: Path, words: str) -> None:
+    argv = [sys.executable, "-m", "rosml", *words.split()]
+    done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+    assert done.returncode in (1, 2) and "\nremedy: " in done.stderr, done.stderr
 
 
 def test_a_matrix_of_ones_own(wheel: Path, tmp_path: Path) -> None:
