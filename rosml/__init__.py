@@ -13,7 +13,7 @@ from pathlib import Path
 
 __version__ = "0.1.0"
 
-PARTS = ("matrix.yaml", "Dockerfile", "components")
+PARTS = ("matrix.yaml", "Dockerfile", "components", "scripts/bootstrap.py")
 """What a checkout is known by."""
 
 

@@ -42,6 +42,7 @@ OURS = frozenset(
         "unit/test_documented.py::test_every_command_has_its_proof",
         "unit/test_documented.py::test_it_runs_as_it_stands",
         "unit/test_documented.py::test_parsers_accept_it",
+        "unit/test_documented.py::test_what_a_page_joins_goes_together",
         "unit/test_expand.py::test_a_live_repository_that_is_not_pinned",
         "unit/test_expand.py::test_what_no_channel_can_change",
         "unit/test_extend.py::test_a_fork_is_green",

@@ -15,6 +15,7 @@ from string import Template
 
 from rosml.bake import dockerfile, targets
 from rosml.bake.targets import Dependency, Join, NoInput, Overridable, Value
+from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import Image, ImageSet, Part
@@ -38,7 +39,7 @@ class Inputs:
         self._targets = targets.of(image_set)
         file = root / "Dockerfile"
         self._ignored = _rules(root / ".dockerignore")
-        self._stages = dockerfile.parse(file.read_text(encoding="utf-8") if file.is_file() else "")
+        self._stages = dockerfile.parse(files.text(file) if file.is_file() else "")
         self._files: dict[str, dict[str, str]] = {}
         self._known: dict[tuple[str, str], dict[str, str]] = {}
         self._digests: dict[tuple[str, str], str] = {}

@@ -10,6 +10,8 @@ from pathlib import Path
 
 from rosml.base.errors import RosmlError
 
+WRITABLE = "name, or make, a folder that is there and in which you may write"
+
 
 def write(file: Path, content: str, within: Path | None = None) -> bool:
     """Writes a file at once, so that nobody ever reads half of it. Returns whether it changed.
@@ -58,7 +60,7 @@ def _told(file: Path) -> Iterator[None]:
     except (OSError, ValueError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         full = getattr(error, "errno", None) in (errno.ENOSPC, errno.EDQUOT)
-        remedy = "free some disk space, then run it again" if full else ""
+        remedy = "free some disk space, then run it again" if full else WRITABLE
         raise RosmlError(f"{shown(file)}: cannot be written: {reason}", remedy) from None
 
 
@@ -83,6 +85,25 @@ def _staged(file: Path, content: str) -> Path:
         Path(name).unlink(missing_ok=True)
         raise
     return Path(name)
+
+
+def text(file: Path) -> str:
+    """What a file of the checkout holds.
+
+    Raises:
+        RosmlError: it cannot be read, or is not UTF-8.
+    """
+    try:
+        return file.read_bytes().decode("utf-8")
+    except OSError as error:
+        remedy = (
+            f"bring it back: git checkout {shown(file)}" if isinstance(error, FileNotFoundError) else "make it readable"
+        )
+        raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", remedy) from None
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        found = f"byte 0x{error.object[error.start]:02x}"
+        raise RosmlError(f"{shown(file)}:{line}: not UTF-8 ({found})", "save the file as UTF-8", exit_code=2) from None
 
 
 def difference(file: Path, content: str) -> str:

@@ -7,9 +7,11 @@ import os
 import re
 import sys
 from collections.abc import Callable, Collection
-from typing import TYPE_CHECKING, Concatenate, ParamSpec
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec
 
 import click
+
+from rosml.base.words import in_words
 
 Given = ParamSpec("Given")
 
@@ -17,6 +19,7 @@ Given = ParamSpec("Given")
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
 
 def table(*columns: str, right: Collection[str] = (), wrapped: Collection[str] = ()) -> Table:
@@ -47,6 +50,10 @@ def console() -> Console:
         def on_broken_pipe(self) -> None:
             """Raises BrokenPipeError, which `command.run` knows: a reader that has seen enough is no failure."""
             raise BrokenPipeError
+
+        def render_str(self, text: str, **options: Any) -> Text:
+            """Text in the words of the command that was called."""
+            return super().render_str(in_words(text), **options)
 
     terminal = Output(highlight=False, soft_wrap=True)
     return terminal if sys.stdout.isatty() else Output(highlight=False, width=400)

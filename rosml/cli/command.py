@@ -7,7 +7,6 @@ import errno
 import io
 import json
 import os
-import re
 import signal
 import sys
 from collections.abc import Sequence
@@ -16,10 +15,12 @@ from types import FrameType
 
 import click
 
+from rosml import IN_CHECKOUT
 from rosml.base.environment import program
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.base.terminal import plain_where_wanted
+from rosml.base.words import in_words
 
 INTERRUPTED = 130
 """Exit code after Ctrl-C, as shells have it: 128 and the signal's number."""
@@ -66,7 +67,7 @@ def run(
     except RosmlError as error:
         # Problems of the matrix begin with file and line, where editors and CI look for them.
         head = "" if isinstance(error, InputError) else ERROR
-        return _failed(as_json, in_words(error.message), in_words(error.remedy), error.exit_code, head)
+        return _failed(as_json, error.message, error.remedy, error.exit_code, head)
     except click.exceptions.Exit as error:  # --help
         return error.exit_code
     except click.ClickException as error:
@@ -88,24 +89,6 @@ def run(
     return 0
 
 
-_WORDS = (
-    (r"\bmake explain TARGET=", "rosml explain "),
-    (r"\bmake list GROUP=", "rosml list "),
-    (r"\bmake (up|client|down|clean|status)\b", lambda found: "rosml setup" + f" {found[1]}" * (found[1] != "up")),
-    (r"\bmake (list|locks|generate|plan)\b", r"rosml \1"),
-    (r"\buv run scripts/publish\.py part\b", "rosml part"),
-)
-"""What `make` calls something, and `rosml` calls it."""
-
-
-def in_words(text: str) -> str:
-    """A text for people in the words of the command that they called."""
-    if program() == "rosml":
-        for pattern, word in _WORDS:
-            text = re.sub(pattern, word, text)
-    return text
-
-
 def ended(code: int) -> int:
     """The exit code of a command; after Ctrl-C it ends the process, where threads may still wait for a registry."""
     if code == INTERRUPTED:
@@ -118,6 +101,7 @@ def ended(code: int) -> int:
 
 def _failed(as_json: bool, message: str, remedy: str, code: int, head: str = ERROR) -> int:
     """Prints an error and what to do about it; gives the exit code."""
+    message, remedy = in_words(message), in_words(remedy)
     click.echo(head + message, err=True)
     if remedy:
         click.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
@@ -166,7 +150,8 @@ def _of_the_system(error: OSError) -> tuple[str, str]:
     if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS) and name:
         return f"{name}: {reason}", "run it as the user who may, or let this one"
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
-        remedy = "free some disk space (make down; make clean removes all that was made), then run it again"
+        made = " (make down; make clean removes all that was made)" if IN_CHECKOUT else ""
+        remedy = f"free some disk space{made}, then run it again"
         return f"{name}: {reason}" if name else reason, remedy
     if error.errno == errno.EBADF and not name:
         return "standard output is closed: nothing can be printed", "send it to a file or a program, or to /dev/null"

@@ -2,7 +2,7 @@
 
 \b
 Examples:
-  rosml generate             after a change of matrix.yaml (make generate)
+  rosml generate             after a change of matrix.yaml
   rosml generate --shards 8  which of eight machines would build what, and how long that takes
 """
 
@@ -16,6 +16,7 @@ import click
 from rosml import ROOT
 from rosml.base import files
 from rosml.base.errors import RosmlError
+from rosml.base.words import in_words
 from rosml.cli import options
 
 if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
@@ -83,7 +84,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
         ROOT / "docker-bake.hcl": bake_file.render(image_set),
         ROOT / "matrix.schema.json": schema.render(),
         ROOT / "catalogue.schema.json": schema.render(Published, "rosml/catalogue/model.py", read=True),
-        ROOT / "README.md": readme.render((ROOT / "README.md").read_text(encoding="utf-8"), image_set),
+        ROOT / "README.md": readme.render(files.text(ROOT / "README.md"), image_set),
     }
 
 
@@ -98,8 +99,8 @@ def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path 
     for file in wanted:
         click.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)
     if lost:
-        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {lost.message}", err=True)
-        click.echo(f"{click.style('remedy:', bold=True)} {lost.remedy}", err=True)
+        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {in_words(lost.message)}", err=True)
+        click.echo(f"{click.style('remedy:', bold=True)} {in_words(lost.remedy)}", err=True)
 
 
 def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:

@@ -14,6 +14,7 @@ import click
 from rosml import ROOT
 from rosml.base import ci, files
 from rosml.base.errors import RosmlError
+from rosml.base.words import in_words
 from rosml.cli import options
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ def main(
 ) -> None:
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 
-    With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'make generate' then.
+    With --upgrade or --bases, digests of base images in matrix.yaml move as well; run 'rosml generate' then.
 
     \b
     Examples:
@@ -50,7 +51,7 @@ def main(
       rosml locks --check --json   what would move, for machines
       rosml locks --bases      take base images that their makers renewed
     """
-    from rosml.base.problems import unknown
+    from rosml.base.problems import listed, unknown
     from rosml.cli import tables
     from rosml.images import load, locked
     from rosml.locks.resolve import lock, moves
@@ -65,7 +66,7 @@ def main(
         return
     for name in stacks:
         if name not in (known := [*image_set.matrix.stacks, *(item.distribution for item in image_set.wheels)]):
-            raise RosmlError(unknown("stack", name, known), exit_code=2)
+            raise RosmlError(unknown("stack", name, known), f"there is {listed(known)}", exit_code=2)
     locks = lock(image_set, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
     there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
@@ -107,7 +108,7 @@ def stop(error: RosmlError, as_json: bool) -> None:
     """Ends with an error; with `--json`, whose one object is printed by then, it is told on standard error alone."""
     if not as_json:
         raise error
-    click.echo(f"error: {error.message}\nremedy: {error.remedy}", err=True)
+    click.echo(in_words(f"error: {error.message}\nremedy: {error.remedy}"), err=True)
     raise click.exceptions.Exit(error.exit_code)
 
 

@@ -15,6 +15,7 @@ from click.core import ParameterSource
 
 from rosml import FOREIGN, IN_CHECKOUT, ROOT, __version__
 from rosml.base.errors import RosmlError
+from rosml.base.words import in_words
 from rosml.cli import catalogue, command, completion, generate, join, locks, options, publish, setup
 
 SETTINGS = {"help_option_names": ["-h", "--help"]}
@@ -60,7 +61,7 @@ def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     image_set = load.load(matrix, ROOT)
     images = selection.members(image_set, groups)
     if not images:
-        click.echo(command.in_words(selection.none_in(groups)), err=True)
+        click.echo(in_words(selection.none_in(groups)), err=True)
     if as_json:
         inputs = Inputs(ROOT, image_set)
         inputs.check()
@@ -74,7 +75,8 @@ def list_(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
 @options.MATRIX
 @options.JSON
 def explain(name: str, matrix: Path, as_json: bool) -> None:
-    """Says why an image exists, or why it does not. NAME is a target or a tag.
+    """Says why an image exists, or why it does not. NAME is a target or a tag, with the registry or without. Dated tags
+    are not in the matrix: leave the date out.
 
     \b
     Examples:
@@ -85,7 +87,7 @@ def explain(name: str, matrix: Path, as_json: bool) -> None:
     from rosml.images.explain import explained
 
     found = explained(load.load(matrix, ROOT), name)
-    click.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else command.in_words(found.text))
+    click.echo(in_words(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else found.text))
 
 
 @cli.command()
@@ -133,7 +135,7 @@ def _require_checkout() -> None:
     if not IN_CHECKOUT and FOREIGN:
         raise RosmlError(*_foreign(FOREIGN), exit_code=2)
     if not IN_CHECKOUT:
-        text = "there is no checkout here: no folder of yours, this one or one above it, has matrix.yaml and Dockerfile"
+        text = "there is no checkout here: no folder of yours, this one or one above it, has matrix.yaml, Dockerfile and scripts/bootstrap.py"
         raise RosmlError(text, "git clone the project, or your fork of it, and call it there", exit_code=2)
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from rosml import ROOT
+from rosml import IN_CHECKOUT, ROOT
 from rosml.base.errors import RosmlError
 
 if TYPE_CHECKING:
@@ -47,6 +47,16 @@ def registry(where: str) -> Callable[[Function], Function]:
     return click.option("--registry", default="", metavar="PREFIX", callback=_lower, help=text)
 
 
+def unnamed(error: RosmlError) -> RosmlError:
+    """What to say where no registry is named, and there is no local one: only a checkout can have one."""
+    remedy = "name a registry with --registry"
+    return (
+        RosmlError("no registry is named", remedy)
+        if not IN_CHECKOUT
+        else RosmlError(error.message, f"{remedy}, or {error.remedy}")
+    )
+
+
 def place_of(named: str, root: Path) -> tuple[oci.Registry, str]:
     """A registry, and the path of its repositories: what commands need that build nothing. The services of a checkout are
     looked up only where none is named.
@@ -64,6 +74,6 @@ def place_of(named: str, root: Path) -> tuple[oci.Registry, str]:
             services = Services.load(root)
             named, ca_bundle = services.place, services.ca_bundle
         except RosmlError as error:
-            raise RosmlError(error.message, f"name a registry with --registry, or {error.remedy}") from None
+            raise unnamed(error) from None
     place = destination(named)
     return oci.Registry(place.host, ca_bundle=ca_bundle), place.prefix

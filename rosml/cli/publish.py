@@ -16,11 +16,13 @@ import click
 
 from rosml import ROOT
 from rosml.base import file_lock
+from rosml.base.words import in_words
 from rosml.cli import completion, options
 from rosml.cli.options import Function, place_of
 
 if TYPE_CHECKING:
     from rosml.images.image_set import ImageSet
+    from rosml.machine.services import Services
     from rosml.publish.pipeline import Pipeline
     from rosml.scan.judge import Run
     from rosml.scan.results import Results
@@ -43,7 +45,7 @@ def cli() -> None:
 
 def say(line: str) -> None:
     """Tells people what begins now."""
-    click.echo(click.style(f"==> {line}", bold=True), err=True)
+    click.echo(click.style(f"==> {in_words(line)}", bold=True), err=True)
 
 
 def wait_for_turn() -> None:
@@ -134,7 +136,7 @@ _OPTIONS: dict[str, Callable[[Function], Function]] = {
         "--policy",
         type=click.Path(path_type=Path),
         default=ROOT / "scan.yaml",
-        help="which vulnerabilities keep an image from its tags; scan.yaml",
+        help="the file that says which vulnerabilities keep an image from its tags; scan.yaml if left out",
     ),
     "json": options.JSON,
 }
@@ -314,7 +316,6 @@ class Call:
         from rosml.base import clock
         from rosml.images import selection
         from rosml.machine import trust
-        from rosml.machine.services import Services
         from rosml.publish import pipeline as running
         from rosml.publish import plan as planning
         from rosml.publish import plan_file
@@ -324,7 +325,6 @@ class Call:
 
         started = time.monotonic()
         image_set = self.image_set
-        services = Services.load(ROOT, required=not (reading and self.registry))
         upstream: Mapping[str, str] = {}
         if self.plan_file:
             plan = plan_file.read_plan(self.plan_file, self.shard)
@@ -340,12 +340,16 @@ class Call:
             if self.only:
                 raise click.UsageError("--since says which images; leave --only out")
             self.only = self.changed(image_set)
+        selection.select(image_set, self.only)
+        if self.date:
+            clock.checked_date(self.date)
+        services = self.services(reading)
         if not self.registry:
             services.require_registry()
         place = repositories.destination(self.registry or services.place)
         signer = Signer.find(ROOT, trust.trusting(services)) if self.sign else None  # told before anything is built
         client = oci.Registry(place.host, ca_bundle=services.ca_bundle)
-        date = clock.checked_date(self.date) if self.date else clock.now()
+        date = self.date or clock.now()
         if not self.force:
             clock.require_not_ahead(date, clock.now())
         scanning = running.policy_digest(policy.load(self.policy)) if self.require_scan else ""
@@ -368,6 +372,16 @@ class Call:
             found, client, place.host, place.prefix, say, self.serve, signer=signer, started=started
         )
 
+    def services(self, reading: bool) -> Services:
+        """Those of this machine; none are needed where nothing will be made and a registry is named."""
+        from rosml.base.errors import RosmlError
+        from rosml.machine.services import Services
+
+        try:
+            return Services.load(ROOT, required=not (reading and self.registry))
+        except RosmlError as error:
+            raise (options.unnamed(error) if reading else error) from None
+
     def report(self, pipeline: Pipeline) -> None:
         """Prints what was done; ends with 1 where something failed."""
         from rosml.cli import report
@@ -380,7 +394,9 @@ class Call:
 @cli.command()
 @_options("registry", "matrix", "only", "architecture", "serve", "force", "date", "json")
 @click.option(
-    "--everywhere", is_flag=True, help="work for all architectures that the registry serves, on their machines"
+    "--everywhere",
+    is_flag=True,
+    help="plan for all architectures that the registry serves, each on machines of its own",
 )
 @click.option(
     "--shards",
@@ -396,8 +412,9 @@ class Call:
 def plan(everywhere: bool, shards: int, why: bool, output: Path | None, **options: Any) -> None:
     """Says what is to be done: which images are not as they should be, and why.
 
-    Compares the inputs of every image, and the dates of the packages it is built from, with what the registry's records
-    says. Unchanged images are not touched by any later step.
+    Compares the inputs of every image, and the dates of the packages that it is built from, with what the registry's
+    records say. No later step touches unchanged images. Also with --registry, it needs what 'rosml setup', or 'rosml setup
+    client', leaves in the checkout.
 
     \b
     Examples:
@@ -454,7 +471,7 @@ def everything(**options: Any) -> None:
     """Builds, joins, tests and publishes all that is not as it should be: every step, one after the other.
 
     Scans where --require-scan is given, with the database that 'scan --fetch' left. Signs where --sign is given, with
-    cosign ('make signer').
+    cosign ('rosml setup signer').
 
     Interrupted at any point, the next call goes on where it was.
 
@@ -511,7 +528,7 @@ def _scan(
     help="write what was found there, for 'record', and nothing into the registry: reading is enough",
 )
 def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, **options: Any) -> None:
-    """Scans images for known vulnerabilities, by the policy in scan.yaml. Needs 'make scanner'.
+    """Scans images for known vulnerabilities, by the policy in scan.yaml. Needs 'rosml setup scanner'.
 
     Exits with 3 where the policy stops an image, with 4 where the scanner failed and nothing is known.
 
@@ -585,7 +602,8 @@ def status(**options: Any) -> None:
     """Shows how every image stands: published, outdated, failed, missing, lock missing, or waiting
     for a builder; and why.
 
-    With --registry, it needs that registry alone.
+    With --registry, it needs no service of this machine: it asks that registry, and for images of a live repository of
+    packages, that repository for its date.
 
     \b
     Examples:

@@ -10,6 +10,7 @@ from typing import Any
 from rosml.base import ci, terminal
 from rosml.base.problems import counted, some
 from rosml.base.units import duration, size
+from rosml.base.words import in_words
 from rosml.cli import tables
 from rosml.publish import shards as dealing
 from rosml.publish.pipeline import Outcome, Pipeline
@@ -120,7 +121,7 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
             "counts": dict(Counter(f"{outcome.step} {outcome.state}" for outcome in outcomes)),
             "outcomes": [outcome.to_json() for outcome in outcomes],
         }
-        print(json.dumps(content, indent=2))
+        print(in_words(json.dumps(content, indent=2)))
         return
     colours = {"done": "green", "failed": "red"}
     rows = (

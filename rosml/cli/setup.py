@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 import click
 
 from rosml import ROOT
+from rosml.base import environment
+from rosml.base.words import CALLED, in_words
 from rosml.cli import options
 
 if TYPE_CHECKING:
@@ -42,6 +44,7 @@ TESTS = click.option("--tests", is_flag=True, help="also what its tests need: a 
 def bootstrap() -> None:
     """Becomes scripts/bootstrap.py, which brings uv and Python packages and calls the command again; once."""
     if UV not in os.environ:
+        os.environ[CALLED] = environment.program()
         program = [sys.executable, str(ROOT / "scripts/bootstrap.py")]
         os.execv(program[0], [*program, *(sys.argv[2:] or ["up"])])
 
@@ -78,13 +81,13 @@ def tools() -> None:
 
 @main.command()
 def up() -> None:
-    """The same, then starts the local registry and the builder."""
+    """Finds or installs the tools, then starts the local registry and the builder."""
     _up(_state())
 
 
 @main.command()
 def suite() -> None:
-    """The same for `make test`: with Docker, Chromium and actionlint where there are none."""
+    """Does what `up` does, for `make test`: with Docker, Chromium and actionlint where there are none."""
     _up(_state(), tests=True)
 
 
@@ -164,7 +167,7 @@ def down() -> None:
 
 @main.command()
 def clean() -> None:
-    """Stops them and removes all that was made (.state, .venv)."""
+    """Stops the registry and the builder, and removes all that was made (.state, .venv)."""
     _down(remove=True)  # scripts/bootstrap.py, which waits for this, removes the folders
 
 
@@ -190,7 +193,7 @@ def status(as_json: bool) -> None:
         }
     rows |= {"built tools": ", ".join(facts["installed"]) or "none", "disk free": f"{facts['disk_free_gb']} GB"}
     for name, value in {**rows, "state": facts["state"]}.items():
-        click.echo(f"{name:<11}  {value}")
+        click.echo(in_words(f"{name:<11}  {value}"))
 
 
 def _state() -> State:

@@ -169,6 +169,9 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
     if distribution.experimental:
         yield f"{image.distribution} is experimental: docs/limits.md says what it has, and it never gets the tag latest"
+    stands_on = (
+        image.os if image.parent.startswith("_") else image.parent
+    )  # a stage of the Dockerfile, which has no image
     if image.stack:
         stack = matrix.stacks[image.stack]
         for family in rules.families(matrix, matrix.frameworks[image.framework]):
@@ -179,9 +182,9 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
         yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
         yield f"it is {image.parent} joined with {listed(image.parts)}"
     elif image.wheels:
-        yield f"it is {image.parent} with ROS from wheels: {listed(image.wheels)}, and what they need, by {listed(image.locks)}"
+        yield f"it is {stands_on} with ROS from wheels: {listed(image.wheels)}, and what they need, by {listed(image.locks)}"
     else:
-        yield f"it is {image.parent} with {image.packages} installed"
+        yield f"it is {stands_on} with {image.packages} installed"
     yield from _where_from(matrix, image, environ)
     yield f"platforms: {listed(image.platforms)}"
     for architecture in matrix.architectures:

@@ -70,7 +70,9 @@ def read(file: FilePath, option: str = "--matrix") -> Document:
         raise RosmlError(f"{name}: no such file", remedy=f"name the file with {option}", exit_code=2) from None
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise RosmlError(f"{name}: cannot be read: {reason}", exit_code=2) from None
+        raise RosmlError(
+            f"{name}: cannot be read: {reason}", f"name a file that you can read with {option}", exit_code=2
+        ) from None
     return parse(content, name)
 
 

@@ -34,6 +34,12 @@ def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> T
         found = top.model_validate(document.data)
     except ValidationError as error:
         details = _first_errors(error.errors(include_url=False))
+        if other := [
+            it for it in details if top is Matrix and it["loc"] == ("version",) and it["type"] == "literal_error"
+        ]:
+            # The rest may be right in that version.
+            text = f"{_problem(document, other[0], top, meaning).text}; {_OTHER_VERSION}"
+            raise InputError(document.name, [document.problem(("version",), text)]) from None
         # What YAML itself misreads (a key twice, `yes` for true) was explained already.
         explained = {problem.path for problem in problems}
         complaints = [_problem(document, detail, top, meaning) for detail in details]
@@ -43,6 +49,10 @@ def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> T
     if problems:
         raise InputError(document.name, problems)
     return found
+
+
+_OTHER_VERSION = "take the rosml of the checkout that the file is from, or a newer one"
+"""What to do about a file whose format this release does not know."""
 
 
 def validate(document: Document) -> Matrix:

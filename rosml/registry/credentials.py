@@ -69,11 +69,10 @@ def from_docker(host: str) -> Credentials | None:
         return None
     file = place / "config.json"
     config = _read(file)
-    helpers = config.get("credHelpers")
-    if isinstance(helpers, dict):
-        for name in names:
-            if helpers.get(name):
-                return _helper(str(helpers[name]), name)
+    helpers = _object(config.get("credHelpers"), f"{file}: credHelpers")
+    for name in names:
+        if helpers.get(name):
+            return _helper(str(helpers[name]), name)
     if config.get("credsStore"):
         for name in names:
             if found := _helper(str(config["credsStore"]), name):
@@ -103,11 +102,17 @@ def _from_variable(names: tuple[str, ...]) -> Credentials | None:
 
 
 def _of(auths: Any, names: tuple[str, ...], place: str) -> Credentials | None:
-    if not isinstance(auths, dict):
-        return None
+    auths = _object(auths, f"{place}: auths")
     wanted = {_bare(name) for name in names}
     entry = next((entry for name, entry in auths.items() if _bare(name) in wanted), None)
-    return _entry(entry, place, names[-1]) if isinstance(entry, dict) else None
+    return _entry(_object(entry, f"{place}: auths of {names[-1]}"), place, names[-1])
+
+
+def _object(value: Any, what: str) -> dict[str, Any]:
+    """A JSON object of the file or the variable; an empty one where it says nothing. Nothing of its text is shown."""
+    if value is None or isinstance(value, dict):
+        return value or {}
+    raise RosmlError(f"{what} is no JSON object", "mend it, or log in again: docker login", exit_code=2)
 
 
 def _read(file: Path) -> dict[str, Any]:

@@ -787,8 +787,10 @@ class Registry:
     def _object(self, answer: httpx.Response) -> dict[str, Any]:
         content = docker.json_object(answer.content)
         if content is None:
+            asked = answer.request.url
             raise RosmlError(
-                f"{self.host}: the answer to GET {answer.request.url.path} is no JSON object", "run it again"
+                f"{self.host}: the answer to GET {_named(asked)} is no JSON object, so no registry gave it",
+                "check the address, and HTTPS_PROXY: a proxy may answer in its place, such as with a page to sign in",
             )
         return content
 
@@ -889,7 +891,15 @@ def _transport(method: str, address: httpx.URL) -> Iterator[None]:
         connected = not isinstance(error, httpx.ConnectError | httpx.ConnectTimeout)
         raise _Transient(f"{method} {address.path}: {error or type(error).__name__}", connected=connected) from None
     except (httpx.TooManyRedirects, httpx.DecodingError, httpx.InvalidURL) as error:
-        raise RosmlError(f"{method} {address.path}: {type(error).__name__}", "check the registry's set-up") from None
+        what = "redirects without end" if isinstance(error, httpx.TooManyRedirects) else type(error).__name__
+        raise RosmlError(
+            f"{method} {_named(address)}: {what}", "check the address, and the set-up of the registry and its proxy"
+        ) from None
+
+
+def _named(address: httpx.URL) -> str:
+    """An address for messages: without a user, and without what is asked for."""
+    return f"{address.host}{f':{address.port}' if address.port else ''}{address.path}"
 
 
 def _is_local(host: str) -> bool:

@@ -19,7 +19,8 @@ from workflows import COMMANDS, accepted
 
 from bench import cli as bench
 from rosml.base.errors import RosmlError
-from rosml.cli import join, publish
+from rosml.base.words import CALLED, in_words
+from rosml.cli import join, main, publish
 from rosml.images.explain import explained
 from rosml.images.image_set import ImageSet
 from rosml.images.selection import members
@@ -339,3 +340,25 @@ def ran(given: list[str]) -> None:
 def test_what_there_is_not_is_found(command: str, real: ImageSet) -> None:
     with pytest.raises((AssertionError, click.UsageError, RosmlError)):
         parsed(shlex.split(command), real, examples=False)
+
+
+def test_what_a_page_joins_goes_together(real: ImageSet) -> None:
+    """Whoever copies the call gets an image, and no refusal for a part that is not there."""
+    whole = [{*image.parts} for image in real.images]
+    shown = [command for command in PROOFS if re.search(r"\brosml join |join\.py [a-z]", command)]
+    assert len(shown) == 2
+    for command in shown:
+        [between] = re.findall(r"/part:\{(.*?)\}", command)
+        assert {*between.split(",")} in whole, command
+
+
+def test_the_table_of_words(monkeypatch: pytest.MonkeyPatch) -> None:
+    """make's words and those of `rosml`: messages translate one into the other, as the page says."""
+    rows = re.findall(r"^\| `(make [^`]+)` \| `(rosml [^`]+)` \|$", (ROOT / "docs/use.md").read_text(), re.MULTILINE)
+    assert len(rows) > 15
+    monkeypatch.setenv(CALLED, "rosml")
+    assert [(make, in_words(make)) for make, _ in rows] == rows
+    for _, word in rows:
+        argv = shlex.split(word)[1:]
+        if argv != ["setup"]:
+            accepted(main.cli, argv)

@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 import trustme
 from registry_stand_in import DROP, StandIn, standing_in
@@ -303,7 +304,17 @@ def test_a_manifest_that_has_another_digest(server: StandIn, registry: Registry)
 @pytest.mark.parametrize("body", [b"[]", b"<html>", b"null"])
 def test_an_answer_that_is_no_object(server: StandIn, registry: Registry, body: bytes) -> None:
     server.fault("GET", "/manifests/", 200, body=body)
-    with pytest.raises(RosmlError, match="is no JSON object"):
+    with pytest.raises(RosmlError, match="is no JSON object") as caught:
+        registry.manifest("a", "x")
+    assert "HTTPS_PROXY" in caught.value.remedy
+
+
+def test_redirects_without_end_name_the_registry(registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
+    def send(*_: object, **__: object) -> None:
+        raise httpx.TooManyRedirects("no")
+
+    monkeypatch.setattr(httpx.Client, "send", send)
+    with pytest.raises(RosmlError, match=f"{registry.host}/v2/a/manifests/x: redirects without end"):
         registry.manifest("a", "x")
 
 
@@ -557,6 +568,13 @@ def test_the_environment_counts_more_than_the_file(tmp_path: Path, monkeypatch: 
     assert from_docker("quay.io") == Credentials(NAME, SECRET), "what the variable lacks may be in the file"
     monkeypatch.setenv("DOCKER_AUTH_CONFIG", json.dumps({"auths": {"https://index.docker.io/v1/": auth()}}))
     assert from_docker(DOCKER_HUB) == Credentials(NAME, SECRET)
+
+
+@pytest.mark.parametrize("content", [{"auths": 5}, {"auths": [1]}, {"auths": {"ghcr.io": 5}}, {"credHelpers": 5}])
+def test_what_is_no_object_is_not_taken_as_nothing(tmp_path: Path, content: dict[str, Any]) -> None:
+    docker_config(tmp_path, **content)
+    with pytest.raises(RosmlError, match=r"config\.json: .* is no JSON object"):
+        from_docker("ghcr.io")
 
 
 @pytest.mark.parametrize("text", [SECRET, f'["{SECRET}"]', f'{{"auths": {{"ghcr.io": {{"auth": "{SECRET}%"}}}}}}'])

@@ -162,7 +162,11 @@ WRONG = {
         "    tools: colcon-{component}\n    codename: noble",
         "15:5: operating_systems.ubuntu-24.04.tools: no placeholder {component}; no placeholders are filled in here",
     ),
-    "format from the future": ("version: 1", "version: 2", "1:1: version: expected 1, found the number 2"),
+    "format from the future": (
+        "version: 1",
+        "version: 2\nother: 1",
+        "1:1: version: expected 1, found the number 2; take the rosml of the checkout that the file is from, or a newer one",
+    ),
     "registry with a scheme": (
         "registry: localhost:5000",
         "registry: https://localhost",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import re
@@ -21,8 +22,9 @@ from conftest import ROOT
 from registry_stand_in import standing_in
 
 import rosml
+from rosml.base import terminal, words
 from rosml.base.errors import RosmlError
-from rosml.cli import main, publish
+from rosml.cli import main, publish, setup, tables
 from rosml.images import load
 from rosml.registry.oci import Registry
 from tests.e2e import parts
@@ -115,6 +117,9 @@ def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert rosml.root_of(package) == package / "data", "somebody else's file of that name"
     (project / "Dockerfile").touch()
     (project / "components").mkdir()
+    assert rosml.root_of(package) == package / "data", "nor is this one a checkout, whose programs are called"
+    (project / "scripts").mkdir()
+    (project / "scripts/bootstrap.py").touch()
     assert rosml.root_of(package) == project
     (package.parent / "scripts").mkdir(parents=True)
     (package.parent / "scripts/bootstrap.py").touch()
@@ -123,6 +128,7 @@ def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
 
 def test_another_users_folder_is_no_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Programs of a checkout are called."""
+    (tmp_path / "scripts").mkdir()
     for name in rosml.PARTS:
         (tmp_path / name).touch()
     monkeypatch.chdir(tmp_path)
@@ -261,6 +267,47 @@ def test_what_needs_one_says_so(wheel: Path, tmp_path: Path, words: str) -> None
     assert "remedy: git clone the project" in done.stderr
 
 
+@pytest.mark.parametrize("words", ["status", "catalogue"])
+def test_without_a_checkout_a_registry_is_named(wheel: Path, tmp_path: Path, words: str) -> None:
+    done = installed(wheel, tmp_path, words)
+    assert done.returncode == 1
+    assert done.stderr == "error: no registry is named\nremedy: name a registry with --registry\n"
+
+
+def test_what_is_wrong_is_told_before_services_are_asked_for(repository: Path) -> None:
+    for given, says in {
+        "plan --date nonsense": "'nonsense' is no time",
+        "plan --only nonsense": "no image named 'nonsense'",
+        "publish test --plan matrix.yaml": "matrix.yaml is no plan",
+    }.items():
+        argv = [sys.executable, "-m", "rosml", *given.split()]
+        done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+        assert (done.returncode, says in done.stderr) == (2, True), done.stderr
+
+
+def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
+    for name, given in (("Dockerfile", "list --json"), ("README.md", "generate --check")):
+        file = repository / name
+        whole = file.read_bytes()
+        file.write_bytes(b"# \n\xff" + whole)
+        argv = [sys.executable, "-m", "rosml", *given.split()]
+        done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+        assert done.returncode == 2
+        assert done.stderr == f"error: {name}:2: not UTF-8 (byte 0xff)\nremedy: save the file as UTF-8\n"
+        file.write_bytes(whole)
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["list --matrix .", "generate --output nowhere/x", "locks --stack nonsense"],
+    ids=lambda words: words.split()[0],
+)
+def test_what_cannot_be_read_or_written_has_a_remedy(repository: Path, words: str) -> None:
+    argv = [sys.executable, "-m", "rosml", *words.split()]
+    done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+    assert done.returncode in (1, 2) and "\nremedy: " in done.stderr, done.stderr
+
+
 def test_a_matrix_of_ones_own(wheel: Path, tmp_path: Path) -> None:
     text = (ROOT / "matrix.yaml").read_text()
     (tmp_path / "matrix.yaml").write_text("include: []\n")
@@ -296,15 +343,99 @@ def test_a_proxy_of_another_kind(wheel: Path, tmp_path: Path, name: str, value: 
 
 
 def test_remedies_are_in_its_own_words(wheel: Path, tmp_path: Path) -> None:
-    for words in (
+    for given in (
         ["explain", "nope"],
         ["explain", DISTRIBUTIONS[0]],
         ["status"],
         ["catalogue"],
         ["list", *DISTRIBUTIONS[:2]],
     ):
-        done = installed(wheel, tmp_path, *words)
-        assert not re.search(r"\bmake |scripts/", done.stdout + done.stderr), words
+        done = installed(wheel, tmp_path, *given)
+        assert not re.search(r"\bmake |scripts/", done.stdout + done.stderr), given
+
+
+TARGETS = "|".join(re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(), re.MULTILINE))
+MAKES = re.compile(rf"\bmake ({TARGETS})\b(?! CHANNEL)|publish\.py [a-z]")
+"""A command in the words of make and the scripts. `CHANNEL` is told of where a bake file says what its variables are for."""
+
+
+def told() -> Iterator[str]:
+    """Texts of the library that name a command of make or of the scripts; what people write about code is none of them."""
+    for file in sorted({*(ROOT / "rosml").rglob("*.py")} - {Path(words.__file__)}):
+        tree = ast.parse(file.read_text())
+        notes = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        texts = [node for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in notes]
+        yield from (node.value for node in texts if isinstance(node.value, str) and MAKES.search(node.value))
+
+
+def exists(words: list[str]) -> bool:
+    """Whether the first words are a command, with the options that follow them."""
+    found: click.Command = main.cli
+    while isinstance(found, click.Group) and words and words[0] in found.commands:
+        found, words = found.commands[words[0]], words[1:]
+    alone = found is not main.cli and (not isinstance(found, click.Group) or found.invoke_without_command)
+    options = {name for parameter in found.params for name in parameter.opts}
+    return alone and {word for word in words if word.startswith("--")} <= options
+
+
+def unknown_commands(text: str) -> list[str]:
+    """What a text says of `rosml` and there is not."""
+    calls = re.findall(r"\brosml ([a-z]+(?: +(?:--)?[a-z]+)*)", text)
+    return [call for call in calls if not exists(call.split())]
+
+
+def test_every_command_of_make_that_is_told_is_one_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(words.CALLED, "rosml")
+    texts = sorted(set(told()))
+    assert len(texts) > 20
+    for text in texts:
+        own = words.in_words(text)
+        assert not MAKES.search(own), text
+        assert not unknown_commands(own), own
+
+
+@pytest.mark.parametrize("command", ALL)
+def test_its_help_speaks_of_its_own_commands(command: str) -> None:
+    said = " ".join(CliRunner().invoke(main.cli, [*command.split(), "--help"]).output.split())
+    assert not MAKES.search(said.replace("`make test`", ""))
+    assert not unknown_commands(ALL[command].help or "")
+
+
+@pytest.mark.parametrize(
+    ("make", "own"),
+    [
+        ("run 'make locks UPGRADE=1' and", "run 'rosml locks --upgrade' and"),
+        ("how many: make plan SHARDS=8", "how many: rosml generate --shards 8"),
+        ("not up (make up)", "not up (rosml setup)"),
+        ("make status; make machine", "rosml status; rosml setup status"),
+        ("run 'make emulation'", "run 'rosml setup emulate'"),
+        ("sign it: publish.py promote --sign", "sign it: rosml publish promote --sign"),
+        ("see uv run scripts/publish.py part", "see rosml part"),
+        ("make it a folder", "make it a folder"),
+    ],
+)
+def test_words_of_make_and_its_own(make: str, own: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert words.in_words(make) == make, "make calls python -m rosml"
+    monkeypatch.setenv(words.CALLED, "rosml")
+    assert words.in_words(make) == own
+
+
+def test_tables_are_in_its_own_words(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv(words.CALLED, "rosml")
+    tables.show(("why",), [["run 'make locks'"]])
+    terminal.console().print("see them with: make list")
+    assert capsys.readouterr().out == "why\nrun 'rosml locks'\nsee them with: rosml list\n"
+
+
+def test_setup_knows_who_called_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It becomes a script first, which calls `python -m rosml`."""
+    monkeypatch.delenv(setup.UV, raising=False)
+    monkeypatch.setenv(words.CALLED, "")  # put back when the test ends
+    monkeypatch.setattr("sys.argv", ["/x/rosml", "setup", "status"])
+    monkeypatch.setattr("os.execv", lambda *_: None)
+    setup.bootstrap()
+    monkeypatch.setattr("sys.argv", ["/x/rosml/__main__.py"])
+    assert words.in_words("make up") == "rosml setup"
 
 
 def test_a_join_overwrites_nothing_that_it_reads(wheel: Path, tmp_path: Path) -> None:

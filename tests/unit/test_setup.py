@@ -843,6 +843,7 @@ def test_a_call_by_people_begins_with_uv_and_packages(
     monkeypatch.setattr(commands, "ROOT", tmp_path)
     monkeypatch.setattr(os, "execv", become)
     monkeypatch.delenv(commands.UV, raising=False)
+    monkeypatch.setenv("ROSML_CALLED", "")  # put back when the test ends
     monkeypatch.setattr(sys, "argv", ["rosml", "setup", *typed])
     CliRunner().invoke(main.cli, ["setup", *typed], catch_exceptions=False)
     assert called == [sys.executable, str(tmp_path / "scripts/bootstrap.py"), *(typed or ["up"])]

@@ -66,7 +66,7 @@ def test_explain_says_where_ros_comes_from(wheels: ImageSet) -> None:
     said = explained(wheels, "sigma-core").text.splitlines()
     assert "  - sigma is experimental: docs/limits.md says what it has, and it never gets the tag latest" in said
     wanted = "ros-alpha-rclpy[fastrtps]==7.1.6 and ros-std-msgs==5.3.6"
-    assert f"  - it is _os-ubuntu-24-04 with ROS from wheels: {wanted}, and what they need, by {LOCK}" in said
+    assert f"  - it is ubuntu-24.04 with ROS from wheels: {wanted}, and what they need, by {LOCK}" in said
     assert "experimental" not in explained(wheels, "alpha-core").text
 
 
