@@ -143,6 +143,7 @@ def test_another_users_folder_is_no_checkout(tmp_path: Path, monkeypatch: pytest
 
 def test_which_checkout_is_passed_over(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in rosml.PARTS:
+        (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).touch()
     (tmp_path / "docs").mkdir()
     monkeypatch.chdir(tmp_path / "docs")
