@@ -17,6 +17,15 @@ from typing import Any
 
 from rosml.machine.services import Services
 
+NO_FORMAT_1 = (
+    (b"", "invalid JSON"),
+    (b"\xff", "invalid JSON"),
+    (b"[]", "input should be an object"),
+    (b"{}", "version: field required"),
+    (b'{"version": 2}', "version: input should be 1"),
+)
+"""Contents of files of which format 1 alone is read, and what is said of each."""
+
 
 def on_a_terminal(code: str, *arguments: str, env: Mapping[str, str]) -> tuple[int, bytes]:
     """Runs Python's code on a terminal of Python's own making: its exit code, and what the terminal gets to see."""
