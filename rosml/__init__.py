@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import tempfile
-from itertools import takewhile
 from pathlib import Path
 
 __version__ = "0.1.0"
@@ -27,9 +26,10 @@ def root_of(package: Path) -> Path:
 def passed_over(package: Path) -> Path | None:
     """The checkout in which somebody works that is another user's, and therefore not the package's root; None if there is
     none."""
-    root = root_of(package)
-    nearer = takewhile(lambda folder: folder != root, _around())
-    return None if root == package.parent else next((folder for folder in nearer if _is_checkout(folder)), None)
+    if (package.parent / "scripts/bootstrap.py").is_file():
+        return None
+    nearest = next(filter(_is_checkout, _around()), None)
+    return None if nearest is None or _is_trusted(nearest) else nearest
 
 
 def _around() -> list[Path]:

@@ -8,7 +8,7 @@ import click
 
 from rosml import ROOT, STATE
 from rosml.base.errors import RosmlError
-from rosml.cli import options
+from rosml.cli import command, options
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -54,7 +54,7 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
         gatherer = Gatherer(image_set, client, f"{place.host}/{prefix}", prefix, history)
         found = gatherer.gather(now(), only)
     for remark in gatherer.remarks:
-        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {remark}", err=True)
+        command.warn(remark)
     if as_json:
         click.echo(site.text(found), nl=False)
         return

@@ -99,13 +99,22 @@ def ended(code: int) -> int:
     return code
 
 
+def warn(message: str, remedy: str = "") -> None:
+    """Tells people, on standard error, what is wrong without ending the command, and what to do about it."""
+    _say(f"{click.style('warning:', fg='yellow', bold=True)} ", message, remedy)
+
+
+def _say(head: str, message: str, remedy: str) -> None:
+    """Prints an error or a warning on standard error, in the words of the command that was called."""
+    click.echo(head + in_words(message), err=True)
+    if remedy:
+        click.echo(f"{click.style('remedy:', bold=True)} {in_words(remedy)}", err=True)
+
+
 def _failed(as_json: bool, message: str, remedy: str, code: int, head: str = ERROR) -> int:
     """Prints an error and what to do about it; gives the exit code."""
-    message, remedy = in_words(message), in_words(remedy)
-    click.echo(head + message, err=True)
-    if remedy:
-        click.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
-    return _told(as_json, message, remedy, code)
+    _say(head, message, remedy)
+    return _told(as_json, in_words(message), in_words(remedy), code)
 
 
 def _told(as_json: bool, message: str, remedy: str, code: int) -> int:

@@ -16,8 +16,7 @@ import click
 from rosml import ROOT
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.base.words import in_words
-from rosml.cli import options
+from rosml.cli import command, options
 
 if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
     from rosml.images.image_set import ImageSet
@@ -99,8 +98,7 @@ def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path 
     for file in wanted:
         click.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)
     if lost:
-        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {in_words(lost.message)}", err=True)
-        click.echo(f"{click.style('remedy:', bold=True)} {in_words(lost.remedy)}", err=True)
+        command.warn(lost.message, lost.remedy)
 
 
 def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:

@@ -152,8 +152,7 @@ def _say_whose_matrix() -> None:
     if FOREIGN and source is ParameterSource.DEFAULT:
         text, remedy = _foreign(FOREIGN)
         which = str(ROOT / "matrix.yaml") if IN_CHECKOUT else "the one that came with rosml"
-        click.echo(f"{click.style('warning:', fg='yellow', bold=True)} {text}; the matrix is {which}", err=True)
-        click.echo(f"{click.style('remedy:', bold=True)} {remedy}; or name its matrix with --matrix", err=True)
+        command.warn(f"{text}; the matrix is {which}", f"{remedy}; or name its matrix with --matrix")
 
 
 def _begin_with(check: Callable[[], None], step: click.Command) -> None:
@@ -176,9 +175,10 @@ for step in setup.main.commands.values():
     _begin_with(setup.bootstrap, step)
     _begin_with(_require_checkout, step)
 for name, step in {**cli.commands, **publish.cli.commands}.items():
-    if not isinstance(step, click.Group):
-        _begin_with(_say_whose_matrix, step)
-    if name not in ALONE and not isinstance(step, click.Group):
+    if isinstance(step, click.Group):
+        continue
+    _begin_with(_say_whose_matrix, step)
+    if name not in ALONE:
         _begin_with(_require_checkout, step)
 
 KEPT = {"join": join.KEPT, "setup": setup.KEPT} | dict.fromkeys(("image", "part", "publish"), publish.KEPT)
