@@ -298,6 +298,7 @@ def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     same = differences.Difference((), (), {}, same=1)
     monkeypatch.setattr(revision, "since", lambda *_: same)
     monkeypatch.setattr(publish, "ROOT", ROOT)
+    monkeypatch.setattr(publish, "wait_for_turn", lambda: None)  # for a publishing run of this very checkout
     from rosml.machine.services import Services
 
     monkeypatch.setattr(Services, "load", lambda root, required: None)
