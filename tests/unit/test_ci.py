@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from conftest import ROOT, SMALL, parse
+from conftest import SMALL, parse
 from memory_registry import DAY, HOST, NEXT, PREFIX, Place, place, steps
 from projects import copy, diff
 from stubs import NO_FORMAT_1, services
@@ -188,12 +188,7 @@ def test_a_plan_that_is_none(registry: Place, image_set: ImageSet, tmp_path: Pat
         plan_file.read_plan(tmp_path / "plan.json")
 
 
-@pytest.mark.parametrize(
-    ("text", "says"),
-    [
-        *NO_FORMAT_1,
-    ],
-)
+@pytest.mark.parametrize(("text", "says"), NO_FORMAT_1)
 def test_what_is_wrong_with_a_plan_is_said_in_words(tmp_path: Path, text: bytes, says: str) -> None:
     (tmp_path / "plan.json").write_bytes(text)
     with pytest.raises(RosmlError, match=f"is no plan of this version: {says}") as caught:
@@ -297,8 +292,7 @@ def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     """Then nothing is built, rather than everything, which is what no pattern stands for."""
     same = differences.Difference((), (), {}, same=1)
     monkeypatch.setattr(revision, "since", lambda *_: same)
-    monkeypatch.setattr(publish, "ROOT", ROOT)
-    monkeypatch.setattr(publish, "wait_for_turn", lambda: None)  # for a publishing run of this very checkout
+    monkeypatch.setattr(publish, "ROOT", told)  # its lock is not this checkout's, which a publishing run may have
     from rosml.machine.services import Services
 
     monkeypatch.setattr(Services, "load", lambda root, required: None)
