@@ -56,7 +56,7 @@ endif
 unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
 # A slip of the command line would build something else in silence: `make image TRAGET=x`, `make image jazzy-base`.
-COMMANDS := help image test test-all lint unit page bench list explain generate plan diff locks up client emulation scanner \
+COMMANDS := help image test test-all proofs lint unit page bench list explain generate plan diff locks up client emulation scanner \
   test-scanner signer test-signer room publish status catalogue down clean machine docs
 VARIABLES := TARGET PLATFORM GROUP CHANNEL SNAPSHOT STACK JSON COVERAGE REV SHARDS ONLY REGISTRY SERVE SINCE AT_MOST OUTPUT \
   REPORT SHARD PROOF UPGRADE BASES BOOTSTRAP RUN PATH SHELL ROSML_% BUILDX_% OS_%
@@ -89,6 +89,9 @@ test: ## what every change must pass: linters, unit tests, the catalogue's page,
 test-all: .python ## that, and every proof in tests/proofs: SHARD=1/3 is the part of the first of three machines, PROOF=cuda one proof
 	@$(RUN) python -m tests.suite --check --all --shard "$$SHARD" $(patsubst %,--proof "%",$(PROOF))
 	@$(SUITE) --all --shard "$$SHARD" $(patsubst %,--proof "%",$(PROOF))
+
+proofs: .linters ## when each proof of test-all last ran, and how many commits touched its files since
+	@$(RUN) python -m tests.suite --list
 
 lint: .linters ## the linters only
 	@$(RUN) pytest tests/lint

@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 from types import ModuleType
 
-from tests.documented import ROOT
+from tests.pages import ROOT
 
 
 class Bootstrap:

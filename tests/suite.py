@@ -1,12 +1,11 @@
-"""Runs the suite, says where its time went, and records what was proved.
+"""Runs the suite, says where its time went, and records how proofs ended.
 
 `make test` is what every change must pass. `make test-all` is that and every proof in tests/proofs/; `SHARD=i/n` deals them out
-to n machines, `PROOF=name` runs one of them.
+to n machines, `PROOF=name` runs one of them. `make proofs` lists when each last ran.
 """
 
 from __future__ import annotations
 
-import hashlib
 import os
 import re
 import subprocess
@@ -22,12 +21,11 @@ from pathlib import Path
 import click
 
 from rosml.cli import command
-from tests.proof import ROOT, Proof, Proved, names
+from tests.proof import ROOT, Proof, Run, head, names
+from tests.proof import table as proof_table
 
 LOGS = ROOT / ".state" / "log"
 LANES = ("--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder", "--verbose")
-CHANNELS = ("ROS_CHANNEL", "ROS_SNAPSHOT")
-"""Variables that take ROS's packages from elsewhere."""
 QUIET = ("--quiet", "--override-ini=log_cli=false")
 """For thousands of tests that take no time: a point for each of them."""
 CLEANING_SECONDS = 60.0
@@ -147,29 +145,17 @@ def deal(proofs: Sequence[Proof], shard: int, shards: int) -> tuple[bool, list[P
     return shard == 1, sorted(mine, key=lambda proof: proof.name)
 
 
-def settle(proof: Proof, outcome: Outcome, before: str) -> str:
-    """Records a proof, or says why it is none. In CI nothing is written: the committed proof must agree.
-
-    Args:
-        before: digest of what it depends on, from before it ran.
+def record(proof: Proof, outcome: Outcome) -> str:
+    """Writes how a proof ended into its file.
 
     Returns:
-        What is wrong; empty where it was proved.
+        What is wrong; empty where all of its tests passed.
     """
-    if outcome.code or outcome.failed or outcome.skipped or not outcome.passed:
-        return f"{proof.name}: {outcome.failed} failed, {outcome.skipped} skipped, {outcome.passed} passed"
-    if proof.digest() != before:
-        return f"what {proof.name} depends on has changed while it ran; run it again: {proof.command}"
-    if other := [name for name in CHANNELS if os.environ.get(name)]:
-        return f"{proof.name} is not recorded: it was given with {' and '.join(other)}"
-    if os.environ.get("CI", "").lower() not in ("", "0", "false"):
-        stale = proof.stale()
-        if not stale and proof.proved and proof.proved.passed != outcome.passed:
-            stale = f"{proof.name}: {outcome.passed} tests passed, and tests/proofs/{proof.name}.yaml says {proof.proved.passed}"
-        return stale
-    log = "sha256:" + hashlib.sha256(outcome.log.read_bytes()).hexdigest()
-    proof.record(Proved(datetime.now(UTC).date().isoformat(), proof.digest(), outcome.passed, log))
-    return ""
+    today = datetime.now(UTC).date().isoformat()
+    last = Run(today, head(), outcome.passed, outcome.failed, outcome.skipped)
+    proof.record(last)
+    passed = outcome.passed and not (outcome.code or outcome.failed or outcome.skipped)
+    return "" if passed else f"{proof.name}: {last.outcome}"
 
 
 def set_up(need: str) -> Outcome:
@@ -215,6 +201,12 @@ class Shard(click.ParamType[tuple[int, int]]):
 )
 @click.option("--proof", "wanted", type=click.Choice(names()), multiple=True, help="Run this proof alone.")
 @click.option("--check", is_flag=True, help="Only see whether this could run.")
+@click.option(
+    "--list",
+    "listed",
+    is_flag=True,
+    help="List when each proof last ran, and how many commits touched its files since.",
+)
 @click.option("--coverage", is_flag=True, help="Measure what the tests run of rosml/.")
 @click.option("--started", type=float, help="When the set-up began, in seconds since 1970.")
 def main(
@@ -223,6 +215,7 @@ def main(
     phases: tuple[str, ...],
     wanted: tuple[str, ...],
     check: bool,
+    listed: bool,
     coverage: bool,
     started: float | None,
 ) -> None:
@@ -230,8 +223,10 @@ def main(
     quick, proofs = not wanted, [Proof.load(name) for name in wanted]
     if everything and not wanted:
         quick, proofs = deal([Proof.load(name) for name in names()], *shard)
-    before = {proof.name: proof.digest() for proof in proofs}
     if check:
+        return
+    if listed:
+        click.echo(proof_table([Proof.load(name) for name in names()]))
         return
     outcomes = [Outcome("set-up", time.time() - started, 0)] if started else []
     for name, phase in QUICK.items() if quick else ():
@@ -248,8 +243,10 @@ def main(
             proofs = [proof for proof in proofs if proof not in lacking]
     for proof in proofs:
         outcomes.append(run(proof_phase(proof)))
-        wrong += filter(None, [settle(proof, outcomes[-1], before[proof.name])])
+        wrong += filter(None, [record(proof, outcomes[-1])])
     click.echo(f"\n{table(outcomes)}")
+    if everything or wanted:
+        click.echo(f"\n{proof_table([Proof.load(name) for name in names()])}")
     for line in wrong:
         click.secho(line, fg="red", err=True)
     sys.exit(1 if wrong else 0)

@@ -10,12 +10,12 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.documented import ROOT, Block, blocks, commands
+from tests.pages import ROOT, Block, blocks, commands
 
 EXTEND = ROOT / "docs/extend.md"
 OWN_SET = "A set of your own"
 NEEDS_NETWORK = ("make locks", "make image")
-"""Steps of the page that are not walked: tests/documented.yaml says what shows that they work."""
+"""Steps of the page that are not walked: unit tests run them with a local replacement for uv."""
 
 
 def clone(folder: Path) -> Path:

@@ -16,9 +16,9 @@ import yaml
 from rosml import ROOT
 from rosml.machine import regctl
 from rosml.machine.services import Services
-from tests.documented import SHELLS, Block, blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, run
 from tests.e2e.images import Publish, build
+from tests.pages import SHELLS, Block, blocks, commands
 
 TENSORFLOW = "bookworm-core-tensorflow-cpu"
 CPP = ROOT / "docs/cpp.md"

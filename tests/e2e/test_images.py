@@ -17,9 +17,9 @@ from rosml.images.image_set import ImageSet
 from rosml.images.labels import OCI
 from rosml.machine import regctl
 from rosml.machine.services import Services
-from tests.documented import blocks, commands
 from tests.e2e.conftest import NAMESPACE, Published, publish, run
 from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, base_reference, build, push_part
+from tests.pages import blocks, commands
 
 OCI_SET = {"title", "description", "version", "created", "licenses", "base.name", "base.digest"}
 """What an image says of itself, and its index repeats; `source` where matrix.yaml has one. tests/e2e/mini.py has them with

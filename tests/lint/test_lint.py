@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -11,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.documented import blocks
+from tests.pages import blocks
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(sys.executable).parent
@@ -82,40 +81,12 @@ def test_hadolint() -> None:
     check("hadolint", "--no-color", ROOT / "Dockerfile", ROOT / "tests/e2e/docker_ros/Dockerfile")
 
 
-def oxlint(*files: Path) -> None:
-    """Checks the page's JavaScript, which no build step reads before a browser does."""
+def test_oxlint() -> None:
+    """The page's JavaScript, which no build step reads before a browser does."""
+    files = sorted((ROOT / "rosml/catalogue/page").glob("*.js"))
     assert files
     check("oxlint", "--config", "tests/lint/oxlint.json", "--deny-warnings", *files)
 
 
-def test_oxlint() -> None:
-    oxlint(*sorted((ROOT / "rosml/catalogue/page").glob("*.js")))
-
-
-BAD = {
-    "a syntax error": ("const x = ;", "Unexpected token"),
-    "a name that there is not": ("document.title = nothing_like_that;", "nothing_like_that"),
-    "a variable that nobody reads": ("const unread = 1;", "unread"),
-    "a long function": ("window.x = function long() {\n" + "window.y = 1;\n" * 61 + "};", "too many lines"),
-}
-
-
-@pytest.mark.parametrize("what", BAD)
-def test_oxlint_finds(tmp_path: Path, what: str) -> None:
-    text, reason = BAD[what]
-    (tmp_path / "bad.js").write_text(f"{text}\n")
-    with pytest.raises(pytest.fail.Exception, match=reason):
-        oxlint(tmp_path / "bad.js")
-
-
 def test_generated_files_are_current() -> None:
     check("python", "scripts/generate_bake.py", "--check")
-
-
-def test_makefile_lists_its_commands() -> None:
-    """Every target that a user may call is in the list that ``make`` alone prints."""
-    listed = subprocess.run(["make"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    [named] = re.findall(r"^COMMANDS := ((?:.*\\\n)*.*)$", (ROOT / "Makefile").read_text(), re.MULTILINE)
-    assert sorted(line.split()[1] for line in listed.splitlines() if line.startswith("  make ")) == sorted(
-        named.replace("\\", "").split()
-    )

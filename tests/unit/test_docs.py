@@ -20,11 +20,9 @@ from rosml.catalogue import readme
 from rosml.images import locked
 from rosml.images.image_set import ImageSet
 from scripts import docs
-from tests import map as test_map
-from tests.documented import Block, blocks, pages
+from tests.pages import Block, blocks, pages
 
 PAGES = pages()
-MAP_COMMAND = "uv run python -m tests.map"
 
 
 def prose(text: str) -> str:
@@ -199,13 +197,6 @@ def test_the_readme_says_which_images_of_its_table_lack_a_lock(real: ImageSet, s
     assert "cannot be built" not in readme.tables(whole)
 
 
-def test_the_readme_counts_the_images(real: ImageSet) -> None:
-    rows = f"\n{readme.tables(real)}".partition("\n| distribution |")[2].partition("\n\n")[0].splitlines()[2:]
-    assert [int(row.rstrip("| ").rpartition("| ")[2]) for row in rows] == [
-        sum(image.distribution == name for image in real.images) for name in real.matrix.distributions
-    ]
-
-
 def test_the_readme_says_which_distributions_lack_an_image(real: ImageSet) -> None:
     """Its table of frameworks is for all distributions but those that the sentence below it names."""
     table, _, rest = (ROOT / "README.md").read_text().partition("\nNot for every `<d>`: ")
@@ -218,10 +209,6 @@ def test_the_readme_says_which_distributions_lack_an_image(real: ImageSet) -> No
     for stack in ("cu121", "cpu38"):
         assert {name for name, repository, other in there if (repository, other) == ("ros-torch", stack)} <= lacking
         assert f"`{stack}`" in said
-
-
-def test_the_map_of_tests_is_current() -> None:
-    assert test_map.render() == test_map.PAGE.read_text(), f"write it anew: {MAP_COMMAND}"
 
 
 def titled(name: str) -> Iterator[Block]:
@@ -277,23 +264,3 @@ def test_old_tags_lead_to_tags_that_there_are(real: ImageSet) -> None:
         for tag in re.findall(r"`([^`]+)`", new):
             repository = tag.partition(":")[0] if ":" in tag else repository
             assert (tag if ":" in tag else f"{repository}:{tag}") in known, new
-
-
-def test_hooks_call_the_projects_own_linters() -> None:
-    """Each hook of pre-commit is what a test of tests/lint calls."""
-    linters = (ROOT / "tests/lint/test_lint.py").read_text()
-    hooks = [
-        hook
-        for repo in yaml.safe_load((ROOT / ".pre-commit-config.yaml").read_text())["repos"]
-        for hook in repo["hooks"]
-    ]
-    assert len(hooks) >= 5
-    for hook in hooks:
-        words = hook["entry"].split()
-        assert words[:3] == ["uv", "run", "--quiet"], hook
-        assert hook["language"] == "system" and hook["pass_filenames"] is False
-        call = words[3:]
-        if call[0] == "pytest":
-            assert all((ROOT / word).exists() for word in call[1:] if not word.startswith("-"))
-        else:
-            assert f'check("{call[0]}"' in linters, hook

@@ -8,13 +8,12 @@ import sys
 from pathlib import Path
 
 import pytest
-from conftest import ROOT
 from projects import copy_for_generator
 
 from rosml.bake import targets
 from rosml.images import load
 from rosml.images.image_set import ImageSet
-from tests import fork, walk
+from tests import walk
 from tests.walk import follow, insert, section
 
 
@@ -83,14 +82,6 @@ def test_a_fork_is_green(tmp_path: Path) -> None:
     done = walk.unit_tests(fork, *(f"tests/unit/test_{name}.py" for name in ("design", "workflows")))
     assert done.returncode == 0, done.stdout
     assert re.search(r"\b[1-9]\d+ passed", done.stdout), done.stdout
-
-
-def test_what_a_fork_skips_is_there() -> None:
-    """A test of ours that is renamed would fail in every fork."""
-    for name in fork.OURS:
-        file, _, function = name.partition("::")
-        assert (ROOT / "tests" / file).exists(), name
-        assert not function or f"\ndef {function}(" in (ROOT / "tests" / file).read_text(), name
 
 
 def test_a_part(project: Path, real: ImageSet) -> None:

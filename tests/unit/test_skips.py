@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -58,32 +57,3 @@ def test_a_run_with_a_file_that_skips_fails(tmp_path: Path) -> None:
 def test_the_test_and_the_whole_reason_count(test: str, reason: str, refused: bool) -> None:
     leaves = [Leave("e2e/test_fleet.py::*", "Docker is the builder")]
     assert bool(skips.refusal(test, reason, leaves)) == refused
-
-
-def test_every_leave_is_about_tests_that_there_are() -> None:
-    for leave in skips.listed():
-        file, _, name = leave.test.partition("::")
-        found = list((ROOT / "tests").glob(file))
-        assert found, leave
-        assert name in ("", "*") or f"def {name}(" in found[0].read_text(), leave
-
-
-def test_a_test_that_is_expected_to_fail_proves_nothing(tmp_path: Path) -> None:
-    marked = "import pytest\n\n@pytest.mark.xfail(run=False)\ndef test_marked(): pass\n"
-    called = '\ndef test_called(): pytest.xfail("not here")\n'
-    done = run(tmp_path, marked + called)
-    assert done.returncode == 1
-    assert done.stdout.count(": a test that is expected to fail proves nothing") >= 2
-
-
-def test_a_hooks_repository_is_not_the_tests_own() -> None:
-    """git tells hooks where they are, and tests make repositories."""
-    code = "import os, tests.conftest; assert not {'GIT_DIR', 'GIT_INDEX_FILE'} & os.environ.keys()"
-    environment = {**os.environ, "GIT_DIR": str(ROOT / ".git"), "GIT_INDEX_FILE": "/nowhere"}
-    subprocess.run([sys.executable, "-c", code], cwd=ROOT, env=environment, check=True)
-
-
-def test_without_assertions_nothing_runs() -> None:
-    command = [sys.executable, "-O", "-m", "pytest", "--collect-only", "tests/lint"]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert done.returncode and "unset PYTHONOPTIMIZE" in done.stdout + done.stderr

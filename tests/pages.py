@@ -1,4 +1,4 @@
-"""The commands that the documentation shows: every line of a fenced block of shell, in every page."""
+"""Pages of the documentation, their fenced blocks, and the commands in them: for tests that do what a page says."""
 
 from __future__ import annotations
 
@@ -61,14 +61,3 @@ def commands(block: Block) -> Iterator[str]:
         words = re.sub(r"(^|\s)#\s.*$", "", line.removeprefix("$ ")).strip()
         if words:
             yield " ".join(words.split())
-
-
-def documented() -> dict[str, list[str]]:
-    """Every command, with the pages that show it."""
-    found: dict[str, list[str]] = {}
-    for page in pages():
-        for block in blocks(page):
-            if block.language in SHELLS:
-                for command in commands(block):
-                    found.setdefault(command, []).append(block.page)
-    return found
