@@ -42,7 +42,8 @@ ENV LANG=C.utf8 \
     DOCKER_UID= \
     DOCKER_GID= \
     NVIDIA_VISIBLE_DEVICES=all \
-    NVIDIA_DRIVER_CAPABILITIES=all
+    NVIDIA_DRIVER_CAPABILITIES=all \
+    UV_CONSTRAINT=/usr/local/share/rosml/constraints.d/all.txt
 WORKDIR /docker-ros/ws
 ENTRYPOINT ["/tini", "--", "/entrypoint.sh"]
 CMD ["bash"]
@@ -101,9 +102,10 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
     if [ -e /run/part/install-assembler.sh ]; then /run/part/install-assembler.sh; fi
 
 FROM part-assembler AS part-files
-ARG PART STACK PYTHON WHEEL_PYTHON ACCELERATOR TARGETARCH
-ARG BYTECODE=checked-hash
+ARG PART SLOT STACK PYTHON WHEEL_PYTHON ACCELERATOR TARGETARCH
+ARG BYTECODE=checked-hash SHOWS=none
 COPY locks/${STACK}/${TARGETARCH}/${PYTHON}/${PART}.txt /lock.txt
+COPY locks/${STACK}/${TARGETARCH}/an[y]/${SHOWS}.tx[t] /shown/
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
     --mount=type=bind,source=components/part,target=/run/components/part \
     --mount=type=bind,source=components/${PART},target=/run/components/${PART} \

@@ -146,27 +146,43 @@ components = {
   desktop-full = ["core", "base", "robot", "perception", "desktop", "desktop-full"]
 }
 
-# Versions that go together. frameworks: those that can have them, the smallest first.
+# Versions that go together. frameworks: those that can have them, the smallest first. beside: what goes with each release, in its part. gpu: what parts say of drivers and GPUs.
 stacks = {
   cu128 = {
     accelerator = "cuda", frameworks = ["cuda", "torch", "tensorflow", "ml"]
     versions = { torch = "2.10.0", tensorflow = "2.20.0", cuda = "12.8.90", cudnn = "9.10.2.21", nccl = "2.27.5" }
+    beside = { torch = { torchaudio = "2.10.0", torchvision = "0.25.0" }, tensorflow = {} }
+    gpu = { cuda = { driver = "525" }, torch = { "torch.amd64" = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120" }, tensorflow = { "tensorflow.amd64" = "sm_60 sm_70 sm_80 sm_89 compute_90" } }
   }
   cu130 = {
     accelerator = "cuda", frameworks = ["cuda", "torch"]
-    versions = { torch = "2.12.1", cuda = "13.0.96", cudnn = "9.20.0.48", nccl = "2.29.7" }
+    versions = { torch = "2.14.1", cuda = "13.0.96", cudnn = "9.24.0.43", nccl = "2.30.7" }
+    beside = { torch = { torchaudio = "2.11.0", torchvision = "0.29.1" } }
+    gpu = { cuda = { driver = "580" }, torch = { "torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120", "torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120" } }
+  }
+  cu132 = {
+    accelerator = "cuda", frameworks = ["cuda", "torch"]
+    versions = { torch = "2.15.0", cuda = "13.2.86", cudnn = "9.26.0.51", nccl = "2.30.7" }
+    beside = { torch = { torchvision = "0.29.2" } }
+    gpu = { cuda = { driver = "580" }, torch = { "torch.amd64" = "sm_75 sm_80 sm_86 sm_90 sm_100 sm_120", "torch.arm64" = "sm_80 sm_90 sm_100 sm_110 sm_120" } }
   }
   cu121 = {
     accelerator = "cuda", frameworks = ["cuda", "torch"]
     versions = { torch = "2.4.1", cuda = "12.1.105", cudnn = "9.1.0.70", nccl = "2.20.5" }
+    beside = { torch = { torchaudio = "2.4.1", torchvision = "0.19.1" } }
+    gpu = { cuda = { driver = "525" }, torch = { "torch.amd64" = "sm_50 sm_60 sm_70 sm_75 sm_80 sm_86 sm_90" } }
   }
   cpu = {
     accelerator = "cpu", frameworks = ["torch", "tensorflow", "ml"]
     versions = { torch = "2.10.0", tensorflow = "2.20.0" }
+    beside = { torch = {}, tensorflow = {} }
+    gpu = {}
   }
   cpu38 = {
     accelerator = "cpu", frameworks = ["torch", "tensorflow"]
     versions = { torch = "2.4.1", tensorflow = "2.13.1" }
+    beside = { torch = {}, tensorflow = {} }
+    gpu = {}
   }
 }
 
@@ -174,22 +190,27 @@ stacks = {
 entries = {
   cuda = {
     accelerator = "cuda", any_python = true, tested = true
+    slot = "", shows = ""
     release = "", brings = [{ name = "cuda", short = "cuda", title = "CUDA" }, { name = "cudnn", short = "", title = "" }]
   }
   common = {
     accelerator = "", any_python = false, tested = false
+    slot = "01", shows = "cuda"
     release = "", brings = []
   }
   torch = {
     accelerator = "", any_python = false, tested = true
+    slot = "02", shows = ""
     release = "torch", brings = [{ name = "torch", short = "torch", title = "PyTorch" }]
   }
   tensorflow-cc = {
     accelerator = "", any_python = true, tested = false
+    slot = "", shows = ""
     release = "tensorflow", brings = [{ name = "tensorflow", short = "", title = "" }]
   }
   tensorflow = {
     accelerator = "", any_python = false, tested = true
+    slot = "03", shows = ""
     release = "tensorflow", brings = [{ name = "tensorflow", short = "tf", title = "TensorFlow" }]
   }
 }
@@ -204,12 +225,12 @@ frameworks = {
   cuda = {
     repository = "ros-cuda", parts = ["cuda"], tests = []
     versions = ["cuda", "cudnn", "nccl"], spelled = ["cuda"]
-    stacks = { cu128 = ["linux/amd64"], cu130 = ["linux/amd64", "linux/arm64"], cu121 = ["linux/amd64"] }
+    stacks = { cu128 = ["linux/amd64"], cu130 = ["linux/amd64", "linux/arm64"], cu132 = ["linux/amd64", "linux/arm64"], cu121 = ["linux/amd64"] }
   }
   torch = {
     repository = "ros-torch", parts = ["cuda", "common", "torch"], tests = []
     versions = ["torch", "cuda", "cudnn", "nccl"], spelled = ["torch"]
-    stacks = { cu128 = ["linux/amd64"], cu130 = ["linux/amd64", "linux/arm64"], cu121 = ["linux/amd64"], cpu = ["linux/amd64", "linux/arm64"], cpu38 = ["linux/amd64", "linux/arm64"] }
+    stacks = { cu128 = ["linux/amd64"], cu130 = ["linux/amd64", "linux/arm64"], cu132 = ["linux/amd64", "linux/arm64"], cu121 = ["linux/amd64"], cpu = ["linux/amd64", "linux/arm64"], cpu38 = ["linux/amd64", "linux/arm64"] }
   }
   tensorflow = {
     repository = "ros-tf", parts = ["cuda", "common", "tensorflow-cc", "tensorflow"], tests = []
@@ -230,115 +251,126 @@ source          = null
 short_component = "base"
 releases        = ["torch", "tensorflow"]
 
-# covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
+# short: the stack of a framework's short tags. covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
 distributions = {
   noetic = {
     os = "ubuntu-20.04", ros = "1", ros_distro = "noetic", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu121", tags = ["noetic"], experimental = false
+    tags = ["noetic"], experimental = false
+    short = { cuda = "cu121", torch = "cu121" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-noetic-ros-core", base = "ros-noetic-ros-base", robot = "ros-noetic-robot", perception = "ros-noetic-perception", desktop = "ros-noetic-desktop", desktop-full = "ros-noetic-desktop-full" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/noetic/{day}/ubuntu" }
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
     covered = []
     unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
   }
   foxy = {
     os = "ubuntu-20.04", ros = "2", ros_distro = "foxy", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu121", tags = ["foxy"], experimental = false
+    tags = ["foxy"], experimental = false
+    short = { cuda = "cu121", torch = "cu121" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-foxy-ros-core", base = "ros-foxy-ros-base", desktop = "ros-foxy-desktop" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/foxy/{day}/ubuntu" }
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
     covered = []
     unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
   }
   humble = {
     os = "ubuntu-22.04", ros = "2", ros_distro = "humble", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu128", tags = ["humble"], experimental = false
+    tags = ["humble"], experimental = false
+    short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-humble-ros-core", base = "ros-humble-ros-base", perception = "ros-humble-perception", desktop = "ros-humble-desktop", desktop-full = "ros-humble-desktop-full" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/humble/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.jammy_all.deb@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433" }
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
     unlocked = {}
   }
   iron = {
     os = "ubuntu-22.04", ros = "2", ros_distro = "iron", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu128", tags = ["iron"], experimental = false
+    tags = ["iron"], experimental = false
+    short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-iron-ros-core", base = "ros-iron-ros-base", perception = "ros-iron-perception", desktop = "ros-iron-desktop", desktop-full = "ros-iron-desktop-full" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/iron/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.jammy_all.deb@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433" }
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
     unlocked = {}
   }
   jazzy = {
     os = "ubuntu-24.04", ros = "2", ros_distro = "jazzy", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu128", tags = ["jazzy"], experimental = false
+    tags = ["jazzy"], experimental = false
+    short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-jazzy-ros-core", base = "ros-jazzy-ros-base", perception = "ros-jazzy-perception", desktop = "ros-jazzy-desktop", desktop-full = "ros-jazzy-desktop-full" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/jazzy/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.noble_all.deb@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5" }
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
     unlocked = {}
   }
   kilted = {
     os = "ubuntu-24.04", ros = "2", ros_distro = "kilted", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu128", tags = ["kilted"], experimental = false
+    tags = ["kilted"], experimental = false
+    short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-kilted-ros-core", base = "ros-kilted-ros-base", perception = "ros-kilted-perception", desktop = "ros-kilted-desktop", desktop-full = "ros-kilted-desktop-full" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/kilted/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.noble_all.deb@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5" }
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
     unlocked = {}
   }
   lyrical = {
     os = "ubuntu-26.04", ros = "2", ros_distro = "lyrical", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu128", tags = ["lyrical", "latest"], experimental = false
+    tags = ["lyrical", "latest"], experimental = false
+    short = { cuda = "cu130", torch = "cu130" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-lyrical-ros-core", base = "ros-lyrical-ros-base", perception = "ros-lyrical-perception", desktop = "ros-lyrical-desktop", desktop-full = "ros-lyrical-desktop-full" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/lyrical/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3" }
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
     covered = []
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
   }
   rolling = {
     os = "ubuntu-26.04", ros = "2", ros_distro = "rolling", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu128", tags = ["rolling"], experimental = false
+    tags = ["rolling"], experimental = false
+    short = { cuda = "cu130", torch = "cu130" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-rolling-ros-core", base = "ros-rolling-ros-base", perception = "ros-rolling-perception", desktop = "ros-rolling-desktop", desktop-full = "ros-rolling-desktop-full" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/rolling/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3" }
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
     covered = []
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
   }
   bookworm = {
     os = "bookworm", ros = "1", ros_distro = "Debian", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu128", tags = ["bookworm"], experimental = false
+    tags = ["bookworm"], experimental = false
+    short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-core ros-core-dev ros-core-python-dev", base = "ros-base ros-base-dev ros-base-python-dev", robot = "ros-robot ros-robot-dev ros-robot-python-dev", perception = "ros-perception ros-perception-dev ros-perception-python-dev", desktop = "ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev" }
     apt = null
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "tensorflow-cu128"]
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
   }
   trixie = {
     os = "trixie", ros = "1", ros_distro = "Debian", platforms = ["linux/amd64", "linux/arm64"]
-    default_stack = "cu128", tags = ["trixie"], experimental = false
+    tags = ["trixie"], experimental = false
+    short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-core ros-core-dev ros-core-python-dev", base = "ros-base ros-base-dev ros-base-python-dev", robot = "ros-robot ros-robot-dev ros-robot-python-dev", perception = "ros-perception ros-perception-dev ros-perception-python-dev", desktop = "ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev" }
     apt = null
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
     unlocked = {}
   }
   jazzy-wheels = {
     os = "bookworm", ros = "2", ros_distro = "jazzy", platforms = ["linux/amd64"]
-    default_stack = "cu128", tags = [], experimental = true
+    tags = [], experimental = true
+    short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6", tools = "python3-rosdep2 vcstool python3-numpy python3-empy colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
     packages = { core = "" }
     apt = null
-    stacks = { cuda = ["cu128", "cu130", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
+    stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = []
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
   }
@@ -348,6 +380,7 @@ distributions = {
 parts = [
   { kind = "cuda", stack = "cu128", python = "any", os = "bookworm", platforms = ["linux/amd64"] },
   { kind = "cuda", stack = "cu130", python = "any", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "cuda", stack = "cu132", python = "any", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "cuda", stack = "cu121", python = "any", os = "bookworm", platforms = ["linux/amd64"] },
   { kind = "common", stack = "cu121", python = "3.8", os = "ubuntu-20.04", platforms = ["linux/amd64"] },
   { kind = "torch", stack = "cu121", python = "3.8", os = "ubuntu-20.04", platforms = ["linux/amd64"] },
@@ -370,6 +403,8 @@ parts = [
   { kind = "tensorflow", stack = "cu128", python = "3.12", os = "ubuntu-24.04", platforms = ["linux/amd64"] },
   { kind = "common", stack = "cu130", python = "3.12", os = "ubuntu-24.04", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "torch", stack = "cu130", python = "3.12", os = "ubuntu-24.04", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "common", stack = "cu132", python = "3.12", os = "ubuntu-24.04", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "torch", stack = "cu132", python = "3.12", os = "ubuntu-24.04", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "common", stack = "cpu", python = "3.12", os = "ubuntu-24.04", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "torch", stack = "cpu", python = "3.12", os = "ubuntu-24.04", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "tensorflow", stack = "cpu", python = "3.12", os = "ubuntu-24.04", platforms = ["linux/amd64", "linux/arm64"] },
@@ -377,6 +412,8 @@ parts = [
   { kind = "torch", stack = "cu128", python = "3.14", os = "ubuntu-26.04", platforms = ["linux/amd64"] },
   { kind = "common", stack = "cu130", python = "3.14", os = "ubuntu-26.04", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "torch", stack = "cu130", python = "3.14", os = "ubuntu-26.04", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "common", stack = "cu132", python = "3.14", os = "ubuntu-26.04", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "torch", stack = "cu132", python = "3.14", os = "ubuntu-26.04", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "common", stack = "cpu", python = "3.14", os = "ubuntu-26.04", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "torch", stack = "cpu", python = "3.14", os = "ubuntu-26.04", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "common", stack = "cu128", python = "3.11", os = "bookworm", platforms = ["linux/amd64"] },
@@ -384,6 +421,8 @@ parts = [
   { kind = "tensorflow", stack = "cu128", python = "3.11", os = "bookworm", platforms = ["linux/amd64"] },
   { kind = "common", stack = "cu130", python = "3.11", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "torch", stack = "cu130", python = "3.11", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "common", stack = "cu132", python = "3.11", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "torch", stack = "cu132", python = "3.11", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "common", stack = "cpu", python = "3.11", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "torch", stack = "cpu", python = "3.11", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "tensorflow", stack = "cpu", python = "3.11", os = "bookworm", platforms = ["linux/amd64", "linux/arm64"] },
@@ -392,6 +431,8 @@ parts = [
   { kind = "tensorflow", stack = "cu128", python = "3.13", os = "trixie", platforms = ["linux/amd64"] },
   { kind = "common", stack = "cu130", python = "3.13", os = "trixie", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "torch", stack = "cu130", python = "3.13", os = "trixie", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "common", stack = "cu132", python = "3.13", os = "trixie", platforms = ["linux/amd64", "linux/arm64"] },
+  { kind = "torch", stack = "cu132", python = "3.13", os = "trixie", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "common", stack = "cpu", python = "3.13", os = "trixie", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "torch", stack = "cpu", python = "3.13", os = "trixie", platforms = ["linux/amd64", "linux/arm64"] },
   { kind = "tensorflow", stack = "cpu", python = "3.13", os = "trixie", platforms = ["linux/amd64", "linux/arm64"] },
@@ -422,6 +463,7 @@ group "tensorflow" { targets = having("framework", "tensorflow") }
 group "ml" { targets = having("framework", "ml") }
 group "cu128" { targets = having("stack", "cu128") }
 group "cu130" { targets = having("stack", "cu130") }
+group "cu132" { targets = having("stack", "cu132") }
 group "cu121" { targets = having("stack", "cu121") }
 group "cpu" { targets = having("stack", "cpu") }
 group "cpu38" { targets = having("stack", "cpu38") }
@@ -485,6 +527,14 @@ function "parts_of" {
   ]
 }
 
+# The part whose packages another one of a stack shows to its Python, if any.
+function "shown" {
+  params = [kind, stack]
+  result = try(
+    contains(["", stacks[stack].accelerator], entries[entries[kind].shows].accelerator) ? entries[kind].shows : "", ""
+  )
+}
+
 # Whose versions labels and the environment name; of what has a title, how descriptions and tags call it.
 counted = flatten([for entry in entries : [for item in entry.brings : item.name]])
 called  = { for item in flatten([for entry in entries : entry.brings]) : item.name => item if item.title != "" }
@@ -510,6 +560,9 @@ kinds = flatten([for name, row in distributions : [for choice in choices[name] :
   parts = [for kind in parts_of(choice.framework, choice.stack) : {
     kind = kind, name = part_name(kind, choice.stack, systems[row.os].python)
   }]
+  gpu = flatten([for kind in parts_of(choice.framework, choice.stack) : [
+    for name, value in try(stacks[choice.stack].gpu[kind], {}) : { name = name, value = value }
+  ]])
   versions = [for name in frameworks[choice.framework].versions : {
     name = name, version = stacks[choice.stack].versions[name]
   } if can(stacks[choice.stack].versions[name])]
@@ -539,12 +592,13 @@ images = flatten([for kind in kinds : [for component, packages in kind.row.packa
 # Those that can be built, since all their locks are there. Only these are in groups.
 built = [for image in images : image if image.unlocked == ""]
 
-# All tags of an image. The short ones are those of one component, on the distribution's default stack.
+# All tags of an image. The short ones are those of one component, on the distribution's stack for them.
 function "tags" {
   params = [image]
   result = [for tag in distinct(concat(
     [image.main, image.spelled],
-    image.component == short_component && contains(["", image.row.default_stack], image.stack) ? image.row.tags : []
+    image.component == short_component && contains(["", try(image.row.short[image.framework], "")], image.stack) ?
+    image.row.tags : []
   )) : "${REGISTRY}/${image.repository}:${tag}"]
 }
 
@@ -569,7 +623,11 @@ function "labels" {
     "io.rosml.ros"                         = image.row.ros
     "io.rosml.ros.sync"                    = image.row.apt == null ? null : try(sync_dates[image.distribution], null)
     "io.rosml.experimental"                = image.row.experimental ? "true" : null
-  }, { for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name) })
+    }, {
+    for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name)
+    }, {
+    for item in image.gpu : "io.rosml.gpu.${item.name}" => item.value
+  })
 }
 
 # The structure tests of an image. What takes longer than all others runs in the image with the most frameworks.
@@ -596,7 +654,11 @@ function "expected" {
     [for component in image.chain :
       "packages_${replace(component, "-", "_")}=${replace(row.packages[component], " ", ",")}"
     if row.packages[component] != ""],
-    [for item in image.versions : "${item.name}=${item.version}"]
+    [for item in image.versions : "${item.name}=${item.version}"],
+    flatten([for item in image.versions : [
+      for name, version in try(stacks[image.stack].beside[item.name], {}) : "${name}=${version}"
+    ]]),
+    [for item in image.gpu : "gpu_${replace(replace(item.name, ".", "_"), "-", "_")}=${replace(item.value, " ", ",")}"]
   )
 }
 
@@ -685,6 +747,8 @@ target "_files" {
   contexts  = { os = systems[part.os].image }
   args = {
     PART         = part.kind
+    SLOT         = given(entries[part.kind].slot)
+    SHOWS        = given(shown(part.kind, part.stack))
     STACK        = part.stack
     PYTHON       = part.python
     WHEEL_PYTHON = systems[part.os].python
@@ -716,6 +780,8 @@ target "_part" {
     ])
     }, {
     for item in entries[part.kind].brings : "io.rosml.${item.name}" => stacks[part.stack].versions[item.name]
+    }, {
+    for name, value in try(stacks[part.stack].gpu[part.kind], {}) : "io.rosml.gpu.${name}" => value
     }, length(entries[part.kind].brings) == 0 ? {} : {
     "io.rosml.brings" = join(" ", [for item in entries[part.kind].brings : "${item.name}:${item.short}:${item.title}"])
     }, entries[part.kind].release == "" ? {} : {
@@ -746,6 +812,8 @@ target "_joined" {
       variable(part.kind), part.kind, variable(part.kind)
     )],
     [for item in image.versions : "ENV ${variable(item.name)}_VERSION=${item.version}" if contains(counted, item.name)],
+    [for item in image.versions : "ENV NVIDIA_REQUIRE_CUDA=cuda>=${split(".", item.version)[0]}.0"
+    if item.name == "cuda" && contains(counted, item.name)],
     [""]
   ))
 }

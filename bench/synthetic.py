@@ -65,10 +65,10 @@ def _head() -> str:
     lines += [
         "parts:",
         "  - {name: cuda, title: CUDA, accelerator: cuda, any_python: true, versions: [cuda, cudnn], takes: [nvidia-*]}",
-        "  - {name: common, needs: [cuda], shared: true, tested: false}",
-        "  - {name: torch, title: PyTorch, release: torch, needs: [common]}",
+        "  - {name: common, needs: [cuda], shared: true, tested: false, slot: 1}",
+        "  - {name: torch, title: PyTorch, release: torch, needs: [common], slot: 2}",
         "  - {name: tensorflow-cc, release: tensorflow, any_python: true, needs: [tensorflow], repeats: [tensorflow], tested: false}",
-        "  - {name: tensorflow, title: TensorFlow, short: tf, release: tensorflow, needs: [common, tensorflow-cc]}",
+        "  - {name: tensorflow, title: TensorFlow, short: tf, release: tensorflow, needs: [common, tensorflow-cc], slot: 3}",
         "frameworks:",
         "  none: {repository: ros}",
         "  torch: {repository: ros-torch, parts: [cuda, common, torch]}",

@@ -10,6 +10,8 @@ install -D --mode=644 --target-directory="$share" "$here"/{setup,shell}.bash
 install --mode=755 "$here/banner.sh" "$share/"
 install --mode=755 "$here/entrypoint.sh" /entrypoint.sh
 install --mode=644 "$here/pip.conf" /etc/pip.conf
+install -D --mode=644 --target-directory=/etc/uv "$here/uv.toml"
+install --mode=755 "$here/unpinned.sh" /usr/local/bin/unpinned
 
 # /tini is where users of the predecessor expect it.
 ln -s /usr/bin/tini /tini

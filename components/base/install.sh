@@ -40,6 +40,18 @@ mkdir -p "$(dirname $constraints)"
   setuptools=$(dpkg-query --show --showformat '${Version}' python3-setuptools)
   if dpkg --compare-versions "$setuptools" lt 80; then echo 'setuptools<80'; fi
   echo 'empy<4'
+  # These want numpy 2 from 4.12 on: a pip that sees that in wheels alone would download a handful of 70 MB each.
+  if [[ $NUMPY == '<2' ]]; then printf '%s<4.12\n' opencv{,-contrib}-python{,-headless}; fi
 } >$constraints
+
+# What pip.conf and UV_CONSTRAINT name: these, and a slot for every part that there may be. A part fills its own; empty
+# ones are there from the start, because pip and uv fail where a file is missing.
+slots=$(dirname $constraints)/constraints.d
+mkdir "$slots"
+echo '-c ../constraints.txt' >"$slots/all.txt"
+for slot in $(seq --equal-width 16); do # SLOTS in rosml/matrix/model.py
+  : >"$slots/$slot.txt"
+  echo "-c $slot.txt" >>"$slots/all.txt"
+done
 
 "$here/../build/clean.sh"

@@ -6,5 +6,3 @@ set -euo pipefail
 cuda=/usr/local/lib/rosml/cuda
 # The frameworks' libraries look for ../../nvidia/*/lib beside them (their RPATH), TensorFlow for ptxas as well.
 ln -s "$cuda/nvidia" "${OUT:?}${SITE:?}/nvidia"
-# The packages' metadata, for pip list, pip check and dependency resolution.
-echo "$cuda" >"$OUT$SITE/rosml-cuda.pth"

@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
-"""Makes abseil's hash in TensorFlow's headers the one of its libraries for arm64, whatever compiler reads it.
+"""Makes abseil in TensorFlow's headers the one of its libraries, whatever compiler reads it: they were compiled with Clang.
 
-The libraries were compiled with Clang, which defines __ARM_ACLE: their hash reverses bits where GCC's reverses bytes. A
-map of protobuf that the library filled would not find its keys in a program that GCC compiled: nothing is found, or a
-check ends the program. Written here without the macro; the file's record follows.
+* On arm64 Clang defines __ARM_ACLE: their hash reverses bits where GCC's reverses bytes. A map of protobuf that the library
+  filled would not find its keys in a program that GCC compiled: nothing is found, or a check ends the program.
+* Clang 18 and GCC give some templates different names. Headers say that the library has them, so that GCC makes none, and
+  programs with `LOG(INFO) << 1` or a check of protobuf's did not link. GCC makes its own here.
+
+The files' records follow.
 """
 
 from __future__ import annotations
 
 import os
+import re
 import sys
 
 import records  # beside this script
 
-HEADER = "tensorflow/include/absl/hash/internal/hash.h"
+INCLUDE = "tensorflow/include/absl"
+HASH = f"{INCLUDE}/hash/internal/hash.h"
 OLD = """\
 #ifdef __ARM_ACLE
     // gbswap_64 compiles to `rev` on ARM, but `rbit` is better because it
@@ -29,21 +34,58 @@ NEW = """\
     return reversed;
 #else
 """
+LOG = f"{INCLUDE}/log/internal/log_message.h"
+CORD = f"{INCLUDE}/strings/cord.h"
+PROMISES = {
+    LOG: re.compile(
+        r"(?<!#ifdef __clang__\n)(?:extern template LogMessage& LogMessage::operator<<\([^;]*\);\n)+(?!#endif)"
+    ),
+    CORD: re.compile(r"(?<!#ifdef __clang__\n)extern template (?:void )?Cord::(\w+)\(std::string&& src\);\n"),
+}
+"""What the headers say that the libraries have: templates whose names depend on the compiler."""
+
+
+def hashed_alike(text: str) -> str:
+    """The header of the hash for arm64, of any release.
+
+    Raises:
+        SystemExit: it hashes in a way that is not known.
+    """
+    if "__ARM_ACLE" not in text.partition("namespace absl")[2]:
+        return text  # releases before 2025 hash alike
+    if text.count(OLD) != 1:
+        sys.exit(f"abseil_for_gcc: {HASH} hashes in a way that is not known; compare it with the library's")
+    return text.replace(OLD, NEW)
+
+
+def own(promise: re.Match[str]) -> str:
+    """What compilers other than Clang read in the place of a promise: nothing where the header has the template's body."""
+    instead = ""
+    if promise.re is PROMISES[CORD]:
+        name = promise[1]
+        call = f"{name}(absl::string_view(src))"
+        body = f"Cord::Cord(T&& src) : {call} {{}}" if name == "Cord" else f"void Cord::{name}(T&& src) {{ {call}; }}"
+        instead = f"\n#else\ntemplate <typename T, Cord::EnableIfString<T>>\n{body}"
+    return f"#ifdef __clang__\n{promise[0].rstrip()}{instead}\n#endif\n"
 
 
 def main() -> None:
-    header = records.SITE / HEADER
-    if os.environ["TARGETARCH"] != "arm64" or not header.exists():
-        return
-    text = header.read_text()
-    if "__ARM_ACLE" not in text.partition("namespace absl")[2]:
-        return  # releases before 2025 hash alike
-    if text.count(OLD) != 1:
-        sys.exit(f"abseil_for_gcc: {HEADER} hashes in a way that is not known; compare it with the library's")
-    header.unlink()  # a link to uv's copy, perhaps
-    header.write_text(text.replace(OLD, NEW))
-    records.replace({HEADER: [HEADER, *map(str, records.digest(header))]})
-    print(f"abseil_for_gcc: {HEADER} adapted")
+    changed = {}
+    for path in (HASH, LOG, CORD):
+        header = records.SITE / path
+        if not header.exists():
+            continue
+        text = header.read_text()
+        if path in PROMISES:
+            adapted = PROMISES[path].sub(own, text)
+        else:
+            adapted = hashed_alike(text) if os.environ["TARGETARCH"] == "arm64" else text
+        if adapted != text:
+            header.unlink()  # a link to uv's copy, perhaps
+            header.write_text(adapted)
+            changed[path] = [path, *map(str, records.digest(header))]
+            print(f"abseil_for_gcc: {path} adapted")
+    records.replace(changed)
 
 
 if __name__ == "__main__":

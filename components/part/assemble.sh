@@ -5,6 +5,8 @@
 #   WHEEL_PYTHON  the Python whose wheels it is taken from
 #   TARGETARCH amd64 | arm64 (set by BuildKit)
 #   LOCK       the requirements file with hashes
+#   SHOWS      a part for any Python whose packages this one shows to its Python: their lock is /shown/<name>.txt
+#   SLOT       of the constraints that pip and uv keep to (01 to 16); none for a part that no Python knows of
 # What a part leaves out is in components/<part>/prune.txt, or, where it takes little of its wheels, what it keeps is in
 # keep.txt. Its own steps are in files.sh; they get OUT (/out), SITE
 # (where packages go) and TRIPLET.
@@ -45,7 +47,10 @@ mkdir -p "$OUT/usr/local/share/rosml/versions.d"
 sed -n 's/^\([A-Za-z0-9._-]*\)==\([^ ]*\).*/\1 \2/p' "$LOCK" >"$OUT/usr/local/share/rosml/versions.d/$PART"
 
 "$here/abseil_for_gcc.py"
+"$here/adapt_metadata.py"
+"$here/complete_tensorflow.py"
 if [[ -x $here/../$PART/files.sh ]]; then "$here/../$PART/files.sh"; fi
 "$here/records.py" verify
+if [[ -n ${SLOT:-} ]]; then "$here/packages.py" "$SLOT" /shown/*.txt; fi
 [[ $PYTHON == any ]] || "$here/bytecode.sh"
 "$here/normalise.sh"

@@ -18,6 +18,12 @@ if [[ -n ${ROS_TOOLS:-} ]]; then
   printf 'ros-%s %s\n' distro "${ROS_DISTRO:?}" version "${ROS_VERSION:?}" >/usr/local/share/rosml/versions.d/ros
   if [[ -n ${ROS_CHANNEL:-} ]]; then "$here/source.sh"; fi
 fi
+# With the first component, and for all that is installed later.
+if [[ -n ${ROS_TOOLS:-} && $ROS_VERSION == 1 ]]; then
+  program=/usr/local/lib/rosml/message-headers
+  install -D --mode=755 "$here/message-headers.sh" $program
+  echo "DPkg::Post-Invoke { \"if [ -x $program ]; then $program; fi\"; };" >/etc/apt/apt.conf.d/90message-headers
+fi
 source=$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros)
 use_mirror "$source"
 

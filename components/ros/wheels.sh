@@ -16,7 +16,8 @@ ROS_PACKAGES=${ROS_TOOLS:?} "$here/install.sh" # there are no packages but these
 
 prefix=/opt/ros/${ROS_DISTRO:?}
 site=$prefix/lib/python${PYTHON:?}/site-packages
-"${UV:?}" pip install --no-deps --require-hashes --only-binary :all: --link-mode copy --cache-dir /tmp/uv \
+# Without the image's constraints: uv refuses those that name no exact version where hashes are required.
+env --unset=UV_CONSTRAINT "${UV:?}" pip install --no-deps --require-hashes --only-binary :all: --link-mode copy --cache-dir /tmp/uv \
   --python "/usr/bin/python$PYTHON" --prefix "$prefix" --requirement "${LOCK:?}"
 rm -f "$prefix/.lock"
 OUT=/ SITE=$site PYTHON=$PYTHON "$here/../part/bytecode.sh"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # TensorFlow for C++: libraries in a default library path, so that `-ltensorflow_cc -ltensorflow_framework` links and
-# programs run without LD_LIBRARY_PATH, a CMake package, and a pkg-config file. The headers stay inside the Python
-# package: in a default include path they would shadow the system's protobuf, abseil and Eigen.
+# programs run without LD_LIBRARY_PATH, CMake packages, and pkg-config files. The headers stay inside the Python package:
+# in a default include path they would shadow the system's protobuf, abseil and Eigen. Links lead to them from where people
+# look for them: to all of them from /usr/local/include/tensorflow, and to those of the C API from the default path.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 
@@ -29,7 +30,7 @@ version=${version##*-}
 exports() { "$TRIPLET-nm" --dynamic --defined-only "$tensorflow/libtensorflow_cc.so.$soversion" | grep -c " $1" >/dev/null; }
 
 # `pip install` of what depends on "tensorflow" must find it, also where the wheel that carries it is called otherwise
-# (tensorflow-cpu): a package without files that says so. Some releases for arm64 bring one themselves.
+# (tensorflow-cpu): a package that says so. Some releases for arm64 bring one themselves.
 alias=$OUT$SITE/tensorflow-$version.dist-info
 if [[ ! -d $alias ]]; then
   mkdir "$alias"
@@ -47,32 +48,74 @@ fi
 abi=0
 if exports _ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx11; then abi=1; fi
 flags=(-D_GLIBCXX_USE_CXX11_ABI="$abi" -DEIGEN_MAX_ALIGN_BYTES=64)
-# Newer headers want TensorFlow's version from the command line.
-if [[ -e $tensorflow/include/tensorflow/core/public/release_version.h ]]; then
-  IFS=. read -r major minor patch _ <<<"$version"
-  flags+=(-DTF_MAJOR_VERSION="$major" -DTF_MINOR_VERSION="$minor" -DTF_PATCH_VERSION="${patch%%[!0-9]*}" -DTF_VERSION_SUFFIX=)
-fi
 
 # Wheels from about 2.20 on have the header of ClientSession, the documented way to run a graph, but not the class.
-# It is linked by whoever names libtensorflow_cc and uses it, by way of a linker script, as libc.so is one. ldconfig
-# complains about a file that is no library, unless these words are in it.
+# It is linked by whoever names libtensorflow_cc and uses it, by way of a linker script, as libc.so is one.
+needed=("libtensorflow_framework.so.$soversion")
 if ! exports _ZN10tensorflow13ClientSessionC1E; then
-  session=libtensorflow_client_session.so.$soversion
-  "$here/client_session/build.sh" "$libraries/$session" "${flags[@]}"
-  rm "$libraries/libtensorflow_cc.so"
-  printf '/* GNU ld script */\nINPUT(/usr/lib/%s/%s AS_NEEDED(/usr/lib/%s/%s))\n' \
-    "$TRIPLET" "libtensorflow_cc.so.$soversion" "$TRIPLET" "$session" >"$libraries/libtensorflow_cc.so"
+  needed+=("libtensorflow_client_session.so.$soversion")
+  "$here/client_session/build.sh" "$libraries/${needed[1]}" "${flags[@]}"
 fi
+
+# A linker script in the place of a library: it names libraries that are taken whole, and those of which a program takes
+# what it uses. ldconfig complains about a file that is no library, unless these words are in it.
+#   script FILE LIBRARY... -- LIBRARY...
+script() {
+  local file=$1 word text='' folder=/usr/lib/$TRIPLET
+  for word in "${@:2}"; do
+    if [[ $word == -- ]]; then text+='AS_NEEDED( '; else text+="$folder/$word "; fi
+  done
+  rm -f "$file"
+  printf '/* GNU ld script */\nINPUT(%s))\n' "$text" >"$file"
+}
+cc=libtensorflow_cc.so.$soversion
+script "$libraries/libtensorflow_cc.so" "$cc" -- "${needed[@]}"
+# TensorFlow's archives for C have the C API as a library of its own; it is the same code.
+ln -s libtensorflow_cc.so "$libraries/libtensorflow.so"
+ln -s "$cc" "$libraries/libtensorflow.so.$soversion"
+# Programs that use TensorFlow's own protobuf were told to link `-lprotobuf`. Here the linker looks last: it finds the
+# distribution's, where that is installed, and CMake never sees this one.
+mkdir -p "$OUT/usr/$TRIPLET/lib"
+script "$OUT/usr/$TRIPLET/lib/libprotobuf.so" -- "${needed[0]}"
+
+# All headers, for -I /usr/local/include/tensorflow; hand-written modules of CMake look for them below `google` as well.
+include=$OUT/usr/local/include
+mkdir -p "$include/tensorflow" "$include/google"
+for entry in "$tensorflow"/include/*; do ln -s "${entry#"$OUT"}" "$include/tensorflow/"; done
+ln -s ../tensorflow "$include/google/tensorflow"
+# Those that C can read, and what they include, in the default path: they bring nothing that others have.
+while IFS= read -r header; do
+  found=$(cd "$tensorflow/include" && "$TRIPLET-g++" -x c -std=c11 -w -M -I . "$header" 2>/dev/null) || continue
+  while IFS= read -r path; do
+    mkdir -p "$include/$(dirname "$path")"
+    ln -sf "$SITE/tensorflow/include/$path" "$include/$path"
+  done < <(grep -oE '(^| )(tensorflow|tsl|xla)/[^ ]+' <<<"$found" | tr -d ' ')
+done < <(cd "$tensorflow/include" && find tensorflow/c -name '*.h' ! -name '*internal*' | sort)
+[[ -e $include/tensorflow/c/c_api.h || -L $include/tensorflow/c/c_api.h ]] || {
+  echo "tensorflow: C cannot read tensorflow/c/c_api.h" >&2 && exit 1
+}
 
 fill() {
   sed -e "s|@SITE@|$SITE|g" -e "s|@TRIPLET@|$TRIPLET|g" -e "s|@VERSION@|$version|g" -e "s|@WHEEL@|$wheel|g" \
     -e "s|@SOVERSION@|$soversion|g" -e "s|@FLAGS@|${flags[*]}|g" "$here/$1.in" >"$2/$(basename "$1")"
 }
-mkdir -p "$OUT/usr/local/lib/cmake/TensorFlow" "$OUT/usr/local/lib/pkgconfig"
-fill cmake/TensorFlowConfig.cmake "$OUT/usr/local/lib/cmake/TensorFlow"
-fill cmake/TensorFlowConfigVersion.cmake "$OUT/usr/local/lib/cmake/TensorFlow"
+cmake=$OUT/usr/local/lib/cmake
+mkdir -p "$cmake/TensorFlow" "$cmake/TensorFlowCC" "$OUT/usr/local/lib/pkgconfig"
+fill cmake/TensorFlowConfig.cmake "$cmake/TensorFlow"
+fill cmake/TensorFlowConfigVersion.cmake "$cmake/TensorFlow"
+# The same under the names that other builds of TensorFlow go by: CMake takes these file names for any spelling.
+for name in tensorflow tensorflowcc; do
+  folder=$cmake/TensorFlow
+  if [[ $name == tensorflowcc ]]; then folder=$cmake/TensorFlowCC; fi
+  cp "$here/cmake/other-name-config.cmake" "$folder/$name-config.cmake"
+  cp "$here/cmake/other-name-config-version.cmake" "$folder/$name-config-version.cmake"
+done
 fill pkgconfig/tensorflow_cc.pc "$OUT/usr/local/lib/pkgconfig"
+fill pkgconfig/tensorflow.pc "$OUT/usr/local/lib/pkgconfig"
 
 # The library and its headers are the same for all Pythons: a part of their own has them.
 "$here/../part/records.py" link /usr/local/lib/rosml/tensorflow-cc \
   "tensorflow/libtensorflow_cc.so.$soversion" tensorflow/include
+
+# Whoever replaces the package that stands for it replaces this one: its files are on both records.
+if [[ ${alias##*/} != "$wheel" ]]; then cat "$OUT$SITE/$wheel/RECORD" >>"$alias/RECORD"; fi

@@ -84,10 +84,13 @@ def _tables(image_set: ImageSet) -> Iterator[str]:
     )
     about = "Each component with all that it is built on, the lowest first."
     yield _table("components", about, aligned({name: rules.chain(matrix, name) for name in matrix.components}))
-    about = "Versions that go together. frameworks: those that can have them, the smallest first."
+    about = (
+        "Versions that go together. frameworks: those that can have them, the smallest first. beside: what goes with each"
+        " release, in its part. gpu: what parts say of drivers and GPUs."
+    )
     yield _table("stacks", about, _tall({name: _stack(matrix, name) for name in matrix.stacks}))
     about = "What is built once and joined to many images. brings: whose versions labels and the environment name."
-    yield _table("entries", about, _tall({part.name: _entry(part) for part in matrix.parts}))
+    yield _table("entries", about, _tall({part.name: _entry(matrix, part) for part in matrix.parts}))
     about = (
         "What images carry. spelled: whose versions a tag names. stacks: the platforms that all of it has wheels for."
     )
@@ -96,7 +99,10 @@ def _tables(image_set: ImageSet) -> Iterator[str]:
         "\n".join(["# What is taken where nothing is named, and how things are called.", *aligned(_words(matrix))])
         + "\n"
     )
-    about = "covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why."
+    about = (
+        "short: the stack of a framework's short tags. covered: what skips the longest tests, as an image with more has them."
+        " unlocked: what has no lock yet, and why."
+    )
     yield _table("distributions", about, _tall(_distributions(image_set)))
     about = "What is assembled once, on a system, and joined to many images."
     yield _table("parts", about, (f"{literal(_part(part))}," for part in image_set.parts), "[]")
@@ -153,7 +159,18 @@ def _platforms(matrix: Matrix, architectures: Iterable[str]) -> list[str]:
 def _stack(matrix: Matrix, name: str) -> Lines:
     facts = matrix.stacks[name]
     taking = labels.smallest_first(rules.frameworks(matrix, name))
-    return [{"accelerator": facts.accelerator, "frameworks": taking}, {"versions": rules.versions(matrix, facts)}]
+    return [
+        {"accelerator": facts.accelerator, "frameworks": taking},
+        {"versions": rules.versions(matrix, facts)},
+        {"beside": {family: rules.company(matrix, name, [family]) for family in facts.releases}},
+        {"gpu": {part: gpu for part in matrix.part if (gpu := _gpu(matrix, name, part))}},
+    ]
+
+
+def _gpu(matrix: Matrix, stack: str, part: str) -> dict[str, str]:
+    """What a part says of GPUs; nothing where the stack does not have it."""
+    release = matrix.part[part].release
+    return {} if release and release not in matrix.stacks[stack].releases else rules.gpu(matrix, stack, [part])
 
 
 def _framework(matrix: Matrix, name: str) -> Lines:
@@ -180,10 +197,11 @@ def _words(matrix: Matrix) -> dict[str, object]:
     }
 
 
-def _entry(entry: PartEntry) -> Lines:
+def _entry(matrix: Matrix, entry: PartEntry) -> Lines:
     brings = [{"name": item.name, "short": item.short, "title": item.title} for item in rules.brought_by(entry)]
     return [
         {"accelerator": entry.accelerator or "", "any_python": entry.any_python, "tested": entry.tested},
+        {"slot": f"{entry.slot:02}" if entry.slot else "", "shows": rules.shown(matrix, entry.name)},
         {"release": entry.release or "", "brings": brings},
     ]
 
@@ -204,13 +222,16 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
     platforms = _platforms(matrix, rules.architectures(matrix, name, rules.plain(matrix), None))
     short = [tag.split(":")[1] for image in alone if image.component == FLOATING for tag in image.tags[1:]]
     tools, long = targets.tools(matrix, name), set(long_tests(facts))
+    chosen = {framework: rules.default_stack(matrix, name, framework) for framework in matrix.frameworks}
+    defaults = {framework: stack for framework, stack in chosen.items() if stack}
     stacks: dict[str, list[str]] = {}
     for image in kinds.values():
         if image.stack:
             stacks.setdefault(image.framework, []).append(image.stack)
     return [
         {"os": facts.os, "ros": str(facts.ros), "ros_distro": facts.ros_distro or name, "platforms": platforms},
-        {"default_stack": facts.default_stack, "tags": short, "experimental": facts.experimental},
+        {"tags": short, "experimental": facts.experimental},
+        {"short": defaults},
         {
             "rmw": ",".join(facts.rmw),
             "wheels": targets.wheels(facts.wheels),

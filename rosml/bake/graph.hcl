@@ -57,6 +57,14 @@ function "parts_of" {
   ]
 }
 
+# The part whose packages another one of a stack shows to its Python, if any.
+function "shown" {
+  params = [kind, stack]
+  result = try(
+    contains(["", stacks[stack].accelerator], entries[entries[kind].shows].accelerator) ? entries[kind].shows : "", ""
+  )
+}
+
 # Whose versions labels and the environment name; of what has a title, how descriptions and tags call it.
 counted = flatten([for entry in entries : [for item in entry.brings : item.name]])
 called  = { for item in flatten([for entry in entries : entry.brings]) : item.name => item if item.title != "" }
@@ -82,6 +90,9 @@ kinds = flatten([for name, row in distributions : [for choice in choices[name] :
   parts = [for kind in parts_of(choice.framework, choice.stack) : {
     kind = kind, name = part_name(kind, choice.stack, systems[row.os].python)
   }]
+  gpu = flatten([for kind in parts_of(choice.framework, choice.stack) : [
+    for name, value in try(stacks[choice.stack].gpu[kind], {}) : { name = name, value = value }
+  ]])
   versions = [for name in frameworks[choice.framework].versions : {
     name = name, version = stacks[choice.stack].versions[name]
   } if can(stacks[choice.stack].versions[name])]
@@ -111,12 +122,13 @@ images = flatten([for kind in kinds : [for component, packages in kind.row.packa
 # Those that can be built, since all their locks are there. Only these are in groups.
 built = [for image in images : image if image.unlocked == ""]
 
-# All tags of an image. The short ones are those of one component, on the distribution's default stack.
+# All tags of an image. The short ones are those of one component, on the distribution's stack for them.
 function "tags" {
   params = [image]
   result = [for tag in distinct(concat(
     [image.main, image.spelled],
-    image.component == short_component && contains(["", image.row.default_stack], image.stack) ? image.row.tags : []
+    image.component == short_component && contains(["", try(image.row.short[image.framework], "")], image.stack) ?
+    image.row.tags : []
   )) : "${REGISTRY}/${image.repository}:${tag}"]
 }
 
@@ -141,7 +153,11 @@ function "labels" {
     "io.rosml.ros"                         = image.row.ros
     "io.rosml.ros.sync"                    = image.row.apt == null ? null : try(sync_dates[image.distribution], null)
     "io.rosml.experimental"                = image.row.experimental ? "true" : null
-  }, { for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name) })
+    }, {
+    for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name)
+    }, {
+    for item in image.gpu : "io.rosml.gpu.${item.name}" => item.value
+  })
 }
 
 # The structure tests of an image. What takes longer than all others runs in the image with the most frameworks.
@@ -168,7 +184,11 @@ function "expected" {
     [for component in image.chain :
       "packages_${replace(component, "-", "_")}=${replace(row.packages[component], " ", ",")}"
     if row.packages[component] != ""],
-    [for item in image.versions : "${item.name}=${item.version}"]
+    [for item in image.versions : "${item.name}=${item.version}"],
+    flatten([for item in image.versions : [
+      for name, version in try(stacks[image.stack].beside[item.name], {}) : "${name}=${version}"
+    ]]),
+    [for item in image.gpu : "gpu_${replace(replace(item.name, ".", "_"), "-", "_")}=${replace(item.value, " ", ",")}"]
   )
 }
 
@@ -257,6 +277,8 @@ target "_files" {
   contexts  = { os = systems[part.os].image }
   args = {
     PART         = part.kind
+    SLOT         = given(entries[part.kind].slot)
+    SHOWS        = given(shown(part.kind, part.stack))
     STACK        = part.stack
     PYTHON       = part.python
     WHEEL_PYTHON = systems[part.os].python
@@ -288,6 +310,8 @@ target "_part" {
     ])
     }, {
     for item in entries[part.kind].brings : "io.rosml.${item.name}" => stacks[part.stack].versions[item.name]
+    }, {
+    for name, value in try(stacks[part.stack].gpu[part.kind], {}) : "io.rosml.gpu.${name}" => value
     }, length(entries[part.kind].brings) == 0 ? {} : {
     "io.rosml.brings" = join(" ", [for item in entries[part.kind].brings : "${item.name}:${item.short}:${item.title}"])
     }, entries[part.kind].release == "" ? {} : {
@@ -318,6 +342,8 @@ target "_joined" {
       variable(part.kind), part.kind, variable(part.kind)
     )],
     [for item in image.versions : "ENV ${variable(item.name)}_VERSION=${item.version}" if contains(counted, item.name)],
+    [for item in image.versions : "ENV NVIDIA_REQUIRE_CUDA=cuda>=${split(".", item.version)[0]}.0"
+    if item.name == "cuda" && contains(counted, item.name)],
     [""]
   ))
 }

@@ -247,6 +247,7 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         f"{labels.PREFIX}python": image.python,
         f"{labels.PREFIX}ros": str(image.ros),
         **{f"{labels.PREFIX}{item.name}": item.version for item in image.brought},
+        **labels.about_gpus(image.gpu),
         **labels.named(
             image.distribution, image.component, str(image.ros), image.framework, image.stack, image.brought
         ),
@@ -273,13 +274,19 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
         "WHEEL_PYTHON": matrix.operating_systems[part.os].python,
         "ACCELERATOR": matrix.stacks[part.stack].accelerator,
     }
+    if slot := matrix.part[part.kind].slot:
+        arguments["SLOT"] = f"{slot:02}"
+    shown = rules.shown(matrix, part.kind)
+    if shown and matrix.part[shown].accelerator in (None, matrix.stacks[part.stack].accelerator):
+        arguments["SHOWS"] = shown
     taking = {
         name: [matrix.part[kind] for kind in kinds]
         for name, kinds in rules.frameworks(matrix, part.stack).items()
         if part.kind in kinds
     }
     brought = rules.brought(matrix, [part.kind], matrix.stacks[part.stack])
-    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking)
+    gpu = rules.gpu(matrix, part.stack, [part.kind])
+    found = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, gpu)
     yield names.files_target(part.name), Target("part-files", contexts, arguments, part.platforms)
     tags = (f"{PARTS}:{part.name}",)
     yield part.target, Target("part", contexts, arguments, part.platforms, tags, found)
@@ -301,7 +308,9 @@ def _expected(image_set: ImageSet, image: Image) -> str:
         facts["wheels"] = wheels(distribution.wheels)
     if families := image_set.matrix.families:
         facts["releases"] = ",".join(families)
-    facts |= {**dict(reversed(packages.items())), **image.versions}
+    company = rules.company(image_set.matrix, image.stack, image.versions)
+    gpu = {f"gpu_{re.sub('[.-]', '_', name)}": value.replace(" ", ",") for name, value in image.gpu.items()}
+    facts |= {**dict(reversed(packages.items())), **image.versions, **company, **gpu}
     return " ".join(f"{name}={fact}" for name, fact in facts.items())
 
 

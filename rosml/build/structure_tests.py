@@ -81,6 +81,7 @@ def expected_labels(image: Image) -> dict[str, str]:
         "ros": str(image.ros),
         **({"stack": image.stack} if image.stack else {}),
         **{item.name: item.version for item in image.brought},
+        **{f"gpu.{name}": fact for name, fact in image.gpu.items()},
     }
     return {LABEL + name: value for name, value in facts.items()}
 
@@ -95,6 +96,7 @@ def expected_environment(image: Image) -> dict[str, str]:
         "DOCKER_GID": "",
         "NVIDIA_VISIBLE_DEVICES": "all",
         "NVIDIA_DRIVER_CAPABILITIES": "all",
+        "UV_CONSTRAINT": "/usr/local/share/rosml/constraints.d/all.txt",
         "ROS_DISTRO": image.ros_distro,
         "ROS_VERSION": str(image.ros),
     }

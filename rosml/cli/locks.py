@@ -18,8 +18,10 @@ from rosml.base.words import in_words
 from rosml.cli import options
 
 if TYPE_CHECKING:
+    from rosml.images.image_set import ImageSet
     from rosml.locks.base_digests import Pins
     from rosml.locks.resolve import Move
+    from rosml.locks.upstream import Newer
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -29,6 +31,9 @@ if TYPE_CHECKING:
     help="Move to the newest versions that fit, and base images to what their tags point at; otherwise earlier ones stay.",
 )
 @click.option("--bases", is_flag=True, help="Only move base images to what their tags point at; resolve nothing.")
+@click.option(
+    "--upstream", is_flag=True, help="Say what the index has that the matrix has not, since when, and what holds it."
+)
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock would change.")
 @click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only the locks of this stack or row of wheels.")
 @options.MATRIX
@@ -37,7 +42,14 @@ if TYPE_CHECKING:
 )
 @click.option("--json", "as_json", is_flag=True, help="Print what moved as JSON; all else goes to standard error.")
 def main(
-    upgrade: bool, bases: bool, check: bool, stacks: tuple[str, ...], matrix: Path, report: Path | None, as_json: bool
+    upgrade: bool,
+    bases: bool,
+    upstream: bool,
+    check: bool,
+    stacks: tuple[str, ...],
+    matrix: Path,
+    report: Path | None,
+    as_json: bool,
 ) -> None:
     """Resolves every stack for every Python version and architecture, and writes the locks that changed.
 
@@ -50,23 +62,26 @@ def main(
       rosml locks --stack cpu  the locks of one stack
       rosml locks --check --json   what would move, for machines
       rosml locks --bases      take base images that their makers renewed
+      rosml locks --upstream   releases of PyTorch and TensorFlow that no stack has yet
     """
-    from rosml.base.problems import listed, unknown
     from rosml.cli import tables
     from rosml.images import load, locked
     from rosml.locks.resolve import lock, moves
     from rosml.matrix import source
 
     image_set = load.image_set(source.read(matrix))
+    if upstream and (upgrade or bases or check):
+        raise click.UsageError("--upstream writes no lock; leave --upgrade, --bases and --check out")
     if bases and (upgrade or stacks):
         raise click.UsageError("--bases is about base images alone; leave --upgrade and --stack out")
+    require_known(image_set, stacks)
+    if upstream:
+        tell_upstream(image_set, stacks, report, as_json)
+        return
     pinned = base_images(matrix, check, as_json) if bases or (upgrade and not stacks) else None
     if bases and pinned:
         tell_bases(pinned, check, report, as_json)
         return
-    for name in stacks:
-        if name not in (known := [*image_set.matrix.stacks, *(item.distribution for item in image_set.wheels)]):
-            raise RosmlError(unknown("stack", name, known), f"there is {listed(known)}", exit_code=2)
     locks = lock(image_set, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
     there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
@@ -81,7 +96,8 @@ def main(
     if not as_json:
         tables.show(COLUMNS, rows_of(moved))
     if report:
-        files.write(report, markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else ""))
+        text = markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else "")
+        files.write(report, text + (upstream_table(image_set, stacks) if upgrade else ""))
     for path in sorted(there - locks.texts.keys()):
         click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
     for request, reason in locks.left_out.items():
@@ -91,6 +107,65 @@ def main(
         click.echo(to_json(moved, stale, fresh, locks.left_out, pinned))
     if check and (stale or (pinned and pinned.moved)):
         stop(RosmlError(f"{len(stale)} locks are stale", "run 'make locks' and commit the result"), as_json)
+
+
+def require_known(image_set: ImageSet, stacks: Sequence[str]) -> None:
+    """Refuses a stack that there is not."""
+    from rosml.base.problems import listed, unknown
+
+    known = [*image_set.matrix.stacks, *(item.distribution for item in image_set.wheels)]
+    for name in stacks:
+        if name not in known:
+            raise RosmlError(unknown("stack", name, known), f"there is {listed(known)}", exit_code=2)
+
+
+UPSTREAM = ("stack", "package", "ours", "newest", "since", "held by")
+
+
+def tell_upstream(image_set: ImageSet, stacks: Sequence[str], report: Path | None, as_json: bool) -> None:
+    """Says what the index has that the matrix has not."""
+    from rosml.base.problems import counted
+    from rosml.cli import tables
+    from rosml.locks import upstream
+
+    found = upstream.look(image_set, stacks=stacks)
+    if report:
+        files.write(report, upstream_text(found))
+    if as_json:
+        click.echo(json.dumps([asdict(item) for item in found], indent=2, ensure_ascii=False))
+        return
+    tables.show(UPSTREAM, upstream_rows(found), wrapped=("held by",))
+    click.echo(f"{counted(len(found), 'newer release')}" if found else "nothing is newer than what the matrix names")
+
+
+def upstream_table(image_set: ImageSet, stacks: Sequence[str]) -> str:
+    """What the index has that the matrix has not: a part of the text of a pull request."""
+    from rosml.locks import upstream
+
+    return upstream_text(upstream.look(image_set, stacks=stacks))
+
+
+def upstream_text(found: Sequence[Newer]) -> str:
+    """The same as Markdown."""
+    if not found:
+        return "\nNo release on the index is newer than what the matrix names.\n"
+    return "\nOn the index, and not in the matrix:\n\n" + ci.table(UPSTREAM, upstream_rows(found))
+
+
+def upstream_rows(found: Sequence[Newer]) -> list[tuple[str, ...]]:
+    """A row for each release."""
+    return [
+        (
+            f"{item.stack}, Python {', '.join(item.pythons)}",
+            item.package,
+            item.ours,
+            item.newest,
+            item.since or "-",
+            (item.held_by or "nothing: name it in matrix.yaml")
+            + (f" ({', '.join(item.elsewhere)} has it)" if item.elsewhere else ""),
+        )
+        for item in found
+    ]
 
 
 def tell_bases(pinned: Pins, check: bool, report: Path | None, as_json: bool) -> None:

@@ -40,10 +40,11 @@ def _unusable_defaults(image_set: ImageSet) -> Iterator[tuple[Place, str]]:
     """Default stacks and targets that there are not."""
     carried = {(image.distribution, image.stack) for image in image_set.images if len(image.parts) > 1}
     for name, distribution in image_set.matrix.distributions.items():
-        if (name, distribution.default_stack) not in carried and any(row == name and stack for row, stack in carried):
-            there = dict.fromkeys(stack for row, stack in carried if row == name and stack)
-            text = f"no framework exists for {name} on stack {distribution.default_stack}; there is {listed(sorted(there))}"
-            yield ("distributions", name, "default_stack"), text
+        there = {stack for row, stack in carried if row == name and stack}
+        for default_stack in distribution.default_stacks:
+            if there and default_stack not in there:
+                text = f"no framework exists for {name} on stack {default_stack}; there is {listed(sorted(there))}"
+                yield ("distributions", name, "default_stack"), text
     default = image_set.matrix.default
     targets: list[tuple[Place, str]] = [(("default", "target"), default.target)]
     targets += [(("default", "group", index), name) for index, name in enumerate(default.group)]

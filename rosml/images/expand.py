@@ -29,7 +29,7 @@ def expand(matrix: Matrix) -> ImageSet:
 class _Kind:
     """What images of one distribution with one framework and stack have in common.
 
-    `covering`: the frameworks whose images have all their layers and more.
+    `covering`: the frameworks whose images have all their layers and more. `short`: whether they have the short tags.
     """
 
     framework: str
@@ -40,6 +40,7 @@ class _Kind:
     versions: dict[str, str]
     brought: tuple[Brought, ...] = ()
     covering: tuple[str, ...] = ()
+    short: bool = True
 
 
 def _images(matrix: Matrix) -> Iterator[Image]:
@@ -74,7 +75,8 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
     known = rules.versions(matrix, matrix.stacks[stack])
     versions = {name: known[name] for name in rules.counted(matrix, facts) if name in known}
     brought = rules.brought(matrix, kinds, matrix.stacks[stack])
-    return _Kind(framework, facts, stack, architectures, parts, versions, brought, covering)
+    short = stack == rules.default_stack(matrix, name, framework)
+    return _Kind(framework, facts, stack, architectures, parts, versions, brought, covering, short)
 
 
 def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
@@ -102,8 +104,9 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         platforms=tuple(matrix.architectures[architecture].platform for architecture in kind.architectures),
         versions=kind.versions,
         brought=kind.brought,
+        gpu=rules.gpu(matrix, kind.stack, [part.kind for part in kind.parts]),
         repository=kind.facts.repository,
-        tags=_tags(distribution, name, component, kind, latest),
+        tags=_tags(name, component, kind, latest),
         groups=(*groups, "default") if target in matrix.default.group else tuple(groups),
         parent=ros_image if kind.stack else below,
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
@@ -135,10 +138,10 @@ def _packages(matrix: Matrix, name: str, distribution: Distribution, component: 
     return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
 
 
-def _tags(distribution: Distribution, name: str, component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
+def _tags(name: str, component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
     main = names.main_tag(name, component, kind.stack)
     tags = list(dict.fromkeys((main, names.spelled_tag(main, labels.spelled(kind.brought)))))
-    if component == FLOATING and kind.stack in (None, distribution.default_stack):
+    if component == FLOATING and kind.short:
         tags += [name, *(["latest"] if latest else [])]
     return tuple(f"{kind.facts.repository}:{tag}" for tag in tags)
 

@@ -124,8 +124,11 @@ def _reason(image_set: ImageSet, name: str, wanted: Wanted) -> str | None:
             return f"{name} does not exist: {reason}."
         target = names.image_target(wanted.distribution, wanted.component, wanted.framework, wanted.stack)
         if ":" in name and target in image_set.by_target:
-            stack = matrix.distributions[row].default_stack
-            return f"there is no tag {name}: short ones are for stack {stack} alone; take {image_set.by_target[target].tags[0]}."
+            stack = rules.default_stack(matrix, row, wanted.framework)
+            why = (
+                f"short ones are for stack {stack} alone" if stack else "the row's default stack has no such framework"
+            )
+            return f"there is no tag {name}: {why}; take {image_set.by_target[target].tags[0]}."
         return f"{name} is called {target}."
     reasons = {stack: rules.stack_reason(matrix, row, wanted.framework, stack) for stack in matrix.stacks}
     image = wanted.distribution, wanted.component, wanted.framework
@@ -179,6 +182,8 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
             release = matrix.releases[family][version]
             wheels = listed(release.architectures(image.stack))
             yield f"{family} {version} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
+            if company := rules.company(matrix, image.stack, [family]):
+                yield f"with it {'go' if len(company) > 1 else 'goes'} {listed([' '.join(item) for item in company.items()])}"
         yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
         yield f"it is {image.parent} joined with {listed(image.parts)}"
     elif image.wheels:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from rosml.base.errors import RosmlError
@@ -79,7 +79,7 @@ class Image:
         os: operating system. python: version of its Python. ros: 1 or 2. ros_distro: value of ROS_DISTRO.
         architectures: architectures with the same content; platforms: the same as BuildKit calls them.
         versions: what it carries, e.g. `{"torch": "2.10.0", "cuda": "12.8.90"}`.
-        brought: what of it labels and the environment name.
+        brought: what of it labels and the environment name. gpu: what labels say of GPUs (rules.gpu).
         repository: without the registry. tags: `repository:tag` without the registry; the first one is the main tag.
         groups: bake groups that build it.
         parent: target that it stands on: of a ROS image the component below or the operating system, otherwise the
@@ -121,6 +121,7 @@ class Image:
     disk: Size
     wheels: tuple[str, ...] = ()
     brought: tuple[Brought, ...] = ()
+    gpu: dict[str, str] = field(default_factory=dict)
     covered: tuple[str, ...] = ()
     unlocked: tuple[str, ...] = ()
     lost: tuple[str, ...] = ()

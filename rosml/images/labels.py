@@ -26,6 +26,9 @@ OCI = "org.opencontainers.image."
 BRINGS = f"{PREFIX}brings"
 """The label of a part that says what it brings, with how tags and descriptions call it: `tensorflow:tf:TensorFlow`."""
 
+GPU = f"{PREFIX}gpu."
+"""Prefix of the labels that say which driver and which GPUs: `driver`, `torch.amd64`."""
+
 RELEASE = f"{PREFIX}release"
 """The label of a part that says what it is a release of."""
 
@@ -55,7 +58,24 @@ def spelled(brought: Sequence[Brought]) -> dict[str, str]:
 
 def environment(brought: Sequence[Brought]) -> dict[str, str]:
     """The variables that an image has of what was joined to it."""
-    return {f"{variable(item.name)}_VERSION": item.version for item in brought}
+    versions = {f"{variable(item.name)}_VERSION": item.version for item in brought}
+    cuda = next((item.version for item in brought if item.name == "cuda"), None)
+    return versions | ({REQUIRE: required_driver(cuda)} if cuda else {})
+
+
+REQUIRE = "NVIDIA_REQUIRE_CUDA"
+"""The variable that NVIDIA's container runtime compares with the driver before it starts a container."""
+
+
+def required_driver(cuda: str) -> str:
+    """What a version of CUDA asks of the driver: the first release of its generation, by NVIDIA's minor-version
+    compatibility: `cuda>=12.0` for 12.8.90."""
+    return f"cuda>={cuda.partition('.')[0]}.0"
+
+
+def about_gpus(facts: Mapping[str, str]) -> dict[str, str]:
+    """The labels about GPUs."""
+    return {GPU + name: value for name, value in facts.items()}
 
 
 def variable(name: str) -> str:
@@ -69,12 +89,13 @@ def of_part(
     python: str,
     brought: Sequence[Brought],
     frameworks: Mapping[str, Sequence[PartEntry]],
+    gpu: Mapping[str, str] | None = None,
 ) -> dict[str, str]:
     """The labels of a part.
 
     Args:
         python: `any` where the part is the same for all. brought: what it brings.
-        frameworks: the parts of every framework that takes this one.
+        frameworks: the parts of every framework that takes this one. gpu: what it says of GPUs.
     """
     pythons = "any Python" if python == ANY_PYTHON else f"Python {python}"
     return {
@@ -84,6 +105,7 @@ def of_part(
         f"{PREFIX}stack": stack,
         f"{PREFIX}python": python,
         **{f"{PREFIX}{item.name}": item.version for item in brought},
+        **about_gpus(gpu or {}),
         **({BRINGS: called(brought)} if brought else {}),
         **({RELEASE: entry.release} if entry.release else {}),
         f"{PREFIX}frameworks": " ".join(f"{name}={_marked(frameworks[name])}" for name in smallest_first(frameworks)),

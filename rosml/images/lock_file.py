@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from fnmatch import fnmatchcase
 
 from rosml.images.image_set import Part, Wheels
 from rosml.matrix import names
-from rosml.matrix.model import Matrix
+from rosml.matrix.model import Matrix, Release
 
 _PIN = re.compile(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", re.MULTILINE)
 _WHOLE = re.compile(
@@ -47,11 +48,34 @@ def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:
     pinned, stack, entry = versions(text), matrix.stacks[part.stack], matrix.part[part.kind]
     if entry.release:
         requirement = stack.requirement(entry.release, architecture) or ""
-        return pinned.get(package_name(requirement), "").partition("+")[0] == stack.releases[entry.release]
+        version = stack.releases[entry.release]
+        if pinned.get(package_name(requirement), "").partition("+")[0] != version:
+            return False
+        return entry.name != entry.release or _whole(
+            text, matrix.releases[entry.release][version], entry.name, part.stack
+        )
+    for requirement in entry.added(stack.cuda):
+        added = pinned.get(package_name(requirement))
+        if added is None or not fnmatchcase(added, requirement.partition("==")[2] or "*"):
+            return False
     if entry.versions:
         facts = {package: getattr(stack, fact) for fact, package in cuda_packages(stack.cuda or "")}
         return all(pinned[package] == fact for package, fact in facts.items() if package in pinned and fact)
     return True
+
+
+def _whole(text: str, release: Release, package: str, stack: str) -> bool:
+    """Whether the lock of a release's own part pins what goes with it, and says what is adapted."""
+    pinned = versions(text)
+    adapted = [line for line in text.splitlines() if line.startswith(names.adapted_line(package, ""))]
+    return adapted == adapted_lines(release, package) and all(
+        pinned.get(name) == version for name, version in release.company(stack).items()
+    )
+
+
+def adapted_lines(release: Release, package: str) -> list[str]:
+    """The lines of a lock that say what the metadata of a release's package asks for."""
+    return [names.adapted_line(package, f"{name}{bound}") for name, bound in sorted(release.adapted.items())]
 
 
 def current_wheels(text: str, wheels: Wheels, architecture: str) -> bool:

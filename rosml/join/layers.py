@@ -116,7 +116,7 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
     parts = sorted(parts, key=lambda item: order.index(item.labels[_PART]))
     brought = _brought(parts)
     stack = parts[0].labels[_STACK]
-    merged = _labels(ros, framework, stack, brought)
+    merged = _labels(ros, framework, stack, brought) | _about_gpus(parts)
     sources = (ros, *parts)
     config = oci.encoded(_config(ros, parts, brought, merged))
     manifest = {
@@ -245,6 +245,11 @@ def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought])
     named = labels.named(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], framework, stack, brought)
     counted = {labels.PREFIX + item.name: item.version for item in brought}
     return {**ros.labels, **named, _FRAMEWORK: framework, _STACK: stack, **counted}
+
+
+def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:
+    """What the parts say of GPUs, the image says."""
+    return {name: value for part in parts for name, value in part.labels.items() if name.startswith(labels.GPU)}
 
 
 def _config(

@@ -5,6 +5,7 @@ What a part holds follows from the dependency graph, and from what its entry in 
 
 * a part of the name of a release holds what only that release needs
 * one that `takes` packages holds these, whatever needs them: NVIDIA's libraries
+* one that `adds` packages holds them although no release asks for them: C++ headers of CUDA
 * one that `repeats` packages of its release holds them once more
 * the `shared` one holds numpy, and what several releases need
 
@@ -31,7 +32,7 @@ from rosml.base import progress_bar
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import ImageSet
-from rosml.images.lock_file import cuda_packages, package_name, versions
+from rosml.images.lock_file import adapted_lines, cuda_packages, package_name, versions
 from rosml.matrix import names
 from rosml.matrix.model import ANY_PYTHON, Matrix, PartEntry
 from rosml.matrix.rules import NVIDIA
@@ -67,10 +68,14 @@ class Request:
         ros: whether it is a distribution's.
         numpy: version specifier that keeps the ABI of the operating system's own numpy, e.g. ``<2``.
         constraints: further requirements of the stack.
+        added: requirements of packages that parts hold although no framework asks for them.
         provided: packages the operating system has and the part must not carry, with their versions.
         cuda: the stack's versions of ``cuda``, ``cudnn`` and ``nccl``; empty for a stack without CUDA.
         elsewhere: frameworks whose wheels only PyTorch's own index has.
         parts: what the packages are dealt out to; none of ROS.
+        beside: requirements of what goes with each framework.
+        adapted: what the metadata of each framework asks for in the place of what its wheel's does, as lines of locks.
+        overrides: the same, as requirements.
     """
 
     stack: str
@@ -80,11 +85,15 @@ class Request:
     roots: Mapping[str, str]
     numpy: str
     constraints: tuple[str, ...] = ()
+    added: tuple[str, ...] = ()
     provided: Mapping[str, str] = field(default_factory=dict)
     cuda: Mapping[str, str] = field(default_factory=dict)
     elsewhere: Mapping[str, Elsewhere] = field(default_factory=dict)
     parts: tuple[PartEntry, ...] = ()
     ros: bool = False
+    beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    adapted: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    overrides: tuple[str, ...] = ()
 
     @property
     def asks_pytorch(self) -> bool:
@@ -130,6 +139,7 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
             for together in [[family] for family in families] if stack.apart else [families]:
                 wanted = {family: stack.requirement(family, architecture) for family in together}
                 wheels = {family: _elsewhere(matrix, *key, family) for family in together}
+                releases = {family: matrix.releases[family][stack.releases[family]] for family in together}
                 yield Request(
                     stack=part.stack,
                     architecture=architecture,
@@ -138,6 +148,12 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
                     roots={family: requirement for family, requirement in wanted.items() if requirement},
                     numpy=system.numpy,
                     constraints=stack.constraints,
+                    added=tuple(
+                        requirement
+                        for entry in matrix.parts
+                        if entry.accelerator in (None, stack.accelerator)
+                        for requirement in entry.added(stack.cuda)
+                    ),
                     provided=system.provides,
                     cuda={
                         fact: version
@@ -146,6 +162,20 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
                     },
                     elsewhere={family: wheel for family, wheel in wheels.items() if wheel},
                     parts=matrix.parts,
+                    beside={
+                        family: tuple(f"{name}=={version}" for name, version in release.company(part.stack).items())
+                        for family, release in releases.items()
+                    },
+                    adapted={family: tuple(adapted_lines(release, family)) for family, release in releases.items()},
+                    overrides=tuple(
+                        sorted(
+                            {
+                                f"{name}{bound}"
+                                for release in releases.values()
+                                for name, bound in release.adapted.items()
+                            }
+                        )
+                    ),
                 )
     yield from _ros_requests(image_set)
 
@@ -239,28 +269,28 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
         wanted = []
         for family, requirement in request.roots.items():
             wanted += request.elsewhere[family].requires if family in request.elsewhere else [requirement]
+    wanted += [requirement for family in request.roots for requirement in request.beside.get(family, ())]
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
-        (base / "in.txt").write_text("\n".join([*wanted, f"numpy{request.numpy}"]) + "\n")
-        # What the system has is a constraint, not an override: a release that asks for more would not work there.
+        (base / "in.txt").write_text("\n".join([*wanted, *request.added, f"numpy{request.numpy}"]) + "\n")
+        # What the system has is a constraint, not an override: a release that asks for more would not work there, unless
+        # matrix.yaml says that it does (adapted).
         # But ROS's wheels need some of it that has no wheel (empy): no Python is below 3, so it is left out, and
         # `pip check` in the image judges.
         provided = [f"{name}=={version}" for name, version in sorted(request.provided.items())]
         (base / "constraints.txt").write_text(
             "\n".join([*request.constraints, *([] if request.ros else provided)]) + "\n"
         )
-        left_out = [f"{pin}; python_version < '3'" for pin in provided if request.ros]
-        (base / "overrides.txt").write_text("\n".join(left_out) + "\n")
+        overrides = [f"{pin}; python_version < '3'" for pin in provided if request.ros] + [*request.overrides]
+        (base / "overrides.txt").write_text("\n".join(overrides) + "\n")
         output = base / "out.txt"
         if previous and not upgrade:
             output.write_text(previous)
-        command = ["pip", "compile", "--quiet", "--generate-hashes", "--only-binary", ":all:", "--no-header"]
-        command += ["--no-config", "--annotation-style", "split", "--no-emit-index-url"]
-        command += ["--python-version", request.python, "--python-platform", request.wheels]
-        command += ["--constraint", "constraints.txt", "in.txt", "--output-file", "out.txt"]
+        command = [*compile_command(request), "--generate-hashes", "--no-header", "--annotation-style", "split"]
+        command += ["--no-emit-index-url", "--constraint", "constraints.txt", "in.txt", "--output-file", "out.txt"]
         if request.asks_pytorch:
             command += ["--torch-backend", "cpu"]
-        if request.ros:
+        if overrides:
             command += ["--override", "overrides.txt"]
         for name in sorted(request.provided):
             command += ["--no-emit-package", name]
@@ -276,6 +306,12 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
             )
         pins = parse(output.read_text(errors="replace") if output.exists() else "")
     return pins if request.asks_pytorch else _with_known_wheels(request, pins)
+
+
+def compile_command(request: Request) -> list[str]:
+    """What every resolution for a Python and an architecture begins with."""
+    quiet = ["pip", "compile", "--quiet", "--no-config", "--only-binary", ":all:"]
+    return [*quiet, "--python-version", request.python, "--python-platform", request.wheels]
 
 
 def _environment() -> dict[str, str]:
@@ -356,13 +392,23 @@ def closure(root: str, pins: Iterable[Pin]) -> frozenset[str]:
     return frozenset(seen)
 
 
-def split(pins: list[Pin], roots: Mapping[str, str], parts: Sequence[PartEntry]) -> dict[str, list[Pin]]:
+def split(
+    pins: list[Pin],
+    roots: Mapping[str, str],
+    parts: Sequence[PartEntry],
+    beside: Mapping[str, Sequence[str]] | None = None,
+) -> dict[str, list[Pin]]:
     """Assigns every package to a part, and those that parts repeat to these as well.
 
     Args:
         roots: what is released, to the requirement that asks for it. parts: those of the matrix.
+        beside: what is released, to the requirements of what goes with it.
     """
-    needs = {framework: closure(package_name(requirement), pins) for framework, requirement in roots.items()}
+    wanted = {family: [requirement, *(beside or {}).get(family, ())] for family, requirement in roots.items()}
+    needs = {
+        family: frozenset[str]().union(*(closure(package_name(requirement), pins) for requirement in requirements))
+        for family, requirements in wanted.items()
+    }
     shared = closure("numpy", pins)
     common = shared_part(parts)
     found: dict[str, list[Pin]] = {part.name: [] for part in parts}
@@ -393,6 +439,7 @@ def render(request: Request, part: str, pins: list[Pin]) -> str:
         if request.ros
         else names.lock_head(request.stack, request.architecture, _python(request, part), part),
         "# Made by scripts/lock.py (make locks) from matrix.yaml; do not edit.",
+        *request.adapted.get(part, ()),
     ]
     for pin in pins:
         lines.append(" \\\n".join([f"{pin.name}=={pin.version}", *(f"    --hash={digest}" for digest in pin.hashes)]))
@@ -498,7 +545,7 @@ def _parts(outcome: _Outcome) -> dict[str, list[Pin]]:
     """What a request came to by part. The operating system has the numpy of its own packages."""
     if outcome.request.ros:
         return {names.ROS: [pin for pin in outcome.pins if pin.name != "numpy"]}
-    return split(outcome.pins, outcome.request.roots, outcome.request.parts)
+    return split(outcome.pins, outcome.request.roots, outcome.request.parts, outcome.request.beside)
 
 
 def _path(request: Request, part: str) -> str:

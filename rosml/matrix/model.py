@@ -7,6 +7,7 @@ follows from the facts in `rules`. The descriptions here become matrix.schema.js
 from __future__ import annotations
 
 import datetime
+import re
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Annotated, Any, Literal
@@ -24,6 +25,7 @@ ANY_PYTHON = "any"
 NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*$"
 FILE_NAME = r"^[a-z][a-z0-9]*([.-][a-z0-9]+)*$"
 VERSION = r"^[0-9]+(\.[0-9A-Za-z]+)*$"
+GENERATION = r"^[1-9][0-9]*$"
 PYTHON = r"^3\.(0|[1-9][0-9]?)$"
 DIGEST = r"^sha256:[0-9a-f]{64}$"
 REFERENCE = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?(/[a-z0-9]+([._-]+[a-z0-9]+)*)*$"
@@ -43,6 +45,7 @@ REQUIREMENT = (
 )
 PINNED = r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?==[0-9][0-9A-Za-z.+]*$"
 PATTERN = r"^[a-z0-9*][a-z0-9*-]*$"
+CUDA_MAJOR = r"^[1-9][0-9]*$"
 SENTENCE = r"^[A-Za-z0-9][A-Za-z0-9 ,.;:()_+=<>-]*$"
 PACKAGES = r"^[a-z0-9.+{}_-]+( [a-z0-9.+{}_-]+)*$"
 MEANING = {
@@ -63,17 +66,22 @@ MEANING = {
     WORD: "one word",
     SPECIFIER: 'a version range, such as "<2" or ">=2.2,<2.3"',
     PATTERN: "a Python package, or a pattern of packages, such as nvidia-*",
+    CUDA_MAJOR: 'a generation of CUDA in quotes, such as "12"',
     SENTENCE: "a sentence without quotes",
     REQUIREMENT: 'a Python requirement, such as "protobuf>=5.28,<7"',
     PINNED: "a Python package with its version, such as ros-jazzy-rclpy[fastrtps]==7.1.6",
     PACKAGES: "Debian package names separated by single spaces; {component}, {metapackage} and {ros_distro} are filled in",
 }
 
+SLOTS = 16
+"""How many parts a matrix can have whose packages pip leaves alone: ROS images have as many empty files for that."""
+
 # The limits on length keep a tag, which joins several of them, within a registry's 128 characters.
 Name = Annotated[str, Field(pattern=NAME, max_length=24)]
 OsName = Annotated[str, Field(pattern=FILE_NAME, max_length=24)]
 Version = Annotated[str, Field(pattern=VERSION, max_length=20)]
 Python = Annotated[str, Field(pattern=PYTHON)]
+Generations = Annotated[str, Field(pattern=GENERATION)]
 Digest = Annotated[str, Field(pattern=DIGEST)]
 Word = Annotated[str, Field(pattern=WORD, max_length=64)]
 Host = Annotated[str, Field(pattern=HOST, max_length=100)]
@@ -86,8 +94,10 @@ Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
 Pinned = Annotated[str, Field(pattern=PINNED, max_length=120)]
 Packages = Annotated[str, Field(pattern=PACKAGES, max_length=400)]
 Pattern = Annotated[str, Field(pattern=PATTERN, max_length=64)]
+CudaMajor = Annotated[str, Field(pattern=CUDA_MAJOR, max_length=3)]
 Target = Annotated[str, Field(pattern=NAME, max_length=128)]
 Names = Annotated[tuple[Name, ...], Field(min_length=1)]
+Slot = Annotated[int, Field(ge=1, le=SLOTS)]
 Megabytes = Annotated[int, Field(ge=0, le=1_000_000)]
 Rate = Annotated[int, Field(ge=1, le=10_000)]
 
@@ -108,6 +118,14 @@ Requirements = Annotated[
     Annotated[Requirement, Tag("same")] | Annotated[dict[Name, Requirement], Tag("per-architecture")],
     Discriminator(_requirement_kind),
 ]
+
+
+def _amount(value: Any) -> str:
+    return "one" if isinstance(value, str) else "several"
+
+
+# One stack, or several of which the first that fits is taken.
+Stacks = Annotated[Annotated[Name, Tag("one")] | Annotated[Names, Tag("several")], Discriminator(_amount)]
 
 
 class Facts(BaseModel):
@@ -198,8 +216,16 @@ class PartEntry(Facts):
     )
     any_python: bool = Field(default=False, description="the same for every Python version")
     needs: tuple[Name, ...] = Field(default=(), description="parts without which no image has it")
+    slot: Slot | None = Field(
+        default=None,
+        description="number of the constraints in which pip and uv find what it holds; one that no other part has",
+    )
     shared: bool = Field(default=False, description="it holds numpy and what several releases need; one part does")
     takes: tuple[Pattern, ...] = Field(default=(), description="packages that it holds, whatever needs them")
+    adds: dict[CudaMajor, tuple[Requirement, ...]] = Field(
+        default={},
+        description="by generation of CUDA: packages that no release asks for; without a version, of the stack's CUDA (12.8)",
+    )
     repeats: tuple[Pattern, ...] = Field(
         default=(), description="packages of its release that it holds beside the part of the release's own name"
     )
@@ -209,6 +235,13 @@ class PartEntry(Facts):
     def brings(self) -> tuple[str, ...]:
         """Names of the versions that labels and the environment of its images have."""
         return (self.release,) if self.release else self.versions
+
+    def added(self, cuda: str | None) -> tuple[str, ...]:
+        """Requirements of packages that no release asks for, e.g. `nvidia-cuda-cccl-cu12==12.8.*` for CUDA 12.8.90."""
+        generation, *rest = (cuda or "").split(".")
+        release = ".".join([generation, *rest[:1], "*"])
+        wanted = self.adds.get(generation, ())
+        return tuple(item if re.search("[<=>]", item) else f"{item}=={release}" for item in wanted)
 
 
 class Framework(Facts):
@@ -236,6 +269,20 @@ class Release(Facts):
         description="stack -> architecture -> Python -> published digest of the wheel, where only PyTorch's own index"
         " has wheels; a Python without a digest has no lock before `make locks` could ask that index",
     )
+    beside: dict[Name, Version] = Field(
+        default={},
+        description="packages that go with it, in the same part: a name on the Python package index -> its version; on"
+        " stacks whose wheels are all on that index",
+    )
+    adapted: dict[Word, Annotated[str, Field(pattern=SPECIFIER)]] = Field(
+        default={},
+        description="package -> what the part's metadata asks of it, in the place of what the wheel's does: where a"
+        " release asks for more than it was found to need, and no part may carry it",
+    )
+    gpus: dict[Name, Annotated[tuple[Word, ...], Field(min_length=1)]] = Field(
+        default={},
+        description="architecture -> GPU architectures that its wheels with CUDA were built for, as they say it: sm_80",
+    )
     cxx11_abi: bool = Field(
         default=True,
         description="whether its C++ libraries have the string ABI of ROS's, so that a program can link both",
@@ -247,6 +294,10 @@ class Release(Facts):
     def architectures(self, stack: str) -> tuple[str, ...]:
         """Architectures with wheels for a stack, on whatever index."""
         return tuple(dict.fromkeys([*self.wheels.get(stack, ()), *self.elsewhere.get(stack, ())]))
+
+    def company(self, stack: str) -> dict[str, str]:
+        """What goes with it on a stack: packages and their versions. None where only PyTorch's own index has wheels."""
+        return {} if stack in self.elsewhere else dict(sorted(self.beside.items()))
 
 
 class Stack(Facts):
@@ -305,7 +356,9 @@ class Distribution(Facts):
     )
     experimental: bool = Field(default=False, description="not what its generation's users expect; never `latest`")
     components: Names = Field(description="components that it has")
-    default_stack: Name = Field(description="stack of the short tags, e.g. ros-torch:jazzy")
+    default_stack: Stacks = Field(
+        description="stack of the short tags, e.g. ros-torch:jazzy; of several the first that a framework exists on"
+    )
     eol: datetime.date | None = Field(default=None, description="end of life; leave out for a rolling distribution")
     lts: bool = Field(default=False, description="a long-term release of ROS: the newest one gets the tag `latest`")
     apt: Apt | None = Field(
@@ -319,6 +372,11 @@ class Distribution(Facts):
     def generation(self) -> Generation:
         """How ROS's apt repositories call its generation of ROS."""
         return "ros" if self.ros == 1 else "ros2"
+
+    @property
+    def default_stacks(self) -> tuple[str, ...]:
+        """The stacks of the short tags: of each framework, the first that it exists on."""
+        return (self.default_stack,) if isinstance(self.default_stack, str) else self.default_stack
 
     @cached_property
     def present(self) -> frozenset[str]:
@@ -401,6 +459,9 @@ class Matrix(Facts):
     frameworks: dict[Name, Framework] = Field(min_length=1)
     releases: dict[Name, dict[Version, Release]] = Field(
         default={}, description="what has wheels of its own -> version -> release"
+    )
+    drivers: dict[Generations, Version] = Field(
+        default={}, description="generation of CUDA, in quotes -> the oldest NVIDIA driver that runs any CUDA of it"
     )
     stacks: dict[Name, Stack] = Field(min_length=1)
     distributions: dict[Name, Distribution] = Field(min_length=1)

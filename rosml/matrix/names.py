@@ -83,6 +83,11 @@ def lock_head(stack: str, architecture: str, python: str, part: str) -> str:
     return f"# Part '{part}' of stack {stack}, Python {python}, {architecture}."
 
 
+def adapted_line(package: str, requirement: str) -> str:
+    """The line of a lock that says what a package's metadata asks for in the place of what its wheel's does."""
+    return f"# adapted: {package} {requirement}"
+
+
 def wheels_head(distribution: str, architecture: str, python: str) -> str:
     """The first line of the lock of a distribution that comes from wheels."""
     return f"# ROS of {distribution}, Python {python}, {architecture}."

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import string
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from fnmatch import fnmatchcase
 
 from rosml.base.problems import Path, listed, near, unknown
 from rosml.matrix import names
-from rosml.matrix.model import Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
+from rosml.matrix.model import SLOTS, Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
 from rosml.matrix.rules import NVIDIA
 
 Finding = tuple[Path, str]
@@ -156,22 +158,40 @@ def _parts(matrix: Matrix) -> Iterator[Finding]:
     """Parts have names of their own, and those that are releases of something have one of its name among them."""
     seen: set[str] = set()
     shared = [part.name for part in matrix.parts if part.shared]
+    slots: dict[int, str] = {}
+    for part in matrix.parts:
+        if part.slot is not None:
+            slots.setdefault(part.slot, part.name)
     for index, part in enumerate(matrix.parts):
         path: Path = ("parts", index)
         if part.name in seen:
             yield (*path, "name"), f"{part.name!r} is there twice; keep one"
         seen.add(part.name)
         yield from _each((*path, "needs"), "part", part.needs, matrix.part)
+        yield from _slot(path, part, slots)
         if part.release and part.release not in matrix.releases:
             yield (*path, "release"), unknown("release", part.release, matrix.releases)
         elif part.release and part.release not in matrix.part:
             yield (*path, "release"), f"a part of the name {part.release} holds what only it needs; add one to 'parts'"
+        for generation, packages in part.adds.items():
+            for place, package in enumerate(packages):
+                if not any(fnmatchcase(re.split(r"[\[<=>!~]", package)[0], pattern) for pattern in part.takes):
+                    yield (*path, "adds", generation, place), f"{package} is not what the part takes; add it to 'takes'"
         if part.repeats and part.release in (None, part.name):
             yield (*path, "repeats"), "it belongs to a part beside the one of its release's name; remove it"
         if part.shared and part.name != shared[0]:
             yield (*path, "shared"), f"{shared[0]} holds what several releases need; remove it"
     if matrix.families and not shared:
         yield ("parts",), "no part holds what several releases need; say 'shared: true' of one"
+
+
+def _slot(path: Path, part: PartEntry, slots: Mapping[int, str]) -> Iterator[Finding]:
+    """A part in which a Python finds packages has a slot of its own. `slots`: the first part of each."""
+    free = next((str(number) for number in range(1, SLOTS + 1) if number not in slots), "none: all are taken")
+    if part.slot is None and not part.any_python:
+        yield path, f"{part.name} has no slot, so pip would replace what it holds; add 'slot: {free}'"
+    elif part.slot is not None and slots[part.slot] != part.name:
+        yield (*path, "slot"), f"slot {part.slot} is that of {slots[part.slot]}; free is {free}"
 
 
 def _releases(matrix: Matrix) -> Iterator[Finding]:
@@ -187,6 +207,7 @@ def _releases(matrix: Matrix) -> Iterator[Finding]:
                 if stack not in matrix.stacks:
                     yield path, unknown("stack", stack, matrix.stacks)
                 yield from _each(path, "architecture", architectures, matrix.architectures)
+            yield from _each(("releases", family, version, "gpus"), "architecture", release.gpus, matrix.architectures)
             yield from _elsewhere(matrix, ("releases", family, version), release)
 
 
@@ -224,6 +245,9 @@ def _stacks(matrix: Matrix) -> Iterator[Finding]:
         for key in ("cuda", "cudnn"):
             if stack.accelerator == "cuda" and getattr(stack, key) is None:
                 yield path, f"a stack with accelerator cuda needs '{key}'; add its version"
+        generation = (stack.cuda or "").partition(".")[0]
+        if stack.cuda and matrix.drivers and generation not in matrix.drivers:
+            yield (*path, "cuda"), f"'drivers' does not say which driver CUDA {generation} needs; add it there"
         for key in NVIDIA:
             if stack.accelerator != "cuda" and getattr(stack, key) is not None:
                 yield (*path, key), f"a stack with accelerator {stack.accelerator} has no {key}; remove it"
@@ -258,8 +282,10 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
         if distribution.os not in matrix.operating_systems:
             yield (*path, "os"), unknown("operating system", distribution.os, matrix.operating_systems)
         yield from _each((*path, "components"), "component", distribution.components, matrix.components)
-        if distribution.default_stack not in matrix.stacks:
-            yield (*path, "default_stack"), unknown("stack", distribution.default_stack, matrix.stacks)
+        one = isinstance(distribution.default_stack, str)
+        for index, stack in enumerate(distribution.default_stacks):
+            if stack not in matrix.stacks:
+                yield (*path, "default_stack", *(() if one else (index,))), unknown("stack", stack, matrix.stacks)
         if distribution.lts and distribution.eol is None:
             yield (*path, "lts"), "a long-term release has an end of life; add 'eol: …'"
         packages = distribution.packages or ""

@@ -44,6 +44,12 @@ def stack_reason(matrix: Matrix, distribution: str, framework: str, stack: str |
     return _python(matrix, os, facts, matrix.stacks[stack]) or _architectures(matrix, distribution, facts, stack)
 
 
+def default_stack(matrix: Matrix, distribution: str, framework: str) -> str | None:
+    """The stack of a framework's short tags: the first of the distribution's that it exists on, if any."""
+    stacks = matrix.distributions[distribution].default_stacks
+    return next((stack for stack in stacks if stack_reason(matrix, distribution, framework, stack) is None), None)
+
+
 def _content_reason(matrix: Matrix, framework: str, stack: str | None) -> str | None:
     """Does the stack have what the framework takes?"""
     facts = matrix.frameworks[framework]
@@ -140,6 +146,15 @@ def parts(matrix: Matrix, framework: Framework, stack: Stack) -> tuple[str, ...]
     )
 
 
+def shown(matrix: Matrix, part: str) -> str:
+    """The part whose packages another one shows to its Python: one for any Python, which no Python finds by itself.
+
+    One that only repeats what another part has is not shown. Empty if there is none.
+    """
+    found = (matrix.part[need] for need in matrix.part[part].needs)
+    return next((need.name for need in found if need.any_python and need.takes), "")
+
+
 def versions(matrix: Matrix, stack: Stack) -> dict[str, str]:
     """Every version of a stack that counts, by name: of releases, in the order of parts, then of CUDA."""
     released = {family: stack.releases[family] for family in matrix.families if family in stack.releases}
@@ -160,6 +175,28 @@ def brought_by(part: PartEntry) -> Iterator[Brought]:
     for index, name in enumerate(part.brings):
         title = (part.title or "") if index == 0 else ""
         yield Brought(name, "", title, (part.short or part.name) if title else "", bool(part.release))
+
+
+def company(matrix: Matrix, stack: str | None, families: Iterable[str]) -> dict[str, str]:
+    """What goes with releases of a stack in their parts: packages and their versions."""
+    chosen = matrix.stacks[stack].releases if stack else {}
+    releases = [matrix.releases[family][chosen[family]] for family in families if family in chosen]
+    return {name: version for release in releases for name, version in release.company(stack or "").items()}
+
+
+def gpu(matrix: Matrix, stack: str | None, parts: Iterable[str]) -> dict[str, str]:
+    """What parts of a stack say of GPUs: the oldest driver, and what each release was built for on an architecture:
+    `{"driver": "580", "torch.amd64": "sm_80 sm_90"}`. Nothing on a stack without CUDA."""
+    facts, found = matrix.stacks[stack] if stack else None, dict[str, str]()
+    if facts is None or facts.accelerator != "cuda":
+        return found
+    for entry in (matrix.part[name] for name in parts):
+        if "cuda" in entry.versions and (driver := matrix.drivers.get((facts.cuda or "").partition(".")[0])):
+            found["driver"] = driver
+        if entry.release == entry.name:
+            built = matrix.releases[entry.name][facts.releases[entry.name]].gpus
+            found |= {f"{entry.name}.{architecture}": " ".join(built[architecture]) for architecture in sorted(built)}
+    return found
 
 
 def frameworks(matrix: Matrix, stack: str) -> dict[str, tuple[str, ...]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -15,6 +16,9 @@ MEDIA_TYPE = "application/vnd.cyclonedx+json"
 """Also the type of the artifact, by which trivy and others find it beside an image."""
 
 SCANNER_ANNOTATION = "io.rosml.sbom.scanner"
+
+OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
+"""The package URL of an operating system's package; its group is that system."""
 
 
 @dataclass(frozen=True)
@@ -69,13 +73,20 @@ class Sbom:
 
     @property
     def packages(self) -> list[dict[str, Any]]:
-        """Its packages."""
-        return [item for item in self.document["components"] if item["type"] == "library"]
+        """Its packages, without those of another operating system: a wheel's SBOM names the packages that its libraries were
+        copied from, which no advisory of this system speaks of."""
+        family = self.system.partition(" ")[0]
+        libraries = [item for item in self.document["components"] if item["type"] == "library"]
+        origins = [OF_A_SYSTEM.match(item.get("purl", "")) for item in libraries]
+        return [item for item, origin in zip(libraries, origins, strict=True) if not origin or origin[1] == family]
 
     @property
     def system(self) -> str:
-        """Its operating system, such as `debian 12.12`; empty where it has none."""
-        found = [item for item in self.document["components"] if item["type"] == "operating-system"]
+        """Its operating system, such as `debian 12.12`; empty where it has none. One without a version is none of its own: a
+        wheel's SBOM says where the libraries in it came from."""
+        found = [
+            item for item in self.document["components"] if item["type"] == "operating-system" and "version" in item
+        ]
         return f"{found[0]['name']} {found[0]['version']}" if found else ""
 
     @property

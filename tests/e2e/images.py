@@ -42,6 +42,15 @@ apt-get install --yes "$@"
 """
 
 
+ONLINE = """\
+#!/bin/bash
+set -e
+source /run/network.sh
+trap - EXIT
+exec "$@"
+"""
+
+
 def build_on(services: Services, image: Published, folder: Path, steps: Sequence[str], name: str = "") -> str:
     """Builds on an image; returns what the builder said.
 
@@ -49,20 +58,21 @@ def build_on(services: Services, image: Published, folder: Path, steps: Sequence
         services: what `make up` started.
         image: to build on.
         folder: an empty one.
-        steps: commands; one of them may be `install-packages PACKAGE…`, from the image's own apt source.
+        steps: commands; one may be `install-packages PACKAGE…`, from the image's own apt source, or `online COMMAND…`, which
+            reaches what the builder reaches.
         name: of a folder beside this file, which becomes /NAME.
     """
     shutil.copy(ROOT / "components/build/network.sh", folder)
-    (folder / "install-packages").write_text(INSTALL)
-    (folder / "install-packages").chmod(0o755)
+    tools = {"install-packages": INSTALL, "online": ONLINE}
+    for tool, text in tools.items():
+        (folder / tool).write_text(text)
+        (folder / tool).chmod(0o755)
     if name:
         shutil.copytree(Path(__file__).parent / name, folder / name)
-    mounts = (
-        "--mount=type=bind,source=network.sh,target=/run/network.sh --mount=type=secret,id=ca-bundle "
-        "--mount=type=bind,source=install-packages,target=/usr/local/bin/install-packages"
-    )
+    mounts = "--mount=type=bind,source=network.sh,target=/run/network.sh --mount=type=secret,id=ca-bundle"
+    mounts += "".join(f" --mount=type=bind,source={tool},target=/usr/local/bin/{tool}" for tool in tools)
     lines = [f"FROM {image.result['reference']}", *([f"COPY {name} /{name}"] if name else [])]
-    lines += [f"RUN {mounts if step.startswith('install-packages') else ''} {step}" for step in steps]
+    lines += [f"RUN {mounts if step.split()[0] in tools else ''} {step}" for step in steps]
     (folder / "Dockerfile").write_text("\n".join(lines) + "\n")
     return build(services, folder)
 

@@ -29,6 +29,8 @@ ENTRIES = {
     )
 }
 PARTS = tuple(ENTRIES)
+GPU = {"cuda": {"driver": "525"}, "torch": {"torch.amd64": "sm_80 sm_90"}}
+"""What parts with CUDA say of GPUs."""
 FRAMEWORKS = {
     "cuda": ("cuda",),
     "torch": ("cuda", "common", "torch"),
@@ -153,7 +155,7 @@ def part(
     entry = ENTRIES[kind]
     python = ANY_PYTHON if entry.any_python else python
     brought = [replace(item, version=versions[item.name]) for item in rules.brought_by(entry) if item.name in versions]
-    said = labels.of_part(entry, stack, python, brought, taking)
+    said = labels.of_part(entry, stack, python, brought, taking, {} if stack.startswith("cpu") else GPU.get(kind))
     return Tiny(said, **{"files": (f"usr/local/share/{kind}",), **more})  # type: ignore[arg-type]
 
 

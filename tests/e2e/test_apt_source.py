@@ -246,6 +246,7 @@ OF_A_WHOLE_IMAGE = {
         "the banner and the recorded versions are what the tag promises",
         "no index address, proxy or certificate of the builder is left",
         "no program has the rights of another user but those that we know",
+        "pip and uv keep to what parts hold, all of it and nothing else",
     ),
     "ros2-perception": ("one process with ROS, numpy, cv_bridge, cv2 and the frameworks, whichever is imported first",),
 }

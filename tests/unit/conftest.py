@@ -119,10 +119,10 @@ ros_archive:
   apt_source: https://git.test/{{version}}/{{generation}}.{{codename}}.deb
 parts:
   - {{name: cuda, title: CUDA, accelerator: cuda, any_python: true, versions: [cuda, cudnn], takes: [nvidia-*]}}
-  - {{name: common, needs: [cuda], shared: true, tested: false}}
-  - {{name: torch, title: PyTorch, release: torch, needs: [common]}}
+  - {{name: common, needs: [cuda], shared: true, tested: false, slot: 1}}
+  - {{name: torch, title: PyTorch, release: torch, needs: [common], slot: 2}}
   - {{name: tensorflow-cc, release: tensorflow, any_python: true, needs: [tensorflow], repeats: [tensorflow, tensorflow-cpu, tensorflow-cpu-aws], tested: false}}
-  - {{name: tensorflow, title: TensorFlow, short: tf, release: tensorflow, needs: [common, tensorflow-cc]}}
+  - {{name: tensorflow, title: TensorFlow, short: tf, release: tensorflow, needs: [common, tensorflow-cc], slot: 3}}
 """
 
 SMALLER = SMALL.replace("components: [core, base, desktop]", "components: [core, base]")

@@ -121,6 +121,17 @@ def recorded_files(root: Root) -> None:
     root.file("usr/local/share/rosml/expected.d/tensorflow-cc", f"{hashlib.sha256(row.encode()).hexdigest()}\n")
 
 
+def pinned(root: Root) -> None:
+    constraints = "usr/local/share/rosml/constraints.d/all.txt"
+    root.env["UV_CONSTRAINT"] = f"/{constraints}"
+    root.file("etc/pip.conf", f"[install]\nconstraint = /{constraints}\n")
+    root.file("usr/local/share/rosml/constraints.txt", "numpy<2\nempy<4\n")
+    root.file(constraints, "-c ../constraints.txt\n-c 01.txt\n-c 02.txt\n")
+    root.file("usr/local/share/rosml/constraints.d/01.txt", "# What the part torch holds\ntorch==2.10.0+cpu\n")
+    root.file("usr/local/share/rosml/constraints.d/02.txt")
+    root.file(f"{SITE}/torch-2.10.0+cpu.dist-info/METADATA", "Name: Torch\nVersion: 2.10.0+cpu\n")
+
+
 def pip(root: Root) -> None:
     root.file("usr/local/share/rosml/versions.d/torch", "torch 2.10.0\nnvidia-cudnn-cu12 9.10\n")
     root.program("pip", "echo 'pynacl 1.5.0 is not supported on this platform'; exit 1")
@@ -191,14 +202,30 @@ def tools(root: Root) -> None:
     root.file("root/.bashrc", "source /usr/local/share/rosml/shell.bash\n")
 
 
+def built_for(root: Root) -> None:
+    """Frameworks that say what they were built for, on amd64."""
+    root.file("modules/torch/__init__.py")
+    root.file("modules/torch/lib/libtorch_python.so", "code\0sm_90 is a word\0sm_80 sm_90\0 code")
+    info = "class sysconfig: get_build_info = lambda: {'cuda_compute_capabilities': ['sm_60', 'compute_90']}\n"
+    root.file("modules/tensorflow.py", info)
+    root.program("dpkg", "echo amd64")
+    root.env |= {"PYTHONPATH": str(root.folder / "modules"), "EXPECT_CUDA": "12.8.90"}
+    root.env |= {"EXPECT_GPU_TORCH_AMD64": "sm_80,sm_90", "EXPECT_GPU_TENSORFLOW_AMD64": "sm_60,compute_90"}
+    root.env["NVIDIA_REQUIRE_CUDA"] = "cuda>=12.0"
+
+
 GOOD: dict[str, Callable[[Root], None]] = {
     "cuda_copies.sh": cuda,
     "cuda_runtime.py": loader,
     "dangling_links.sh": links,
+    "gpus.py torch": built_for,
+    "gpus.py tensorflow": built_for,
+    "gpus.py driver": built_for,
     "locale.sh": language,
     "no_traces.sh": clean,
     "packages.sh desktop-full": debian_packages,
     "part_files.py": recorded_files,
+    "pins.py": pinned,
     "pip_check.py": pip,
     "python.sh": python,
     "replaces_nothing.py": part,
@@ -220,6 +247,10 @@ ELSEWHERE = {
 
 
 # ---- What is broken, and what must be said ---------------------------------------------------------------------------
+
+
+def forget(*names: str) -> Callable[[Root], object]:
+    return lambda root: [root.env.pop(name) for name in names]
 
 
 def library(name: str) -> Callable[[Root], object]:
@@ -272,6 +303,11 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         library("libcudart-9335f6a2.so.12"),
         "/opt/somewhere/libcudart-9335f6a2.so.12",
     ),
+    "a copy under another name of a wheel's own": (
+        "cuda_copies.sh",
+        library("libcudart.3eda8113.so.12"),
+        "/opt/somewhere/libcudart.3eda8113.so.12",
+    ),
     "a copy without a version": ("cuda_copies.sh", library("libcublasLt.so"), "more than one copy of libcublasLt: "),
     "two NCCLs": ("cuda_copies.sh", library("libnccl.so.2.27"), "more than one copy of libnccl: "),
     "no CUDA at all": ("cuda_copies.sh", no_cuda, "no CUDA library at all"),
@@ -281,6 +317,24 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     "a CUDA that nobody finds": ("cuda_runtime.py", variable(EXPECT_CUDA="13.0.1"), "libcudart.so.13: cannot open"),
     "a loader that is helped by a variable": ("cuda_runtime.py", variable(LD_LIBRARY_PATH="/x"), "LD_LIBRARY_PATH"),
     "a loader that is helped by its cache": ("cuda_runtime.py", says("ldconfig", "echo libcudart.so.12"), "ldconfig"),
+    "PyTorch for other GPUs": (
+        "gpus.py torch",
+        variable(EXPECT_GPU_TORCH_AMD64="sm_90"),
+        "torch: ['sm_80', 'sm_90'], expected ['sm_90']",
+    ),
+    "TensorFlow for GPUs that nobody names": (
+        "gpus.py tensorflow",
+        forget("EXPECT_GPU_TENSORFLOW_AMD64"),
+        "tensorflow: ['sm_60', 'compute_90'], expected []",
+    ),
+    "PyTorch for the CPU": (
+        "gpus.py torch",
+        text("modules/torch/lib/libtorch_python.so", "code\0code"),
+        "torch: [], expected ['sm_80', 'sm_90']",
+    ),
+    "a driver that nobody asks for": ("gpus.py driver", forget("NVIDIA_REQUIRE_CUDA"), "None, expected cuda>=12.0"),
+    "a driver without CUDA": ("gpus.py driver", forget("EXPECT_CUDA"), "cuda>=12.0, expected None"),
+    "another generation's driver": ("gpus.py driver", variable(EXPECT_CUDA="13.0.96"), "expected cuda>=13.0"),
     "a link to nowhere": ("dangling_links.sh", gone("usr/local/lib/rosml/torch/libtorch.so"), "/libtorch.so\n"),
     "a locale that everything obeys": ("locale.sh", variable(LC_ALL="C.utf8"), "LC_ALL is set: C.utf8"),
     "a locale that is not there": ("locale.sh", variable(LANG="xx_XX.utf8"), "Cannot set"),
@@ -310,6 +364,28 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         "tensorflow-cc is not what the parts on top of it were assembled for",
     ),
     "no part on record": ("part_files.py", text(f"{SITE}/torch-2.dist-info/RECORD"), "no part is here"),
+    "a package that pip would replace": (
+        "pins.py",
+        text(f"{SITE}/nvidia_nccl_cu12-2.27.5.dist-info/METADATA", "Name: nvidia-nccl-cu12\nVersion: 2.27.5\n"),
+        "nvidia-nccl-cu12==2.27.5 is there, and not pinned",
+    ),
+    "a pin of another version": (
+        "pins.py",
+        text("usr/local/share/rosml/constraints.d/01.txt", "torch==2.10.0\n"),
+        "torch==2.10.0 is pinned, and not there",
+    ),
+    "a slot that is missing": ("pins.py", gone("usr/local/share/rosml/constraints.d/02.txt"), "02.txt"),
+    "a pip that keeps to something else": (
+        "pins.py",
+        text("etc/pip.conf", "[install]\nconstraint = /usr/local/share/rosml/constraints.txt\n"),
+        "/etc/pip.conf names ['/usr/local/share/rosml/constraints.txt'], and not ",
+    ),
+    "a uv that keeps to nothing": ("pins.py", variable(UV_CONSTRAINT=""), "UV_CONSTRAINT names [''], and not "),
+    "a numpy of any ABI": (
+        "pins.py",
+        text("usr/local/share/rosml/constraints.txt", "empy<4\n"),
+        "nothing keeps numpy to what ROS was built with",
+    ),
     "a requirement of the part": (
         "pip_check.py",
         says("pip", "echo 'torch 2.10.0 requires nvidia-cudnn-cu12, which is not installed.'; exit 1"),

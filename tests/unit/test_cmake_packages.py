@@ -37,6 +37,8 @@ class ClientSession {
 };
 """
 
+C_API, INTERNAL = "tensorflow/c/c_api.h", "tensorflow/c/c_api_internal.h"
+
 EMPTY = "sha256=47DEQpj8HBSa-_TImW-5JCeuQeRkm5NMpJWZG3hSuFU,0"
 """An empty file in a RECORD."""
 
@@ -55,7 +57,8 @@ def assemble(root: Path, part: str, *symbols: str) -> None:
     listed = "".join(f"echo '0 T {symbol}'\n" for symbol in symbols)
     executable(programs / f"{TRIPLET}-nm", f"case $* in *--demangle*)\n{own};; *) :\n{listed};; esac")
     executable(programs / f"{TRIPLET}-strip", ":")
-    executable(programs / f"{TRIPLET}-g++", 'while [ "$1" != -o ]; do shift; done; : >"$2"')
+    reads = 'for last; do :; done; case " $* " in *" -M "*) echo "x.o: $last tsl/platform/ctstring.h"; exit;; esac\n'
+    executable(programs / f"{TRIPLET}-g++", reads + 'while [ "$1" != -o ]; do shift; done; : >"$2"')
     (root / "usr/lib" / TRIPLET).mkdir(parents=True)
     environment = {
         "PATH": f"{programs}:{os.environ['PATH']}",
@@ -73,6 +76,9 @@ def assemble(root: Path, part: str, *symbols: str) -> None:
             link.symlink_to(target)
 
 
+ALL = "torch/include/torch/csrc/api/include/torch/all"
+
+
 @pytest.fixture
 def torch(tmp_path: Path) -> Path:
     root = tmp_path / "torch root"
@@ -83,6 +89,13 @@ def torch(tmp_path: Path) -> Path:
         'set(TORCH_CXX_FLAGS "-D_GLIBCXX_USE_CXX11_ABI=1")\nmessage(FATAL_ERROR "cannot find the CUDA libraries")\n'
     )
     (site / "torch/version.py").write_text("__version__ = '2.10.0+cu128'\n")
+    files(site, f"{ALL}.h")
+    (site / f"{ALL}.h").write_text("#if !defined(_MSC_VER) && __cplusplus < 201703L\n")
+    files(site, "torch/share/cmake/Caffe2/Caffe2Targets.cmake")
+    (site / "torch/share/cmake/Caffe2/Caffe2Targets.cmake").write_text(
+        '  INTERFACE_COMPILE_DEFINITIONS "USE_RPC;USE_A"\n  INTERFACE_COMPILE_DEFINITIONS "USE_A"\n'
+        '  INTERFACE_COMPILE_DEFINITIONS "\\$<TARGET_PROPERTY:torch>"\n'
+    )
     assemble(root, "torch")
     return root
 
@@ -95,8 +108,10 @@ def tensorflow(
     files(site, *(f"tensorflow/libtensorflow_{x}.so.2" for x in ("cc", "framework")))
     files(site, f"{beside}.dist-info/RECORD", f"tensorflow_cpu-{version}.dist-info/RECORD")
     release = "release_version.h" if version != "2.13.1" else "version.h"
-    shared = ("tensorflow/libtensorflow_cc.so.2", f"tensorflow/include/tensorflow/core/public/{release}")
-    files(site, shared[1])
+    include = "tensorflow/include"
+    headers = (f"{include}/tensorflow/core/public/{release}", f"{include}/{C_API}", f"{include}/{INTERNAL}")
+    shared = ("tensorflow/libtensorflow_cc.so.2", *headers)
+    files(site, *headers)
     files(root / "usr/local/lib/rosml/tensorflow-cc", *shared)
     session = "tensorflow/include/tensorflow/cc/client/client_session.h"
     for folder in (site, root / "usr/local/lib/rosml/tensorflow-cc"):
@@ -113,6 +128,15 @@ def tensorflow(
 def newer(tmp_path: Path) -> Path:
     """A wheel without ClientSession."""
     return tensorflow(tmp_path, "2.20.0")
+
+
+def test_who_replaces_tensorflow_replaces_the_wheel_that_it_stands_for(newer: Path) -> None:
+    alias, wheel = (
+        (newer / SITE / f"{name}-2.20.0.dist-info/RECORD").read_text().splitlines()
+        for name in ("tensorflow", "tensorflow_cpu")
+    )
+    assert "tensorflow/libtensorflow_cc.so.2,," in wheel, "as the part has it: a link"
+    assert set(wheel) < set(alias)
 
 
 def configure(folder: Path, root: Path, text: str, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -166,8 +190,7 @@ def test_variables_are_there_in_every_scope_and_after_every_call(
     wanted = {
         "Torch": f"TRUE 2.10.0 torch;torch_library -D_GLIBCXX_USE_CXX11_ABI=1 {root / SITE}/torch/include;",
         "TensorFlow": "1 2.20.0 TensorFlow::tensorflow_cc;TensorFlow::tensorflow_framework "
-        "-D_GLIBCXX_USE_CXX11_ABI=1 -DEIGEN_MAX_ALIGN_BYTES=64 -DTF_MAJOR_VERSION=2 -DTF_MINOR_VERSION=20 "
-        f"-DTF_PATCH_VERSION=0 -DTF_VERSION_SUFFIX= {root / SITE}/tensorflow/include",
+        f"-D_GLIBCXX_USE_CXX11_ABI=1 -DEIGEN_MAX_ALIGN_BYTES=64 {root / SITE}/tensorflow/include",
     }
     assert lines[0].startswith(wanted[package])
 
@@ -186,6 +209,19 @@ def test_the_standard_comes_with_the_target(package: str, tmp_path: Path, reques
         'message(STATUS "= ${features}")'
     )
     assert found(configure(tmp_path, root, text)) == ["cxx_std_17"]
+
+
+def test_headers_that_want_newer_c_plus_plus_say_so(tmp_path: Path, torch: Path) -> None:
+    """From PyTorch 2.14 on: compilers take C++17 by themselves, so pkg-config's flags ask for it too."""
+    pkgconfig = torch / "usr/local/lib/pkgconfig/torch.pc"
+    assert "-std=" not in pkgconfig.read_text()
+    (torch / SITE / f"{ALL}.h").write_text("#if !defined(_MSC_VER) && __cplusplus < 202002L\n")
+    for made in ("programs", "usr/lib", "usr/local/lib/cmake", "usr/local/lib/pkgconfig"):
+        shutil.rmtree(torch / made)
+    assemble(torch, "torch")
+    text = 'find_package(Torch REQUIRED)\nget_target_property(features torch_library INTERFACE_COMPILE_FEATURES)\nmessage(STATUS "= ${features}")'
+    assert found(configure(tmp_path, torch, text)) == ["cxx_std_20"]
+    assert "C++20" in pkgconfig.read_text() and "\nCflags: -std=c++20 -isystem " in pkgconfig.read_text()
 
 
 # ---- Versions --------------------------------------------------------------------------------------------------------
@@ -223,8 +259,10 @@ def requests(package: str) -> str:
 
 
 def test_versions_of_torch(tmp_path: Path, torch: Path) -> None:
+    """As the wheel's own package: programs for an older major version are content with a newer one."""
     lines = found(configure(tmp_path, torch, requests("Torch")))
-    assert [line.endswith((": 1", ": TRUE")) for line in lines] == list(REQUESTS.values()), lines
+    wanted = {**REQUESTS, "1.13": True, "1": True}
+    assert [line.endswith((": 1", ": TRUE")) for line in lines] == list(wanted.values()), lines
 
 
 def test_versions_of_tensorflow(tmp_path: Path) -> None:
@@ -245,7 +283,48 @@ def test_the_path_that_torch_tells_leads_to_the_package_without_a_toolkit(tmp_pa
     assert "version: 2.10.0" in failed.stderr
 
 
+def test_the_compiler_is_told_what_the_wheels_own_package_tells_it(tmp_path: Path, torch: Path) -> None:
+    text = (
+        "find_package(Torch REQUIRED)\nget_target_property(told torch_library INTERFACE_COMPILE_DEFINITIONS)\n"
+        'message(STATUS "= ${told}")'
+    )
+    assert found(configure(tmp_path, torch, text)) == ["_GLIBCXX_USE_CXX11_ABI=1;USE_A;USE_RPC"]
+    flags = (torch / "usr/local/lib/pkgconfig/torch.pc").read_text()
+    assert " -D_GLIBCXX_USE_CXX11_ABI=1 -DUSE_A -DUSE_RPC\n" in flags
+
+
 # ---- TensorFlow ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["tensorflow", "Tensorflow", "TensorflowCC", "TensorFlowCC"])
+def test_tensorflow_under_the_names_of_other_builds(tmp_path: Path, newer: Path, name: str) -> None:
+    text = (
+        f"find_package({name} 2.4 REQUIRED)\n"
+        f"get_target_property(linked {'tensorflow' if name == 'tensorflow' else 'TensorflowCC::Shared'} INTERFACE_LINK_LIBRARIES)\n"
+        f'message(STATUS "= ${{linked}} ${{{name}_VERSION}} ${{{name}_INCLUDE_DIRS}} ${{{name}_LIBRARIES}}")\n'
+        'message(STATUS "= ${TENSORFLOW_INCLUDE_DIR} ${TensorFlow_LIBRARY} ${TENSORFLOW_FOUND}")'
+    )
+    libraries = "TensorFlow::tensorflow_cc;TensorFlow::tensorflow_framework"
+    include = newer / SITE / "tensorflow/include"
+    assert found(configure(tmp_path, newer, text)) == [
+        f"TensorFlow::tensorflow_cc 2.20.0 {include} {libraries}",
+        f"{include} {libraries} TRUE",
+    ]
+
+
+def test_the_c_api_is_on_the_default_path_and_all_headers_in_a_folder_of_their_own(newer: Path) -> None:
+    include = newer / "usr/local/include"
+    there = {str(path.relative_to(include)) for path in include.rglob("*") if path.is_symlink()}
+    assert there == {C_API, "tsl/platform/ctstring.h", "tensorflow/tensorflow", "google/tensorflow"}
+    assert os.readlink(include / C_API) == f"/{SITE}/tensorflow/include/{C_API}"
+    libraries = newer / "usr/lib" / TRIPLET
+    assert "libtensorflow_cc.so.2 AS_NEEDED( " in (libraries / "libtensorflow.so").read_text()
+
+
+def test_a_wheel_without_the_c_api_is_an_error(tmp_path: Path) -> None:
+    with pytest.raises(subprocess.CalledProcessError), pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys.modules[__name__], "C_API", "tensorflow/d/c_api.h")
+        tensorflow(tmp_path, "2.20.0")
 
 
 def test_what_depends_on_tensorflow_finds_it_under_its_other_name(newer: Path) -> None:
@@ -261,7 +340,7 @@ def test_what_depends_on_tensorflow_finds_it_under_its_other_name(newer: Path) -
 def test_a_release_that_brings_that_package_itself(tmp_path: Path) -> None:
     """On arm64 `tensorflow` 2.13.1 is a wheel without files, which requires another one."""
     root = tensorflow(tmp_path, "2.13.1", SESSION, beside="tensorflow-2.13.1")
-    assert (root / SITE / "tensorflow-2.13.1.dist-info/RECORD").read_text() == ""
+    assert [path.name for path in (root / SITE / "tensorflow-2.13.1.dist-info").iterdir()] == ["RECORD"], "made anew"
 
 
 def test_libraries_beside_the_package_are_found_by_programs(tmp_path: Path) -> None:
@@ -276,7 +355,8 @@ def test_a_client_session_is_built_where_the_wheel_has_none(tmp_path: Path, newe
     libraries = newer / "usr/lib" / TRIPLET
     assert (libraries / "libtensorflow_cc.so").read_text() == (
         f"/* GNU ld script */\nINPUT(/usr/lib/{TRIPLET}/libtensorflow_cc.so.2 "
-        f"AS_NEEDED(/usr/lib/{TRIPLET}/libtensorflow_client_session.so.2))\n"
+        f"AS_NEEDED( /usr/lib/{TRIPLET}/libtensorflow_framework.so.2 "
+        f"/usr/lib/{TRIPLET}/libtensorflow_client_session.so.2 ))\n"
     )
     text = (
         "find_package(TensorFlow REQUIRED)\n"
@@ -338,7 +418,7 @@ def test_what_a_header_declares(name: str) -> None:
 def test_nothing_is_built_where_the_wheel_has_one(tmp_path: Path) -> None:
     root = tensorflow(tmp_path, "2.13.1", SESSION)
     libraries = root / "usr/lib" / TRIPLET
-    assert os.readlink(libraries / "libtensorflow_cc.so") == "libtensorflow_cc.so.2"
+    assert "client_session" not in (libraries / "libtensorflow_cc.so").read_text()
     assert not (libraries / "libtensorflow_client_session.so.2").exists()
     text = (
         "find_package(TensorFlow 2.13 REQUIRED)\n"

@@ -10,6 +10,7 @@ from conftest import ROOT
 from rosml.images import locked
 from rosml.images.explain import why_not
 from rosml.images.image_set import ImageSet
+from rosml.matrix import rules
 
 
 def test_every_axis(real: ImageSet) -> None:
@@ -18,8 +19,8 @@ def test_every_axis(real: ImageSet) -> None:
     assert list(real.matrix.distributions) == [*ubuntu, "bookworm", "trixie", "jazzy-wheels"]
     assert list(real.matrix.components) == ["core", "base", "robot", "perception", "desktop", "desktop-full"]
     assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
-    assert list(real.matrix.stacks) == ["cu128", "cu130", "cu121", "cpu", "cpu38"]
-    assert len(real.images) == 496
+    assert list(real.matrix.stacks) == ["cu128", "cu130", "cu132", "cu121", "cpu", "cpu38"]
+    assert len(real.images) == 581
     both = [image for image in real.images if len(image.platforms) == 2]
     assert len([tag for image in both for tag in image.tags]) > 300
 
@@ -28,13 +29,16 @@ def test_every_distribution_has_every_framework_that_its_facts_allow(real: Image
     kinds: dict[str, set[str]] = {}
     for image in real.images:
         kinds.setdefault(image.distribution, set()).add("-".join(filter(None, [image.framework, image.stack])))
-    cuda = {"none", "cuda-cu121", "cuda-cu128", "cuda-cu130"}
+    cuda = {"none", "cuda-cu121", "cuda-cu128", "cuda-cu130", "cuda-cu132"}
     torch = cuda | {"torch-cu128", "torch-cu130", "torch-cpu"}
+    newest = {"torch-cu132"}
     ml = torch | {"tensorflow-cu128", "tensorflow-cpu", "ml-cu128", "ml-cpu"}
-    for name in ("humble", "iron", "jazzy", "kilted", "bookworm", "trixie", "jazzy-wheels"):
+    for name in ("humble", "iron"):  # no PyTorch of CUDA 13.2 for Python 3.10
         assert kinds[name] == ml
+    for name in ("jazzy", "kilted", "bookworm", "trixie", "jazzy-wheels"):
+        assert kinds[name] == ml | newest
     for name in ("lyrical", "rolling"):  # no TensorFlow for Python 3.14
-        assert kinds[name] == torch
+        assert kinds[name] == torch | newest
     for name in ("noetic", "foxy"):  # Python 3.8; torch and TensorFlow contradict each other there
         assert kinds[name] == cuda | {"torch-cu121", "torch-cpu38", "tensorflow-cpu38"}
 
@@ -43,9 +47,69 @@ def test_latest_is_the_newest_long_term_release(real: ImageSet) -> None:
     latest = {tag: image.target for image in real.images for tag in image.tags if tag.endswith(":latest")}
     assert latest == {
         "ros:latest": "lyrical-base",
-        "ros-cuda:latest": "lyrical-base-cuda-cu128",
-        "ros-torch:latest": "lyrical-base-torch-cu128",
+        "ros-cuda:latest": "lyrical-base-cuda-cu130",
+        "ros-torch:latest": "lyrical-base-torch-cu130",
     }
+
+
+def test_the_short_tags_of_every_framework(real: ImageSet) -> None:
+    """The stack with the newest PyTorch that every Python has; TensorFlow is on another one."""
+    short = {tag: image.stack for image in real.images for tag in image.tags if tag.endswith((":jazzy", ":humble"))}
+    assert short == {
+        f"{repository}:{row}": stack
+        for row in ("jazzy", "humble")
+        for repository, stack in {
+            "ros": None, "ros-cuda": "cu130", "ros-torch": "cu130", "ros-tf": "cu128", "ros-ml": "cu128"
+        }.items()
+    }  # fmt: skip
+
+
+def test_what_goes_with_pytorch(real: ImageSet) -> None:
+    """torchvision wherever the Python package index has one for all of a stack; torchaudio where its last one works."""
+    company = {name: rules.company(real.matrix, name, ["torch"]) for name in real.matrix.stacks}
+    assert {name: sorted(found) for name, found in company.items()} == {
+        "cu128": ["torchaudio", "torchvision"],
+        "cu130": ["torchaudio", "torchvision"],
+        "cu132": ["torchvision"],
+        "cu121": ["torchaudio", "torchvision"],
+        "cpu": [],
+        "cpu38": [],
+    }
+
+
+def rows(page: str, head: str) -> list[list[str]]:
+    """The rows of a page's table that begins with a head."""
+    table = (ROOT / page).read_text().partition(head)[2].partition("\n\n")[0]
+    lines = [line for line in table.splitlines() if line.startswith("| `")]
+    return [[cell.strip().strip("`") for cell in line.strip("|").split("|")] for line in lines]
+
+
+def test_the_page_about_gpus_says_what_the_labels_do(real: ImageSet) -> None:
+    matrix = real.matrix
+    said = {row[0]: row[1:] for row in rows("docs/gpus.md", "| stack | driver |")}
+    columns = ("driver", "torch.amd64", "torch.arm64", "tensorflow.amd64")
+    for name, stack in matrix.stacks.items():
+        parts = [part.name for part in matrix.parts if part.release in (None, *stack.releases)]
+        found = rules.gpu(matrix, name, parts)
+        assert found.keys() <= set(columns)
+        assert said.pop(name, None) == ([found.get(column, "") for column in columns] if found else None), name
+    assert not said
+
+
+def test_the_page_about_parts_says_what_goes_with_pytorch(real: ImageSet) -> None:
+    for name, torch, *others in rows("docs/parts.md", "| stack | PyTorch | torchvision |"):
+        stacks = name.replace("`", "").split(", ")
+        assert torch == ", ".join(real.matrix.stacks[stack].releases["torch"] for stack in stacks)
+        company = rules.company(real.matrix, stacks[0], ["torch"])
+        for package, other in zip(("torchvision", "torchaudio"), others, strict=True):
+            assert other == company[package] if package in company else other.startswith("none"), (name, package)
+
+
+@pytest.mark.parametrize("family", ["torch", "tensorflow"])
+def test_every_release_with_cuda_says_what_it_was_built_for(real: ImageSet, family: str) -> None:
+    for version, release in real.matrix.releases[family].items():
+        cuda = [name for name in release.wheels if real.matrix.stacks[name].accelerator == "cuda"]
+        assert release.gpus.keys() == {name for stack in cuda for name in release.wheels[stack]}, version
 
 
 def test_every_lock_is_there_but_those_that_pytorchs_own_index_knows(real: ImageSet) -> None:
@@ -126,10 +190,10 @@ def test_every_operating_system_takes_every_part_for_its_python(real: ImageSet) 
 
 
 def test_a_workspace_is_built_with_every_framework_of_every_stack(real: ImageSet) -> None:
-    """In images with both, where such can be built; cu130 has PyTorch alone, and the wheel tensorflow-cpu is in no image
+    """In images with both, where such can be built; cu130 and cu132 have PyTorch alone, and the wheel tensorflow-cpu is in no image
     with both on bookworm as long as PyTorch's for the CPU of amd64 has no lock."""
     has = {image.target for image in real.images if "ros1-workspace" in image.tests}
-    assert {"bookworm-core", "bookworm-core-ml-cu128", "bookworm-core-torch-cu130"} <= has
+    assert {"bookworm-core", "bookworm-core-ml-cu128", "bookworm-core-torch-cu130", "bookworm-core-torch-cu132"} <= has
     assert {"bookworm-core-tensorflow-cpu", "bookworm-desktop-full-tensorflow-cpu"} <= has
     assert not {"bookworm-core-torch-cu128", "bookworm-core-tensorflow-cu128", "trixie-core-tensorflow-cpu"} & has
     long = {1: {"ros1-workspace", "ros1-components", "pip"}, 2: {"ros2-workspace", "ros2-components", "pip"}}

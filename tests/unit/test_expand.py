@@ -317,6 +317,56 @@ def test_a_default_stack_that_nothing_has() -> None:
         parse(SMALL.replace("architectures: [amd64, arm64]", "architectures: [amd64]"))
 
 
+SIZES = ", ".join(f"{part}: {{unpacked: 1, compressed: 1}}" for part in ("cuda", "common", "torch"))
+CU2 = SMALL
+for place, more in {
+    "  cpu:\n    accelerator": "  cu2: {accelerator: cuda, cuda: 13.0.96, cudnn: 9.24.0.43, releases: {torch: 2.14.1}}\n",
+    "  tensorflow:\n    2.20.0": '    2.14.1: {python: ["3.12"], wheels: {cu2: [amd64, arm64]}}\n',
+    "    cpu:\n      common": f"    cu2: {{{SIZES}}}\n",
+}.items():
+    CU2 = changed(place, more + place, CU2)
+"""The small matrix and a second stack with CUDA, which has no TensorFlow."""
+
+
+def test_of_several_default_stacks_each_framework_takes_the_first_that_it_exists_on() -> None:
+    image_set = parse(changed("default_stack: cu1", "default_stack: [cu2, cu1]", CU2))
+    short = {
+        tag: image.target for image in image_set.images for tag in image.tags if tag.endswith((":alpha", ":latest"))
+    }
+    assert short == {
+        f"{repository}:{tag}": target
+        for tag in ("alpha", "latest")
+        for repository, target in {
+            "ros": "alpha-base",
+            "ros-cuda": "alpha-base-cuda-cu2",
+            "ros-torch": "alpha-base-torch-cu2",
+            "ros-ml": "alpha-base-ml-cu1",
+        }.items()
+    }
+    assert why_not(image_set, "ros-ml:alpha-cu1") == (
+        "there is no tag ros-ml:alpha-cu1: short ones are for stack cu1 alone; take ros-ml:alpha-base-cu1."
+    )
+
+
+def test_a_framework_that_no_default_stack_has_gets_no_short_tag() -> None:
+    image_set = parse(changed("default_stack: cu1", "default_stack: cu2", CU2))
+    assert image_set.image("alpha-base-ml-cu1").tags == (
+        "ros-ml:alpha-base-cu1",
+        "ros-ml:alpha-base-cu1-torch2.10.0-tf2.20.0",
+    )
+    assert "the row's default stack has no such framework" in str(why_not(image_set, "ros-ml:alpha-cu1"))
+
+
+def test_one_of_several_default_stacks_that_nothing_has() -> None:
+    lacking = changed("{cu2: [amd64, arm64]}", "{cu2: [arm64]}", CU2).replace("[amd64, arm64]\n", "[amd64]\n")
+    with pytest.raises(
+        RosmlError, match=r"alpha\.default_stack: no framework exists for alpha on stack cu2; there is cu1"
+    ):
+        parse(changed("default_stack: cu1", "default_stack: [cu1, cu2]", lacking))
+    with pytest.raises(RosmlError, match=r"default_stack\[1\]: no stack named 'cu3'"):
+        parse(changed("default_stack: cu1", "default_stack: [cu1, cu3]", CU2))
+
+
 def test_the_default_group_can_be_built(real: ImageSet) -> None:
     assert all(real.image(target).locked for target in (real.matrix.default.target, *real.matrix.default.group))
 

@@ -75,6 +75,7 @@ FILES: dict[str, tuple[bool, set[str]]] = {
     "components/cuda/files.sh": (False, {"cuda"}),
     "components/cuda/prune.txt": (False, {"cuda"}),
     "components/part/records.py": (False, PARTS),
+    "components/part/packages.py": (False, PARTS),
     "components/part/bytecode.sh": (False, PARTS),
     "components/part/install-assembler.sh": (False, PARTS),
     "tools/requirements.txt": (False, PARTS),

@@ -120,6 +120,7 @@ def test_an_image(place: Place) -> None:
         "TORCH_VERSION=2.10.0",
         "CUDA_VERSION=12.8.90",
         "CUDNN_VERSION=9.10.2.21",
+        "NVIDIA_REQUIRE_CUDA=cuda>=12.0",
     ]
     assert config["config"]["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
     assert config["config"]["Labels"] == {
@@ -137,6 +138,8 @@ def test_an_image(place: Place) -> None:
         "io.rosml.cuda": "12.8.90",
         "io.rosml.cudnn": "9.10.2.21",
         "io.rosml.torch": "2.10.0",
+        "io.rosml.gpu.driver": "525",
+        "io.rosml.gpu.torch.amd64": "sm_80 sm_90",
     }
     assert config["created"] == parts.CREATED
     assert (found.layers, found.mounted, found.copied, found.unlisted) == (4, 4, 0, [])

@@ -10,6 +10,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -198,6 +199,89 @@ def test_request(small: ImageSet) -> None:
     assert found.provided == {"setuptools": "78.1.1"}
 
 
+WITH_COMPANY = changed(
+    '["3.12", "3.14"], wheels: {cu1: [amd64], cpu: [arm64]}',
+    '["3.12", "3.14"], wheels: {cu1: [amd64], cpu: [arm64]}, beside: {torchvision: 0.25.0}, adapted: {setuptools: ">=66"}',
+)
+
+
+def test_what_goes_with_a_release_is_resolved_and_dealt_out_with_it(tmp_path: Path) -> None:
+    found = next(item for item in resolve.requests(parse(WITH_COMPANY)) if (item.stack, item.python) == ("cu1", "3.12"))
+    assert found.beside == {"torch": ("torchvision==0.25.0",), "tensorflow": ()}
+    assert found.overrides == ("setuptools>=66",)
+    resolve.resolve(replace(found, provided={"setuptools": "68.1.2"}), resolve.Uv(fake_uv(tmp_path)))
+    assert (
+        (tmp_path / "seen-in.txt")
+        .read_text()
+        .startswith("torch==2.10.0\ntensorflow==2.20.0\ntorchvision==0.25.0\nnumpy")
+    )
+    assert " --override overrides.txt " in calls(tmp_path)[0]
+    pins = [
+        pin("torch"),
+        pin("torchvision"),
+        pin("pillow", "torchvision"),
+        pin("numpy", "torchvision"),
+        pin("tensorflow"),
+    ]
+    dealt = resolve.split(pins, found.roots, PARTS, found.beside)
+    assert {part: [item.name for item in content] for part, content in dealt.items()} == {
+        "common": ["numpy"],
+        "torch": ["pillow", "torch", "torchvision"],
+        "tensorflow-cc": ["tensorflow"],
+        "tensorflow": ["tensorflow"],
+    }
+    assert resolve.render(found, "torch", pins).splitlines()[2] == "# adapted: torch setuptools>=66"
+    assert "# adapted" not in resolve.render(found, "tensorflow", pins)
+
+
+def test_nothing_goes_with_wheels_that_only_pytorchs_own_index_has() -> None:
+    elsewhere = changed("beside:", "elsewhere: {cpu: {amd64: {}}}, requires: [filelock], beside:", WITH_COMPANY)
+    beside = {item.stack: item.beside["torch"] for item in resolve.requests(parse(elsewhere))}
+    assert beside == {"cu1": ("torchvision==0.25.0",), "cpu": ()}
+
+
+def test_a_lock_without_what_goes_with_the_release_is_none() -> None:
+    image_set = parse(WITH_COMPANY)
+    part = next(item for item in image_set.parts if item.name == "torch-cu1-py312")
+    digest = f" \\\n    --hash=sha256:{'0' * 64}\n"
+    head = "# Part 'torch' of stack cu1, Python 3.12, amd64.\n"
+    adapted = "# adapted: torch setuptools>=66\n"
+    pins = f"torch==2.10.0{digest}torchvision==0.25.0{digest}"
+    for text, counts in {
+        head + adapted + pins: True,
+        head + pins: False,
+        head + adapted.replace("66", "59") + pins: False,
+        head + adapted + adapted + pins: False,
+        head + adapted + pins.replace("0.25.0", "0.24.0"): False,
+        head + adapted + f"torch==2.10.0{digest}": False,
+    }.items():
+        assert lock_file.current(text, part, image_set.matrix, "amd64") == counts, text
+
+
+ADDS = ("takes: [nvidia-*]", 'takes: [nvidia-*], adds: {"12": [nvidia-a, "nvidia-b>=12.3"], "13": [nvidia-c]}')
+
+
+def test_what_no_release_asks_for(tmp_path: Path) -> None:
+    """Of the stack's CUDA, and none for stacks without CUDA."""
+    image_set = parse(changed(*ADDS))
+    found = {item.stack: item.added for item in resolve.requests(image_set)}
+    assert found == {"cu1": ("nvidia-a==12.8.*", "nvidia-b>=12.3"), "cpu": ()}
+    resolve.resolve(request(added=found["cu1"]), resolve.Uv(fake_uv(tmp_path)))
+    assert "nvidia-a==12.8.*\nnvidia-b>=12.3\n" in (tmp_path / "seen-in.txt").read_text()
+
+
+@pytest.mark.parametrize(
+    ("pins", "current"),
+    [("a==12.8.9 b==12.9.1", True), ("a==12.9.1 b==12.9.1", False), ("b==12.9.1", False), ("a==12.8.9", False)],
+)
+def test_a_lock_without_what_the_part_adds_is_not_current(pins: str, current: bool) -> None:
+    image_set = parse(changed(*ADDS))
+    part = next(part for part in image_set.parts if part.kind == "cuda")
+    lines = [f"nvidia-{pin} \\\n    --hash=sha256:{'0' * 64}\n" for pin in pins.split()]
+    text = f"# Part 'cuda' of stack cu1, Python any, amd64.\n{''.join(lines)}"
+    assert lock_file.current(text, part, image_set.matrix, "amd64") == current
+
+
 def test_only_what_has_a_wheel_is_asked_for(small: ImageSet) -> None:
     """The stack has a release of TensorFlow, and that release no wheel for Python 3.14."""
     roots = {(item.stack, item.architecture, item.python): item.roots for item in resolve.requests(small)}
@@ -229,7 +313,8 @@ def test_resolve(tmp_path: Path) -> None:
     assert resolve.resolve(wanted, resolve.Uv(fake_uv(tmp_path))) == resolve.parse(RESOLVED)
     (call,) = calls(tmp_path)
     for words in (
-        "uv pip compile --quiet --generate-hashes --only-binary :all: ",
+        "uv pip compile --quiet --no-config --only-binary :all: ",
+        " --generate-hashes ",
         " --no-emit-index-url ",
         " --python-version 3.12 --python-platform x86_64-manylinux_2_28 ",
         " --constraint constraints.txt in.txt --output-file out.txt",

@@ -38,7 +38,7 @@ WRONG = {
         "    default_stack: cpu\n",
         "    default_stak: cpu\n",
         "58:3: distributions.omega: 'default_stack' is missing; add 'default_stack: …' "
-        "(stack of the short tags, e.g. ros-torch:jazzy)\n"
+        "(stack of the short tags, e.g. ros-torch:jazzy; of several the first that a framework exists on)\n"
         "63:5: distributions.omega.default_stak: unknown key 'default_stak'; did you mean 'default_stack'?",
     ),
     "misspelt section": (
@@ -240,8 +240,8 @@ WRONG = {
         "34:34: frameworks.torch.parts: torch needs the part common; add it to 'parts'",
     ),
     "part twice": (
-        "shared: true, tested: false}\n",
-        "shared: true, tested: false}\n  - {name: common}\n",
+        "tested: false, slot: 1}\n",
+        "tested: false, slot: 1}\n  - {name: common, slot: 4}\n",
         "95:6: parts[2].name: 'common' is there twice; keep one",
     ),
     "part that needs an unknown one": (
@@ -255,9 +255,29 @@ WRONG = {
         "97:54: parts[4].release: no release named 'tensorflo'; did you mean 'tensorflow'?",
     ),
     "part that repeats itself": (
-        "needs: [common]}",
-        "needs: [common], repeats: [torch]}",
-        "95:68: parts[2].repeats: it belongs to a part beside the one of its release's name; remove it",
+        "needs: [common], slot: 2}",
+        "needs: [common], slot: 2, repeats: [torch]}",
+        "95:77: parts[2].repeats: it belongs to a part beside the one of its release's name; remove it",
+    ),
+    "a part without a slot": (
+        ", slot: 2}",
+        "}",
+        "95:5: parts[2]: torch has no slot, so pip would replace what it holds; add 'slot: 2'",
+    ),
+    "two parts of one slot": (
+        "slot: 3}",
+        "slot: 2}",
+        "97:107: parts[4].slot: slot 2 is that of torch; free is 3",
+    ),
+    "a slot that no image has": (
+        "slot: 3}",
+        "slot: 17}",
+        "97:107: parts[4].slot: expected at most 16, found the number 17",
+    ),
+    "part that adds what it does not take": (
+        "takes: [nvidia-*]}",
+        'takes: [nvidia-*], adds: {"12": [nvidia-a, "cuda-b>=1"]}}',
+        "93:136: parts[0].adds.12[1]: cuda-b>=1 is not what the part takes; add it to 'takes'",
     ),
     "two shared parts": (
         "release: torch,",

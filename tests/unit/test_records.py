@@ -281,6 +281,138 @@ def test_a_hash_that_is_not_known_is_an_error(part: Part) -> None:
     assert "hashes in a way that is not known" in done.stderr
 
 
+# ---- Adapted metadata ------------------------------------------------------------------------------------------------
+
+METADATA = """\
+Metadata-Version: 2.4
+Name: thing
+Requires-Dist: setuptools>=77.0.3; python_version >= "3.9"
+Requires-Dist: setuptools-scm>=8
+
+Requires-Dist: setuptools>=1
+"""
+
+
+def adapt_metadata(part: Part, lock: str) -> subprocess.CompletedProcess[str]:
+    part.add("thing-1.dist-info/METADATA", METADATA)
+    (part.out / "lock.txt").write_text(lock)
+    env = {**os.environ, "OUT": str(part.out), "SITE": f"/{SITE}", "LOCK": str(part.out / "lock.txt")}
+    script = SCRIPT.with_name("adapt_metadata.py")
+    return subprocess.run([sys.executable, script], env=env, capture_output=True, text=True, check=False)
+
+
+def test_metadata_asks_for_what_the_lock_says(part: Part) -> None:
+    done = adapt_metadata(part, "# Part\n# adapted: thing setuptools>=66.1.1\nthing==1 --hash=sha256:aa\n")
+    assert done.returncode == 0, done.stderr
+    text = (part.site / "thing-1.dist-info/METADATA").read_text()
+    assert text == METADATA.replace(">=77.0.3", ">=66.1.1", 1)
+    assert part.run("verify").returncode == 0, "its record follows"
+
+
+def test_metadata_stays_where_the_lock_says_nothing(part: Part) -> None:
+    assert adapt_metadata(part, "thing==1 --hash=sha256:aa\n").returncode == 0
+    assert (part.site / "thing-1.dist-info/METADATA").read_text() == METADATA
+
+
+@pytest.mark.parametrize(
+    ("line", "complaint"),
+    [
+        ("# adapted: thing wheel>=1", "thing asks for wheel 0 times"),
+        ("# adapted: other setuptools>=1", "0 packages are called other"),
+    ],
+)
+def test_metadata_that_does_not_ask_is_an_error(part: Part, line: str, complaint: str) -> None:
+    done = adapt_metadata(part, f"{line}\n")
+    assert (done.returncode, complaint in done.stderr) == (1, True)
+
+
+LOG = "tensorflow/include/absl/log/internal/log_message.h"
+LOG_H = """\
+extern template LogMessage& LogMessage::operator<<(const bool& v);
+extern template LogMessage& LogMessage::operator<<(
+    absl::Nullable<void*> const& v);
+extern template void LogMessage::CopyToEncodedBuffer<
+    LogMessage::StringType::kLiteral>(absl::string_view str);
+"""
+CORD = "tensorflow/include/absl/strings/cord.h"
+CORD_H = """\
+extern template Cord::Cord(std::string&& src);
+extern template void Cord::Append(std::string&& src);
+"""
+
+
+def test_templates_whose_names_depend_on_the_compiler_are_its_own(part: Part) -> None:
+    part.add(LOG, LOG_H)
+    part.add(CORD, CORD_H)
+    for _ in range(2):
+        assert adapt(part, "amd64").returncode == 0
+        assert (part.site / LOG).read_text() == (
+            "#ifdef __clang__\n"
+            "extern template LogMessage& LogMessage::operator<<(const bool& v);\n"
+            "extern template LogMessage& LogMessage::operator<<(\n    absl::Nullable<void*> const& v);\n"
+            "#endif\n" + LOG_H.partition("const& v);\n")[2]
+        )
+        text = (part.site / CORD).read_text()
+        assert "Cord::Cord(T&& src) : Cord(absl::string_view(src)) {}\n#endif\n" in text
+        assert "void Cord::Append(T&& src) { Append(absl::string_view(src)); }\n#endif\n" in text
+        assert part.run("verify").returncode == 0, "their records follow"
+
+
+# ---- TensorFlow's headers ----------------------------------------------------------------------------------------------
+
+EIGEN = "tensorflow/include/Eigen/src/Core/util/ConfigureVectorization.h"
+EIGEN_H = "#define EIGEN_CONFIGURE_VECTORIZATION_H\n"
+VERSION = "tensorflow/include/tensorflow/core/public/version.h"
+VERSION_H = "#define TENSORFLOW_CORE_PUBLIC_VERSION_H_\n"
+RELEASE = "tensorflow/include/tensorflow/core/public/release_version.h"
+MACROS = ("TF_MAJOR_VERSION", "TF_MINOR_VERSION", "TF_PATCH_VERSION", "TF_VERSION_SUFFIX")
+RELEASE_H = "".join(f'#ifndef {name}\n#error "{name} is not defined!"\n#endif\n' for name in MACROS)
+
+
+def tensorflow(part: Part, release: str = RELEASE_H) -> None:
+    """The wheel is one of TensorFlow's, with the headers that are completed."""
+    part.record = part.record.parent.rename(part.site / "tensorflow_cpu-2.21.0rc1.dist-info") / "RECORD"
+    part.record.write_text(
+        part.record.read_text().replace("thing-1", part.record.parent.name.removesuffix(".dist-info"))
+    )
+    for path, text in ((EIGEN, EIGEN_H), (VERSION, VERSION_H), (RELEASE, release)):
+        part.add(path, text)
+
+
+def complete(part: Part) -> subprocess.CompletedProcess[str]:
+    env = {**os.environ, "OUT": str(part.out), "SITE": f"/{SITE}"}
+    script = SCRIPT.with_name("complete_tensorflow.py")
+    return subprocess.run([sys.executable, script], env=env, capture_output=True, text=True, check=False)
+
+
+def test_tensorflows_headers_know_their_release_and_the_constants_of_models(part: Part) -> None:
+    assert complete(part).returncode == 0, "a part without them"
+    tensorflow(part)
+    done = complete(part)
+    assert done.returncode == 0, done.stderr
+    assert (part.site / RELEASE).read_text() == (
+        "#ifndef TF_MAJOR_VERSION\n#define TF_MAJOR_VERSION 2\n#endif\n"
+        "#ifndef TF_MINOR_VERSION\n#define TF_MINOR_VERSION 21\n#endif\n"
+        "#ifndef TF_PATCH_VERSION\n#define TF_PATCH_VERSION 0\n#endif\n"
+        '#ifndef TF_VERSION_SUFFIX\n#define TF_VERSION_SUFFIX "rc1"\n#endif\n'
+    )
+    assert '#include "tensorflow/core/public/release_version.h"' in (part.site / VERSION).read_text()
+    assert "#define EIGEN_MAX_ALIGN_BYTES 64" in (part.site / EIGEN).read_text()
+    added = part.site / "tensorflow/include/tensorflow/cc/saved_model/tag_constants.h"
+    assert 'inline constexpr char kSavedModelTagServe[] = "serve";' in added.read_text()
+    assert str(added.relative_to(part.site)) in part.record.read_text()
+    eigen = part.site / "tensorflow/include/third_party/eigen3/unsupported/Eigen/CXX11/Tensor"
+    assert eigen.read_text() == "#pragma once\n#include <unsupported/Eigen/CXX11/Tensor>\n"
+    assert part.run("verify").returncode == 0, "their records follow"
+
+
+def test_headers_that_ask_for_the_release_in_another_way_are_an_error(part: Part) -> None:
+    tensorflow(part, "#ifndef TF_MAJOR_VERSION\n#endif\n")
+    done = complete(part)
+    assert done.returncode == 1
+    assert "asks for TF_MAJOR_VERSION in a way that is not known" in done.stderr
+
+
 # ---- What is not believed --------------------------------------------------------------------------------------------
 
 

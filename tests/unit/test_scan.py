@@ -219,6 +219,22 @@ def test_an_sbom_of_another_image_is_not_taken(world: World) -> None:
     assert found.reason == f"trivy's SBOM of {part.digest} is of something else"
 
 
+def test_the_system_of_a_library_in_a_wheel_is_none_of_the_images() -> None:
+    """As auditwheel's SBOMs have it: without a version."""
+    foreign = [
+        {"bom-ref": "a", "type": "operating-system", "name": "almalinux"},
+        {"bom-ref": "b", "type": "library", "name": "libgfortran", "purl": "pkg:rpm/almalinux/libgfortran@8.5.0"},
+    ]
+    wheel = {"bom-ref": "c", "type": "library", "name": "numpy", "purl": "pkg:pypi/numpy@1"}
+    system = {"bom-ref": "d", "type": "operating-system", "name": "debian", "version": "12.12"}
+    package = {"bom-ref": "e", "type": "library", "name": "libc6", "purl": "pkg:deb/debian/libc6@2.36"}
+    for own, sources in (([wheel], ["pip::"]), ([system, package, wheel], ["debian 12", "pip::"])):
+        document = {"bomFormat": "CycloneDX", "components": [*foreign, *own]}
+        found = sbom.Sbom(json.dumps(document).encode())
+        assert found.sources == sources
+        assert [item["name"] for item in found.packages] == [item["name"] for item in own if item is not system]
+
+
 # ---- the program ----------------------------------------------------------------------------------------------------
 def test_another_version(world: World) -> None:
     world.version = "0.64.1"

@@ -31,6 +31,35 @@ def test_labels(small: ImageSet) -> None:
     assert "io.rosml.stack" not in structure_tests.expected_labels(small.image("alpha-core"))
 
 
+GPUS = changed(
+    "stacks:\n",
+    'drivers: {"12": "525"}\nstacks:\n',
+    changed('"3.14"], wheels: {cu1', '"3.14"], gpus: {arm64: [sm_110], amd64: [sm_80, sm_90]}, wheels: {cu1'),
+)
+
+
+def test_labels_about_gpus() -> None:
+    """Of CUDA's oldest driver, and of what each framework was built for; of neither without CUDA."""
+    image_set = parse(GPUS)
+    expected = {"driver": "525", "torch.amd64": "sm_80 sm_90", "torch.arm64": "sm_110"}
+    labels = structure_tests.expected_labels(image_set.image("alpha-core-ml-cu1"))
+    assert {name.removeprefix("io.rosml.gpu."): value for name, value in labels.items() if ".gpu." in name} == expected
+    assert image_set.image("alpha-core-cuda-cu1").gpu == {"driver": "525"}
+    for target in ("alpha-core", "alpha-core-torch-cpu"):
+        assert image_set.image(target).gpu == {}
+        assert "NVIDIA_REQUIRE_CUDA" not in structure_tests.expected_environment(image_set.image(target))
+    assert structure_tests.expected_environment(image_set.image("alpha-core-cuda-cu1"))["NVIDIA_REQUIRE_CUDA"] == (
+        "cuda>=12.0"
+    )
+
+
+def test_a_generation_of_cuda_without_a_driver() -> None:
+    with pytest.raises(RosmlError, match=r"stacks\.cu1\.cuda: 'drivers' does not say which driver CUDA 12 needs"):
+        parse(GPUS.replace('"12": "525"', '"13": "580"'))
+    with pytest.raises(RosmlError, match=r"gpus.*: no architecture named 'arm63'"):
+        parse(GPUS.replace("arm64: [sm_110]", "arm63: [sm_110]"))
+
+
 def test_environment(small: ImageSet) -> None:
     env = structure_tests.expected_environment(small.image("alpha-core-ml-cu1"))
     versions = {name: env.get(f"{name}_VERSION") for name in ("ROS", "TORCH", "TENSORFLOW", "CUDA", "CUDNN")}

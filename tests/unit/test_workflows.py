@@ -30,6 +30,7 @@ PERMISSIONS = {
     ("ci", "test"): READ,
     ("ci", "images"): READ,
     ("locks", "time"): READ,
+    ("locks", "try"): READ,
     ("locks", "upgrade"): READ,
     ("locks", "propose"): {"contents": "write", "pull-requests": "write"},
     ("nightly", "plan"): PULL,
@@ -163,7 +164,7 @@ def test_variables_of_make_are_known_to_it() -> None:
                 assert re.search(rf"^{name} \?=", content, re.MULTILINE) or step.workflow == "nightly", name
 
 
-BUILDERS = {("ci", "images"), ("ci", "test"), ("nightly", "images"), ("proofs", "all")}
+BUILDERS = {("ci", "images"), ("ci", "test"), ("locks", "try"), ("nightly", "images"), ("proofs", "all")}
 """Jobs that build images: the others need no builder and no local registry, whose programs take minutes to build."""
 
 FROM_SOURCE = {"up", "publish", "test", "test-all", "scanner", "test-scanner", "signer", "test-signer", "lint", "unit"}

@@ -17,7 +17,8 @@ LOCAL = Path(os.environ.get("CHECK_ROOT", "/"), "usr/local")
 sites = [*LOCAL.glob("lib/python3*/dist-packages"), *LOCAL.glob("lib/rosml/*")]
 wrong: list[str] = []
 checked = 0
-for record in (record for site in sites for record in site.glob("*.dist-info/RECORD")):
+records = (record for site in sites for record in site.glob("*.dist-info/RECORD"))
+for record in (record for record in records if not record.is_symlink()):  # a link: of a part that is among the sites
     with record.open(newline="") as stream:
         for path, digest, size in csv.reader(stream):
             if not digest:

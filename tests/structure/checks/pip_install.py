@@ -5,7 +5,9 @@ Nothing is downloaded: the packages are made here, newer than anything that exis
 
 - `pip install -U numpy` stays within the range that ROS's packages were compiled for, and so does what asks for numpy;
   nor does anything bring an empy or setuptools that ROS's tools do not work with;
-- a package that needs torch or tensorflow takes the one that is there;
+- a package that needs torch or tensorflow takes the one that is there, and `-U` leaves all that parts hold as it is;
+- what contradicts that, or what the index lacks, is refused with pip's reason, and nothing is half-installed;
+- a user, an environment of one's own and `--target` keep to the same; `unpinned` lets them have another release;
 - a new version of a Debian package goes beside it, into /usr/local, and uninstalling it brings Debian's back; a newer
   pip refuses that and says who installed it, unless it is told to ignore what is there;
 - everything is gone afterwards: nothing of it is part of the image.
@@ -16,6 +18,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -24,6 +27,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 FOLDER = Path(tempfile.mkdtemp())
+FOLDER.chmod(0o755)
 FAR = "999.0"
 CONSTRAINTS = Path("/usr/local/share/rosml/constraints.txt")
 
@@ -43,9 +47,9 @@ def wheel(name: str, version: str, requires: Sequence[str] = ()) -> None:
             archive.writestr(path, content)
 
 
-def pip(*arguments: str, expect: int = 0) -> str:
-    """Runs pip, which must end with an exit code; returns what it said."""
-    command = [sys.executable, "-m", "pip", *arguments]
+def pip(*arguments: str, expect: int = 0, by: Sequence[str] = (sys.executable,)) -> str:
+    """Runs the pip of a Python, which must end with an exit code; returns what it said."""
+    command = [*by, "-m", "pip", *arguments]
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd="/")
     if done.returncode != expect:
         sys.exit(f"{' '.join(command)} ended with {done.returncode}:\n{done.stdout}")
@@ -56,24 +60,31 @@ OFFLINE = ("install", "--no-index", "--find-links", str(FOLDER), "--no-cache-dir
 INSTALL = (sys.executable, "-m", "pip", *OFFLINE)
 
 
-def install(*arguments: str, expect: int = 0) -> str:
-    return pip(*OFFLINE, *arguments, expect=expect)
+def install(*arguments: str, expect: int = 0, by: Sequence[str] = (sys.executable,)) -> str:
+    return pip(*OFFLINE, *arguments, expect=expect, by=by)
 
 
-def versions() -> dict[str, str]:
-    """All packages that Python finds, the ones that shadow others, with their versions."""
+def versions(by: Sequence[str] = (sys.executable,)) -> dict[str, str]:
+    """All packages that a Python finds, the ones that shadow others, with their versions."""
     code = (
         "import importlib.metadata as m, json\n"
         "found = {}\n"
         "for d in m.distributions(): found.setdefault((d.metadata['Name'] or '').lower(), d.version)\n"
         "print(json.dumps(found))"
     )
-    return dict(json.loads(subprocess.run([sys.executable, "-c", code], stdout=subprocess.PIPE, check=True).stdout))
+    return dict(json.loads(subprocess.run([*by, "-c", code], stdout=subprocess.PIPE, check=True).stdout))
+
+
+def pinned() -> dict[str, str]:
+    """What the slots of the image's parts say."""
+    lines = (line for slot in CONSTRAINTS.parent.glob("constraints.d/[0-9]*.txt") for line in slot.open())
+    return dict(line.strip().split("==") for line in lines if not line.startswith("#"))
 
 
 before = versions()
-for name in ("numpy", "cffi", "torch", "tensorflow", "empy", "setuptools"):
-    wheel(name, FAR)
+pins = pinned()
+for name in {"numpy", "cffi", "torch", "tensorflow", "empy", "setuptools", *pins}:
+    wheel(name.replace("-", "_"), FAR)
 # The newest numpy that could be within the range, where there is none yet.
 if "numpy" not in before:
     *start, last = re.findall("numpy.*<([0-9.]+)", CONSTRAINTS.read_text())[0].split(".")
@@ -97,9 +108,64 @@ wanted.pop("numpy", None)
 assert found == wanted, set(found.items()) ^ set(wanted.items())
 pip("uninstall", "--yes", "wantsframeworks", *([] if "numpy" in before else ["numpy"]))
 
+REASON = re.compile(r"conflict|No matching distribution")
+
 for name in too_far:
     said = install(f"wantsfar{name}", expect=1)
-    assert re.search(r"conflict|No matching distribution", said), said
+    assert REASON.search(said), said
+
+# All that parts hold stays, whatever asks for something else; what fits neither is refused as a whole.
+install("--upgrade", *pins, "wantsframeworks")
+assert versions() == {**before, "wantsframeworks": "1.0", "numpy": numpy}
+pip("uninstall", "--yes", "wantsframeworks", *([] if "numpy" in before else ["numpy"]))
+wheel("wantslacking", "1.0", [*carried, "lacking"])
+for name in carried:
+    wheel(f"wantsfar{name}", "1.0", [f"{name}>={FAR}", "wantslacking"])
+for name in [*(f"wantsfar{name}" for name in carried), "wantslacking"]:
+    said = install(name, expect=1)
+    assert REASON.search(said), said
+assert versions() == before
+
+# The index has these releases as well now: for who is not shown the image's own.
+for name in carried:
+    wheel(name, before[name])
+if "numpy" in before:
+    wheel("numpy", before["numpy"])
+own = {name: before[name] for name in carried}
+
+# A user without rights in /usr/local.
+home = FOLDER / "home"
+home.mkdir()
+os.chown(home, 4711, 4711)
+user = ("gosu", "4711:4711", "env", f"HOME={home}", sys.executable)
+for options in ([], ["--user"]):
+    install(*options, "--upgrade", "wantsframeworks", *carried, by=user)
+    found = versions(user)
+    assert found == {**before, "wantsframeworks": "1.0", "numpy": numpy}, set(found.items()) ^ set(before.items())
+    shutil.rmtree(home / ".local")
+said = install("--target", str(FOLDER / "target"), "wantsframeworks")
+there = {path.name for path in (FOLDER / "target").glob("*.dist-info")}
+assert there == {f"{name}-{own[name]}.dist-info" for name in carried} | {
+    "wantsframeworks-1.0.dist-info",
+    f"numpy-{numpy}.dist-info",
+}, there
+
+# Environments: one that sees the image's packages takes them, one that does not gets the same releases; either may have others.
+for option in ("--system-site-packages", "--clear"):
+    environment = FOLDER / option.strip("-")
+    subprocess.run([sys.executable, "-m", "venv", option, environment], check=True)
+    inside = (str(environment / "bin/python"),)
+    install("wantsframeworks", by=inside)
+    found = versions(inside)
+    assert {name: found[name] for name in (*carried, "numpy")} == {**own, "numpy": numpy}, found
+    shown = [path.name for name in carried for path in environment.glob(f"lib/python3*/site-packages/{name}-*")]
+    assert bool(shown) == (bool(carried) and option == "--clear"), shown
+    for name in carried:
+        said = install(f"wantsfar{name}", expect=1, by=inside)
+        assert REASON.search(said), said
+        install("--upgrade", name, by=("unpinned", *inside))
+        assert versions(inside)[name] == FAR
+assert versions() == before
 
 # Debian's cffi has no RECORD, by which pip could remove it.
 refused = subprocess.run([*INSTALL, "--upgrade", "cffi"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)

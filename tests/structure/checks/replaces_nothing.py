@@ -15,7 +15,7 @@ SHADOWED = {
     "typing_extensions": "pure Python, and newer ones keep what older ones had",
     "markupsafe": "needed by jinja2",
     "jinja2": "pure Python, and newer ones keep what older ones had",
-    "pil": "a dependency of keras' pictures",
+    "pil": "torchvision and keras need it for pictures",
     "pygments": "pure Python; colours tracebacks",
     "sympy": "torch.compile needs it",
     "mpmath": "sympy needs it",

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Configures, builds and installs a C++ program with find_package(TensorFlow), links it by plain library names too, and
-# builds a C program with pkg-config; runs them as a user without rights, without LD_LIBRARY_PATH.
+# Configures, builds and installs a C++ program with find_package(TensorFlow), links it by plain library names too, builds
+# another one by the folders and names that people's own commands have, and a C program by plain names and with pkg-config;
+# runs them as a user without rights, without LD_LIBRARY_PATH.
 # Compiling and linking take seconds each, so they run side by side where they can.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
@@ -12,8 +13,14 @@ chmod 755 "$work"
 side() { "$@" >"$work/side.$1.log" 2>&1 || { cat "$work/side.$1.log" >&2; return 1; }; }
 save_model() { python3 "$here/save_model.py" "$work/model"; }
 # shellcheck disable=SC2046  # pkg-config prints words
-c_api() { gcc -Wl,--as-needed -o "$work/c_api" "$here/c_api.c" $(pkg-config --cflags --libs tensorflow_cc); }
+c_api() { gcc -Wl,--as-needed -o "$work/c_api" "$here/c_api.c" $(pkg-config --cflags --libs tensorflow); }
+plain_c() { gcc -o "$work/plain_c" "$here/c_api.c" -ltensorflow; }
+found() {
+  g++ -std=c++17 -I /usr/local/include/tensorflow -o "$work/found" "$here/found.cpp" -ltensorflow_cc -ltensorflow_framework -lprotobuf
+}
 side save_model & jobs=($!)
+side plain_c & jobs+=($!)
+side found & jobs+=($!)
 side c_api & jobs+=($!)
 
 cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
@@ -23,7 +30,14 @@ cmake --install "$work/build" >/dev/null
 g++ -o "$work/plain" "$work/build/CMakeFiles/tensorflow_graph.dir/graph.cpp.o" -ltensorflow_cc -ltensorflow_framework
 for job in "${jobs[@]}"; do wait "$job"; done
 
-programs=("$work/installed/bin/tensorflow_graph" "$work/plain" "$work/c_api")
+# TensorFlow's own headers of protobuf and Eigen are for who asks for them.
+for header in google/protobuf/message.h absl/strings/cord.h Eigen/Core; do
+  of=$(g++ -M -x c++ - <<<"#include <$header>" 2>/dev/null | grep -o '/usr/local/[^ ]*' | head -n 1) || continue
+  echo "$header of the default path is TensorFlow's: $of" >&2 && exit 1
+done
+# The constants of the program are Python's.
+if "$work/found" | grep '=' | grep -vxFf "$work/side.save_model.log" >&2; then echo 'which Python has not' >&2 && exit 1; fi
+programs=("$work/installed/bin/tensorflow_graph" "$work/plain" "$work/c_api" "$work/plain_c" "$work/found")
 if readelf --dynamic "${programs[@]}" | grep -E 'RPATH|RUNPATH'; then exit 1; fi
 for program in "${programs[@]}"; do
   env -u LD_LIBRARY_PATH TF_CPP_MIN_LOG_LEVEL=3 HOME=/ \

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""save_model.py FOLDER: saves a model that computes y = factor * x, with a variable for the factor."""
+"""save_model.py FOLDER: saves a model that computes y = factor * x, with a variable for the factor, and prints the constants
+of the format."""
 
 import sys
 
 import tensorflow as tf
+from tensorflow.python.saved_model import signature_constants, tag_constants
 
 
 class Scale(tf.Module):
@@ -18,3 +20,8 @@ class Scale(tf.Module):
 
 model = Scale()
 tf.saved_model.save(model, sys.argv[1], signatures=model.__call__)
+
+for constants in (tag_constants, signature_constants):
+    for name, value in vars(constants).items():
+        if isinstance(value, str) and name.isupper():
+            print(f"{name}={value}")

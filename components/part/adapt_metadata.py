@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""Writes into the metadata of installed wheels what they are found to need, where the lock says so.
+
+A line `# adapted: torch setuptools>=66.1.1` of the lock is about one requirement of one package, which had another bound;
+its marker stays. The record of the file follows.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from pathlib import Path
+
+import records  # beside this script
+
+LINE = re.compile(
+    r"^# adapted: (?P<package>[A-Za-z0-9._-]+) (?P<name>[A-Za-z0-9._-]+)(?P<bound>[<>=!~].*)$", re.MULTILINE
+)
+
+
+def adapt(package: str, name: str, bound: str) -> None:
+    """Changes one requirement of a package.
+
+    Raises:
+        SystemExit: the package is not there, or it does not ask for that once.
+    """
+    files = list(records.SITE.glob(f"{package}-[0-9]*.dist-info/METADATA"))
+    if len(files) != 1:
+        sys.exit(f"adapt_metadata: {len(files)} packages are called {package}; correct 'adapted' in matrix.yaml")
+    text = files[0].read_text(encoding="utf-8")
+    head, separator, description = text.partition("\n\n")
+    head, count = re.subn(rf"(?m)^(Requires-Dist: {re.escape(name)}) ?(?![\w.-])[^;\n]*", rf"\g<1>{bound}", head)
+    if count != 1:
+        asks = f"{package} asks for {name} {count} times"
+        sys.exit(f"adapt_metadata: {asks}; correct 'adapted' in matrix.yaml")
+    files[0].unlink()  # a link to uv's copy, perhaps
+    files[0].write_text(head + separator + description, encoding="utf-8")
+    path = str(files[0].relative_to(records.SITE))
+    records.replace({path: [path, *map(str, records.digest(files[0]))]})
+    print(f"adapt_metadata: {package} asks for {name}{bound}")
+
+
+def main() -> None:
+    for found in LINE.finditer(Path(os.environ["LOCK"]).read_text(encoding="utf-8")):
+        adapt(found["package"], found["name"], found["bound"].strip())
+
+
+if __name__ == "__main__":
+    main()

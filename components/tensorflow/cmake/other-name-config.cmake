@@ -1,0 +1,26 @@
+# find_package(tensorflow), find_package(Tensorflow), find_package(TensorflowCC) and so on: TensorFlowConfig.cmake beside it,
+# under the names that other builds of TensorFlow go by, with their targets and variables.
+#
+#   TensorflowCC::TensorflowCC, TensorflowCC::Shared   as TensorFlow::tensorflow_cc
+#   tensorflow                                         the same, after find_package(tensorflow)
+include("${CMAKE_CURRENT_LIST_DIR}/../TensorFlow/TensorFlowConfig.cmake")
+set(${CMAKE_FIND_PACKAGE_NAME}_FOUND ${TensorFlow_FOUND})
+set(${CMAKE_FIND_PACKAGE_NAME}_NOT_FOUND_MESSAGE "${TensorFlow_NOT_FOUND_MESSAGE}")
+if(TensorFlow_FOUND)
+  foreach(_tensorflow_variable INCLUDE_DIR INCLUDE_DIRS LIBRARY LIBRARIES VERSION)
+    set(${CMAKE_FIND_PACKAGE_NAME}_${_tensorflow_variable} "${TensorFlow_${_tensorflow_variable}}")
+  endforeach()
+  unset(_tensorflow_variable)
+  set(_tensorflow_names TensorflowCC::TensorflowCC TensorflowCC::Shared)
+  if(CMAKE_FIND_PACKAGE_NAME STREQUAL "tensorflow")
+    list(APPEND _tensorflow_names tensorflow)
+  endif()
+  foreach(_tensorflow_name ${_tensorflow_names})
+    if(NOT TARGET ${_tensorflow_name})
+      add_library(${_tensorflow_name} INTERFACE IMPORTED)
+      set_target_properties(${_tensorflow_name} PROPERTIES INTERFACE_LINK_LIBRARIES TensorFlow::tensorflow_cc)
+    endif()
+  endforeach()
+  unset(_tensorflow_names)
+  unset(_tensorflow_name)
+endif()

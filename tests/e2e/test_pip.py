@@ -1,0 +1,79 @@
+"""The second hour: what users install into images with frameworks, by pip and uv and from the public index, leaves these and ROS
+as they are; and who wants another release of what is there gets it whole."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosml.machine.services import Services
+from tests.e2e.images import Publish, build_on
+
+FEW = "opencv-python scikit-learn tf-keras tensorflow-hub"
+ANY = "onnxruntime opencv-python pandas scikit-learn open3d"
+OF_TORCH = "torchvision torchaudio ultralytics transformers timm lightning accelerate diffusers torchmetrics kornia"
+OF_TENSORFLOW = "tensorboard tf-keras tensorflow-hub tf2onnx"
+
+CV_BRIDGE = "install-packages python3-cv-bridge"
+"""What a component below perception lacks; libGL, which OpenCV's wheels need, comes with it."""
+
+
+@pytest.mark.parametrize(
+    ("target", "packages"),
+    [
+        ("bookworm-core-tensorflow-cpu", FEW),
+        *(
+            pytest.param(target, packages, marks=pytest.mark.full(proof="everyday"))
+            for target, packages in (
+                ("bookworm-core-tensorflow-cpu", f"{ANY} {OF_TENSORFLOW}"),
+                ("bookworm-core-torch-cu128", f"{ANY} {OF_TORCH}"),
+                ("bookworm-perception-ml-cu128", f"{ANY} {OF_TORCH} {OF_TENSORFLOW}"),
+            )
+        ),
+    ],
+)
+def test_everyday_packages_leave_what_is_installed_as_it_is(
+    services: Services, published: Publish, tmp_path: Path, target: str, packages: str
+) -> None:
+    steps = [CV_BRIDGE, f"online /entrypoint.sh /everyday/check.py {packages}"]
+    said = build_on(services, published(target), tmp_path, steps, "everyday")
+    assert "everyday: done" in said
+
+
+def test_another_release_for_who_says_so(services: Services, published: Publish, tmp_path: Path) -> None:
+    """By pip and by uv: refused as it stands, installed with the word, and TensorFlow still computes."""
+    steps = ["online /everyday/unpinned.sh keras 3.13.2 3.14.0", "python3 /everyday/computes.py tensorflow"]
+    said = build_on(services, published("bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
+    assert "unpinned: keras 3.14.0" in said and "computes: tensorflow" in said
+
+
+@pytest.mark.full(proof="everyday")
+def test_another_tensorflow_is_whole(services: Services, published: Publish, tmp_path: Path) -> None:
+    """The wheel for the CPU is called otherwise, and goes with the package that stands for it; C++ is told."""
+    steps = [
+        "online unpinned pip install tensorflow==2.19.1",
+        "python3 /everyday/computes.py tensorflow 2.19.1",
+        "! pip list | grep tensorflow.cpu",
+        "! cmake -S /everyday/tensorflow -B /tmp/tensorflow >/tmp/said 2>&1",
+        "grep -w replaced /tmp/said",
+    ]
+    said = build_on(services, published("bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
+    assert "computes: tensorflow 2.19.1" in said
+
+
+@pytest.mark.full(proof="everyday")
+def test_another_torch_is_whole(services: Services, published: Publish, tmp_path: Path) -> None:
+    """With the image's CUDA or another: its libraries are found, since torch is imported; our CMake package says that it was
+    replaced."""
+    steps = [
+        "online unpinned pip install torch==2.9.1",
+        "python3 /everyday/computes.py torch 2.9.1",
+        "online pip install uv",
+        "online unpinned uv pip install torch==2.12.1",
+        "python3 /everyday/computes.py torch 2.12.1",
+        "! cmake -S /everyday/torch -B /tmp/torch >/tmp/said 2>&1",
+        "grep -w replaced /tmp/said",
+    ]
+    said = build_on(services, published("bookworm-core-torch-cu128"), tmp_path, steps, "everyday")
+    assert "computes: torch 2.9.1" in said and "computes: torch 2.12.1" in said
