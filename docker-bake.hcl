@@ -1,5 +1,5 @@
-# Generated from matrix.yaml by scripts/generate_bake.py, with rosml/bake/graph.hcl below it: change one of them, then run
-#   make generate
+# Generated from matrix.yaml by scripts/generate_bake.py, with src/rosml/bake/graph.hcl below it: change one of them, then run
+#   rosml generate
 #
 #   PLATFORM=linux/amd64 docker buildx bake bookworm-core   builds an image, and what it stands on, for one platform
 #   docker buildx bake bookworm-core-test                   runs its structure tests inside the build
@@ -67,7 +67,7 @@ variable "ROS_SYNC_DATES" {
 }
 
 variable "ROS_CHANNEL" {
-  description = "live, snapshot or final, in the place of what matrix.yaml says (make image CHANNEL=final)"
+  description = "live, snapshot or final, in the place of what matrix.yaml says (ROS_CHANNEL=final rosml image)"
   default     = ""
 }
 
@@ -262,7 +262,7 @@ distributions = {
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/noetic/{day}/ubuntu" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
     covered = []
-    unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
+    unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   foxy = {
     os = "ubuntu-20.04", ros = "2", ros_distro = "foxy", platforms = ["linux/amd64", "linux/arm64"]
@@ -273,7 +273,7 @@ distributions = {
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/foxy/{day}/ubuntu" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
     covered = []
-    unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
+    unlocked = { torch-cpu38 = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   humble = {
     os = "ubuntu-22.04", ros = "2", ros_distro = "humble", platforms = ["linux/amd64", "linux/arm64"]
@@ -328,7 +328,7 @@ distributions = {
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/lyrical/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
     covered = []
-    unlocked = { torch-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
+    unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   rolling = {
     os = "ubuntu-26.04", ros = "2", ros_distro = "rolling", platforms = ["linux/amd64", "linux/arm64"]
@@ -339,7 +339,7 @@ distributions = {
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/rolling/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
     covered = []
-    unlocked = { torch-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
+    unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   bookworm = {
     os = "bookworm", ros = "1", ros_distro = "Debian", platforms = ["linux/amd64", "linux/arm64"]
@@ -350,7 +350,7 @@ distributions = {
     apt = null
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "tensorflow-cu128"]
-    unlocked = { torch-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
+    unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
   trixie = {
     os = "trixie", ros = "1", ros_distro = "Debian", platforms = ["linux/amd64", "linux/arm64"]
@@ -372,7 +372,7 @@ distributions = {
     apt = null
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = []
-    unlocked = { torch-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'make locks' where the package indexes answer, PyTorch's own among them" }
+    unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
 }
 
@@ -469,7 +469,7 @@ group "cpu" { targets = having("stack", "cpu") }
 group "cpu38" { targets = having("stack", "cpu38") }
 
 # ---- What follows from the tables ------------------------------------------------------------------------------------
-# From here on all is written by hand, in rosml/bake/graph.hcl. rosml/bake/targets.py says the same in Python, for whoever asks what
+# From here on all is written by hand, in src/rosml/bake/graph.hcl. src/rosml/bake/targets.py says the same in Python, for whoever asks what
 # decides an image, and a test compares the two.
 
 # What the caller says in JSON. An empty text says nothing.

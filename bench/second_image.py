@@ -193,14 +193,14 @@ def require_comparable(image: Image, image_set: ImageSet, root: Path) -> None:
     if not frameworks(image, image_set):
         raise RosmlError(
             f"{image.target} has no framework: there is nothing to compare",
-            "take an image with PyTorch or TensorFlow: make list GROUP=torch",
+            "take an image with PyTorch or TensorFlow: rosml list torch",
             exit_code=2,
         )
     for name, version in pins(image, image_set, root).items():
         if "+" in version:
             raise RosmlError(
                 f"{name} {version} is on PyTorch's own index alone, where pip does not look by itself",
-                "take a target of another stack: make list GROUP=cu128",
+                "take a target of another stack: rosml list cu128",
                 exit_code=2,
             )
 
@@ -226,7 +226,7 @@ def pins(image: Image, image_set: ImageSet, root: Path) -> dict[str, str]:
 
 
 def needed_mb(image_set: ImageSet, image: Image, built: set[str]) -> int:
-    """Megabytes that a comparison takes: ours as `make image` does, and the usual image twice, each unpacked in the
+    """Megabytes that a comparison takes: ours as `rosml image` does, and the usual image twice, each unpacked in the
     builder and compressed in builder and registry; pip keeps all wheels of one beside it until it is done."""
     sizes = [image_set.part_by_name[name].disk for name in image.parts]
     unpacked, compressed = sum(size.unpacked for size in sizes), sum(size.compressed for size in sizes)
@@ -490,7 +490,7 @@ def notes(found: Comparison) -> list[str]:
         "the usual banner imports each framework to ask for its version",
         f"our entrypoint takes {found.ours.start_seconds * 1000:.0f} ms beyond sourcing ROS",
         "ROS's change is a file of some bytes; a real one adds its own size to the pull both ways",
-        "nothing was tagged, and the manifests are removed; their layers stay until 'make clean', which removes all there is",
+        "nothing was tagged, and the manifests are removed; their layers stay until 'rosml setup clean', which removes all there is",
     ]
 
 

@@ -26,6 +26,7 @@ ROOT = Path(__file__).resolve().parent.parent
 STATE, VENV = ROOT / ".state", ROOT / ".venv"
 BIN, LOG, RUN = STATE / "bin", STATE / "log", STATE / "run"
 PYTHON = VENV / "bin" / "python"
+SOURCES = ROOT / "src"
 OLDEST_UV = [0, 9]
 OLDEST_PYTHON = "3.11"
 """That the commands run with, as pyproject.toml has it."""
@@ -34,28 +35,25 @@ GROUPS = ("app", "dev", "page")
 """Of Python packages, each with those before it: of the commands; of linters and tests; of the page's tests."""
 
 COMMANDS = {
-    **dict.fromkeys(("up", "tools", "linters", "emulate"), "dev"),
+    **dict.fromkeys(("python", "up", "tools", "emulate", "client", "scanner", "signer", "room"), "app"),
+    "linters": "dev",
     **dict.fromkeys(("suite", "browser"), "page"),
-    **dict.fromkeys(("client", "scanner", "signer", "room"), "app"),
     **dict.fromkeys(("down", "status", "clean"), ""),
 }
-"""The commands of `rosml setup`, and the group of packages that each needs; none where those that are there do."""
+"""The commands of `rosml setup`, and the group of packages that each needs; none where those that are there do. `python` installs
+them and does nothing else."""
 
 EPILOG = """\
-Options, and what the environment says, are those of `rosml setup`. `tools --python` only installs uv and Python packages.
+Options, and what the environment says, are those of `rosml setup`. `python` only installs uv and Python packages.
 
 Examples:
   python3 scripts/bootstrap.py up
   python3 scripts/bootstrap.py status --json
 """
 
-LAUNCHER = """\
-#!{python}
-import runpy, sys
-sys.path.insert(0, {root!r})
-runpy.run_module("rosml", run_name="__main__")
-"""
-"""The command `rosml` of this checkout, in `.state/bin`."""
+
+UNREACHED = "check the network and proxies (HTTPS_PROXY); a company's certificates go into ROSML_CA_BUNDLE; docs/registry.md has more"
+"""What to do where packages cannot be had."""
 
 
 class Failure(Exception):
@@ -171,6 +169,7 @@ def pinned_uv() -> str:
         return str(program)
     started, folder, log = time.monotonic(), STATE / "tools", LOG / "install-uv.log"
     env = {**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_INPUT": "1", "DEBIAN_FRONTEND": "noninteractive"}
+    env.update(PIP_USER="0", PIP_TARGET="", PIP_PREFIX="")  # a user's own settings would put it elsewhere
     if bundle := ca_bundle():
         env.setdefault("PIP_CERT", bundle)
     if output_of(sys.executable, "-c", "import ensurepip, venv") is None:
@@ -181,7 +180,7 @@ def pinned_uv() -> str:
     stamp.unlink(missing_ok=True)
     run("uv", [sys.executable, "-m", "venv", "--clear", str(folder)], log, env)
     pip = [str(folder / "bin" / "python"), "-m", "pip", "install", "--require-hashes", "--no-deps", "--no-cache-dir"]
-    run("uv", [*pip, "--requirement", str(requirements)], log, env)
+    run("uv", [*pip, "--requirement", str(requirements)], log, env, UNREACHED)
     os.replace(folder / "bin" / "uv", program)
     shutil.rmtree(folder, ignore_errors=True)
     write(stamp, wanted)
@@ -209,22 +208,25 @@ def packages(uv: str, group: str) -> None:
     if fresh:
         say("Python packages: installing into .venv")
         make = [uv, "venv", "--clear", "--no-project", "--python", f">={OLDEST_PYTHON}", str(VENV)]
-        run("Python packages", make, log, env)
+        run("Python packages", make, log, env, UNREACHED)
     known = VENV / "group"
     before = known.read_text() if known.exists() else ""
+    known.unlink(missing_ok=True)  # what is interrupted is done again
     group = max(group, before if before in GROUPS else group, key=GROUPS.index)
     # A build would fetch what it needs by itself, without a hash: wheels alone.
     sync = [uv, "pip", "sync", "--python", str(PYTHON), "--require-hashes", "--no-build"]
-    run("Python packages", [*sync, str(ROOT / "tools" / f"requirements-{group}.txt")], log, env)
+    run("Python packages", [*sync, str(ROOT / "tools" / f"requirements-{group}.txt")], log, env, UNREACHED)
+    for folder in (VENV / "lib").glob("python3*/site-packages"):
+        write(folder / "rosml.pth", f"{SOURCES}\n")  # so that tests and bench import rosml
     write(known, group)
-    write(BIN / "rosml", LAUNCHER.format(python=PYTHON, root=str(ROOT)), 0o755)
     if fresh:
         say(f"Python packages: installed into .venv in {time.monotonic() - started:.0f} s")
 
 
 def can_hand_over() -> bool:
     """Whether the packages that `rosml setup` needs are there."""
-    return output_of(str(PYTHON), "-c", "import rosml.cli.main") is not None
+    code = f"import sys; sys.path.insert(0, {str(SOURCES)!r}); import rosml.cli.main"
+    return output_of(str(PYTHON), "-c", code) is not None
 
 
 def hand_over(command: str, *options: str, uv: str = "", come_back: bool = False) -> int:
@@ -233,7 +235,7 @@ def hand_over(command: str, *options: str, uv: str = "", come_back: bool = False
     left_out = ("PYTHONPATH", "PYTHONHOME", "PYTHONOPTIMIZE", "PYTHONSAFEPATH")
     env = {name: value for name, value in os.environ.items() if name not in left_out}
     env.update(ROSML_UV=uv, ROSML_CA_BUNDLE=ca_bundle())
-    argv = [str(PYTHON), "-m", "rosml", "setup", command, *options]
+    argv = [str(PYTHON), str(SOURCES), "setup", command, *options]
     os.chdir(ROOT)
     if come_back:
         return subprocess.run(argv, env=env, check=False).returncode
@@ -267,7 +269,7 @@ def clean() -> int:
     """
     if left := re.findall(rf" ({re.escape(str(STATE))}/\S*) ", Path("/proc/self/mounts").read_text()):
         raise Failure(f"still mounted: {', '.join(left)}", f"umount --lazy {left[-1]}")
-    byte_code = [found for name in ("rosml", "scripts", "tests") for found in (ROOT / name).rglob("__pycache__")]
+    byte_code = [found for name in ("src", "scripts", "tests") for found in (ROOT / name).rglob("__pycache__")]
     before = shutil.disk_usage(ROOT).free
     folders = [folder for folder in (STATE, VENV, *byte_code) if folder.exists()]
     for folder in folders:
@@ -286,7 +288,7 @@ def work(command: str, options: Sequence[str]) -> int:
     if command == "status":
         if can_hand_over():
             return hand_over(command, *options)
-        say(json.dumps({"state": str(STATE), "up": False}) if "--json" in options else "services  not up (make up)")
+        say(json.dumps({"state": str(STATE), "up": False}) if "--json" in options else "services  not up (rosml setup)")
         return 0
     if not sys.platform.startswith("linux"):
         raise Failure("this set-up needs Linux", "use a Linux machine, a virtual one, or WSL")
@@ -304,7 +306,7 @@ def work(command: str, options: Sequence[str]) -> int:
             return clean() if command == "clean" else 0
         uv = uv_on_path() or pinned_uv()
         packages(uv, "dev" if "--tests" in options else COMMANDS[command])
-        return 0 if "--python" in options else hand_over(command, *options, uv=uv)
+        return 0 if command == "python" else hand_over(command, *options, uv=uv)
 
 
 def terminate(_number: int, _frame: FrameType | None) -> NoReturn:
@@ -315,7 +317,7 @@ def terminate(_number: int, _frame: FrameType | None) -> NoReturn:
 def main(argv: Sequence[str]) -> int:
     """Runs a command; gives the exit code: 0, 1 (failed), 2 (usage), 130 (interrupted)."""
     style = argparse.RawDescriptionHelpFormatter
-    parser = argparse.ArgumentParser("bootstrap.py", description=__doc__, epilog=EPILOG, formatter_class=style)
+    parser = argparse.ArgumentParser("rosml setup", description=__doc__, epilog=EPILOG, formatter_class=style)
     parser.add_argument("command", choices=COMMANDS, metavar="COMMAND", help=", ".join(COMMANDS))
     asked, options = parser.parse_known_args(argv)
     signal.signal(signal.SIGTERM, terminate)

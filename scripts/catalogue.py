@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""`rosml catalogue`, from a checkout without a set-up of its own: rosml/cli/catalogue.py."""
+"""`rosml catalogue`, from a checkout without a set-up of its own: src/rosml/cli/catalogue.py."""
 
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "src"))
 
 from rosml.__main__ import run
 

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "src"))
 
 import rosml.base.environment  # noqa: F401 (first: says what to do where the others are missing)
 
@@ -86,7 +86,7 @@ def resolve(root: Path, upgrade: bool) -> None:
         try:
             subprocess.run(argv, input=wanted[file], text=True, check=True, capture_output=True)
         except FileNotFoundError:
-            raise RosmlError("'uv' is not installed", "run 'make up'") from None
+            raise RosmlError("'uv' is not installed", "run 'rosml setup'") from None
         except subprocess.CalledProcessError as error:
             raise RosmlError(f"uv cannot resolve {target.name}:\n{error.stderr.strip()}", "see what uv says") from None
         target.write_text(header(file, wanted[file]) + target.read_text())

@@ -28,7 +28,7 @@ done"""
 DOWNLOAD = '[ -d "$ARTIFACTS/$NAME" ]; case " $LOST " in *" $NAME "*) exit 1 ;; esac; mkdir -p "${PATHS:-.}"; cp -a "$ARTIFACTS/$NAME/." "${PATHS:-.}"'
 
 ACTIONS = {
-    "actions/checkout": 'cp -a "$CHECKOUT/." .',
+    "actions/checkout": 'cp -a "$CHECKOUT/." . && cp -a "$FRONT/." .',
     "actions/upload-artifact": UPLOAD,
     "actions/download-artifact": DOWNLOAD,
     "actions/cache": 'echo "$KEY $PATHS" >>"$CACHES"',
@@ -56,7 +56,7 @@ class Played:
         results: of jobs: success, failure or skipped; failure where one of a matrix failed.
         matrix: the members of each job's matrix that ran, in no order; one without any of a job that has none.
         steps: results of steps by name, by job; of those that ran.
-        commands: calls of make and uv, by job, in their order; words as the program gets them.
+        commands: calls of make and ./rosml, by job, in their order; words as the program gets them.
         artifacts: folder with a folder for each artifact. caches: keys and paths that were asked for.
         log: all that act said.
     """
@@ -114,8 +114,8 @@ def play(
     Args:
         text: the workflow.
         folder: an empty one, for all that is made.
-        programs: shell scripts that take the place of `make` and `uv`, by name; each call is recorded before it.
-        event: what starts it. checkout: what jobs check out; nothing if left out.
+        programs: shell scripts that take the place of `make` and `./rosml`, by name; each call is recorded before it.
+        event: what starts it. checkout: what jobs check out besides `./rosml`.
         repository: owner and name. variables: of the repository. inputs: of a run by hand.
         secrets: of the repository. With ROSML_PASSWORD, that is what logs in; without, the job's own token.
         lost: artifacts that nobody can download.
@@ -123,7 +123,7 @@ def play(
     Raises:
         ValueError: act does not understand the workflow; with its reasons.
     """
-    for name in ("repository/.github/workflows", "programs", "artifacts", "home", "empty"):
+    for name in ("repository/.github/workflows", "programs", "front", "artifacts", "home", "empty"):
         (folder / name).mkdir(parents=True)
     (folder / "repository/.github/workflows/workflow.yml").write_text(text)
     git = ["git", "-C", str(folder / "repository"), "-c", "user.name=a", "-c", "user.email=a@example.org"]
@@ -136,7 +136,7 @@ def play(
         subprocess.run([*git, *arguments], check=True, stdin=subprocess.DEVNULL)
     calls, caches = folder / "calls", folder / "caches"
     for name, script in programs.items():
-        file = folder / "programs" / name
+        file = folder / {"rosml": "front"}.get(name, "programs") / name
         file.write_text(f'#!/usr/bin/env bash\nset -eu\necho "$GITHUB_JOB\t{name} $*" >>"$CALLS"\n{script}\n')
         file.chmod(0o755)
     given = {
@@ -144,6 +144,7 @@ def play(
         "CALLS": calls,
         "CACHES": caches,
         "CHECKOUT": checkout or folder / "empty",
+        "FRONT": folder / "front",
         "LOST": lost,
         "GITHUB_TOKEN": TOKEN,
         "RIGHT": (secrets or {}).get("ROSML_PASSWORD", TOKEN),

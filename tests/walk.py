@@ -14,7 +14,7 @@ from tests.pages import ROOT, Block, blocks, commands
 
 EXTEND = ROOT / "docs/extend.md"
 OWN_SET = "A set of your own"
-NEEDS_NETWORK = ("make locks", "make image")
+NEEDS_NETWORK = ("./rosml locks", "./rosml image", "make image")
 """Steps of the page that are not walked: unit tests run them with a local replacement for uv."""
 
 
@@ -79,8 +79,7 @@ def replaced(lines: list[str], entries: list[str]) -> str:
 
 def run(project: Path, command: str) -> str:
     """Runs a command of the page as a shell reads it, with this Python and nothing set up; gives what it printed."""
-    if command.startswith("make "):
-        command = f"{command} BOOTSTRAP=: RUN={sys.executable}"
+    command = re.sub(r"^\./rosml ", f"{sys.executable} src ", command)
     done = subprocess.run(["bash", "-c", command], cwd=project, capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
     return f"$ {command}\n{done.stdout}{done.stderr}"
@@ -115,8 +114,8 @@ def own_set(project: Path) -> str:
 
 
 def set_up(project: Path) -> None:
-    """Installs uv and the Python packages in a clone, as every `make` command does first: tests read what `make` prints."""
-    argv = ["python3", "scripts/bootstrap.py", "tools", "--python"]
+    """Installs uv and the Python packages in a clone, as the first call of ./rosml does."""
+    argv = ["python3", "scripts/bootstrap.py", "python"]
     done = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
 

@@ -1,4 +1,4 @@
-"""Builders beside the one that `make up` started: a machine of a fleet, or one that a small project has to itself."""
+"""Builders beside the one that `rosml setup` started: a machine of a fleet, or one that a small project has to itself."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""End-to-end tests build, enter and publish real images with the services that `make up` started.
+"""End-to-end tests build, enter and publish real images with the services that `rosml setup` started.
 
 They publish into a namespace of their own, so that they never move a tag that somebody uses.
 """
@@ -44,7 +44,7 @@ CHECKOUT = (
     "matrix.yaml",
     "components",
     "locks",
-    "rosml",
+    "src",
     "scripts",
     "tools",
 )
@@ -132,9 +132,10 @@ def run(*command: str, cwd: Path = ROOT, env: dict[str, str] | None = None) -> R
 
 
 def publish(target: str, *options: str, root: Path = ROOT) -> Run:
-    """`scripts/publish.py image`, as `make image` calls it, in the tests' namespace."""
-    script = str(root / "scripts" / "publish.py")
-    return run(sys.executable, script, "image", target, "--namespace", NAMESPACE, "--json", *options, cwd=root)
+    """`rosml image`, as `make image` calls it, in the tests' namespace."""
+    return run(
+        sys.executable, str(root / "src"), "image", target, "--namespace", NAMESPACE, "--json", *options, cwd=root
+    )
 
 
 @pytest.fixture(scope="session")

@@ -55,7 +55,7 @@ def build_on(services: Services, image: Published, folder: Path, steps: Sequence
     """Builds on an image; returns what the builder said.
 
     Args:
-        services: what `make up` started.
+        services: what `rosml setup` started.
         image: to build on.
         folder: an empty one.
         steps: commands; one may be `install-packages PACKAGE…`, from the image's own apt source, or `online COMMAND…`, which

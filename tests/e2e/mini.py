@@ -107,11 +107,12 @@ class Mini:
         return load.load(self.folder / "matrix.yaml", self.folder)
 
     def command(self, *arguments: str) -> list[str]:
-        """A call of its publish.py."""
-        return [sys.executable, str(self.folder / "scripts/publish.py"), *arguments]
+        """A call of its rosml: of a publishing step, if the first word is no command of its own."""
+        words = arguments if arguments[0] in ("image", "part", "plan", "status") else ("publish", *arguments)
+        return [sys.executable, str(self.folder / "src"), *words]
 
     def publish(self, *arguments: str, env: dict[str, str] | None = None) -> Run:
-        """`publish.py` with its place."""
+        """A publishing command with its place."""
         return run(*self.command(*arguments, "--registry", self.registry), cwd=self.folder, env=env)
 
     def all(self, *arguments: str, env: dict[str, str] | None = None) -> dict[str, Any]:

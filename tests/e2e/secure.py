@@ -86,7 +86,7 @@ def cosign() -> str:
     try:
         found: str = json.loads((ROOT / ".state/signer.json").read_text())["cosign"]
     except OSError:
-        pytest.fail("cosign is not installed: make signer", pytrace=False)
+        pytest.fail("cosign is not installed: rosml setup signer", pytrace=False)
     return found
 
 

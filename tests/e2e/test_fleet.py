@@ -89,7 +89,7 @@ def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Servic
             (distribution,) = shard["distributions"]
             assert {f"{distribution}-core", f"{distribution}-base"} <= done
             assert not any(name.startswith("other" if distribution == "bookworm" else "bookworm") for name in done)
-    for step in ("join", "index", "promote"):
+    for step in ("join-images", "index", "promote"):
         assert mini.publish(step, "--plan", str(plan), "--serve", NATIVE).code == 0
     assert mini.tags() == {}, "nothing was tested"
     made = {

@@ -213,7 +213,7 @@ def test_the_steps_one_by_one_on_several_machines(mini: Mini, tmp_path: Path) ->
     for shard in shards:
         assert mini.publish("build", "--plan", str(plan), "--shard", shard).code == 0
     time.sleep(1.1)  # the date is the plan's, not that of the day
-    for step in ("join", "test", "index", "promote"):
+    for step in ("join-images", "test", "index", "promote"):
         outcome = mini.publish(step, "--plan", str(plan), "--serve", NATIVE)
         assert outcome.code == 0, outcome.err
     mini.check()

@@ -98,15 +98,15 @@ def pull(mini: Mini, folder: Path) -> int:
 
 def clone(mini: Mini, folder: Path) -> Path:
     """A checkout on another machine: nothing was set up, and there are neither locks nor build files."""
-    for name in ("rosml", "scripts"):
+    for name in ("src", "scripts"):
         shutil.copytree(mini.folder / name, folder / name)
     shutil.copy(mini.folder / "matrix.yaml", folder)
     return folder
 
 
 def called(folder: Path, mini: Mini, *arguments: str) -> Run:
-    """publish.py of a checkout, for a project's place."""
-    return run(sys.executable, str(folder / "scripts/publish.py"), *arguments, "--registry", mini.registry, cwd=folder)
+    """`rosml publish` of a checkout, for a project's place."""
+    return run(sys.executable, str(folder / "src"), "publish", *arguments, "--registry", mini.registry, cwd=folder)
 
 
 def records(mini: Mini) -> list[str]:

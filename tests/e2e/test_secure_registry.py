@@ -60,7 +60,7 @@ class Company(Mini):
 
 
 def trusting(folder: Path, services: Services, name: str) -> Services:
-    """Another machine: the builder of a name, and a regctl that `make up` told of the certificates."""
+    """Another machine: the builder of a name, and a regctl that `rosml setup` told of the certificates."""
     state = folder / ".state"
     (state / "regctl").unlink()
     (state / "regctl").mkdir()
@@ -106,7 +106,7 @@ def issuing(registry: Secure, environment: Path, tmp_path_factory: pytest.TempPa
 def project(
     services: Services, registry: Secure, issuing: Secure, environment: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Company]:
-    """The small project, whose builder was told of the certificates as by `make up`."""
+    """The small project, whose builder was told of the certificates as by `rosml setup`."""
     folder = tmp_path_factory.mktemp("company")
     name = f"company-{os.getpid()}"
     trusted = certificates.by_host()
@@ -211,7 +211,7 @@ def test_a_password_that_is_wrong_or_missing(
     before = company.secure.repositories
     company.login(auths={company.secure.host: {"auth": encoded(NAME, password)}} if password else {})
     outcome = company.publish("all", *ONLY)
-    refused(outcome, f"{company.secure.host} lets nobody", f"remedy: docker login {company.secure.host}")
+    refused(outcome, f"{company.secure.host}: access denied", f"remedy: docker login {company.secure.host}")
     assert company.secure.repositories == before
     nothing_secret(company, outcome)
 
@@ -264,7 +264,7 @@ def test_a_certificate_that_is_not_trusted(
 def test_a_bundle_for_everything(
     company: Company, services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """SSL_CERT_FILE at `make up`, which the builder has in its environment, and nothing in certs.d."""
+    """SSL_CERT_FILE at `rosml setup`, which the builder has in its environment, and nothing in certs.d."""
     host = company.secure.host
     if host.startswith("127."):
         pytest.skip("this machine has only a loopback address, where a registry without certs.d speaks plain http")
@@ -294,7 +294,7 @@ def test_a_bundle_for_everything(
 
 
 def test_a_builder_that_was_not_told(company: Company, services: Services, tmp_path: Path) -> None:
-    """Between the certificate's arrival and `make up`."""
+    """Between the certificate's arrival and `rosml setup`."""
     machine = tmp_path / "machine"
     shutil.copytree(company.folder, machine, symlinks=True)
     facts = json.loads((machine / ".state/services.json").read_text())
@@ -303,6 +303,6 @@ def test_a_builder_that_was_not_told(company: Company, services: Services, tmp_p
     company.folder = machine
     outcome = company.publish("build", "--only", "bookworm-core")
     assert outcome.code == 1
-    assert "x509: certificate signed by unknown authority" in outcome.err and "then run 'make up'" in outcome.err
+    assert "x509: certificate signed by unknown authority" in outcome.err and "then run 'rosml setup'" in outcome.err
     assert company.tags() == {}
     nothing_secret(company, outcome)

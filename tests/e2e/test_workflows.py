@@ -72,23 +72,20 @@ def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     return mini
 
 
-MAKE = 'case "$1" in up | client | room | scanner | test-scanner) ;; *) exit 1 ;; esac'
-"""What takes the place of make: the machine is set up."""
-
-UV = """\
-case "$2" in scripts/*.py) ;; *) exit 1 ;; esac
-shift
+ROSML = """\
+if [ "$1" = setup ]; then exit; fi
 code=0
-{python} "$@" || code=$?
+{python} src "$@" || code=$?
 cat "$GITHUB_STEP_SUMMARY" >>"$ARTIFACTS/../summary.md"
 exit $code
 """
-"""What takes the place of uv: the same script by the Python of the tests; what people see on the run's page is kept."""
+"""What takes the place of ./rosml: the machine is set up; the same command by the Python of the tests; what people see on the
+run's page is kept."""
 
 
 def night(mini: Mini, folder: Path, only: str = "", lost: str = "") -> Played:
     """A run of the workflow, its commands for real."""
-    programs = {"make": MAKE, "uv": UV.format(python=shlex.quote(sys.executable))}
+    programs = {"make": '[ "$1" = test-scanner ]', "rosml": ROSML.format(python=shlex.quote(sys.executable))}
     host, _, place = mini.registry.partition("/")
     variables = {"ROSML_REGISTRY": host, "ROSML_NAMESPACE": place, "ROSML_SERVE": NATIVE, "ROSML_SHARDS": "2"}
     played = play(
@@ -107,7 +104,8 @@ def night(mini: Mini, folder: Path, only: str = "", lost: str = "") -> Played:
 
 def steps(played: Played, job: str) -> list[str]:
     """The steps of the publisher that a job called, in their order."""
-    return [call.split()[3] for call in played.commands.get(job, []) if "scripts/publish.py" in call]
+    words = [call.split() for call in played.commands.get(job, [])]
+    return [call[2] if call[1] == "publish" else call[1] for call in words if call[1] not in ("setup", "test-scanner")]
 
 
 @pytest.fixture
@@ -122,7 +120,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     """What the scanner found in the first one never arrives: nothing gets a tag. The second one builds nothing again."""
     first = night(mini, tmp_path / "first", lost="scan")
     assert set(first.results.values()) == {"success", "skipped"} and first.results["pages"] == "skipped", first.results
-    assert steps(first, "images") == ["build", "join", "test"]
+    assert steps(first, "images") == ["build", "join-images", "test"]
     assert steps(first, "promote") == ["index", "promote", "status"]
     assert mini.tags() == {}
     scanned = first.artifacts / "scan"
@@ -146,7 +144,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     summary = (tmp_path / "second/summary.md").read_text()
     assert f"## Plan of {date}" in summary
     assert "| promote | `bookworm-base-tensorflow-cpu` |" in summary
-    assert "uv run scripts/catalogue.py" in " ".join(second.commands["catalogue"])
+    assert "rosml catalogue" in " ".join(second.commands["catalogue"])
     public = second.artifacts / "catalogue/public"
     assert (public / "index.html").is_file()
     images = json.loads((public / "catalogue.json").read_text())["images"]
@@ -164,26 +162,16 @@ def test_no_plan_no_night(mini: Mini, tmp_path: Path) -> None:
 
 
 def test_a_pull_request_builds_what_it_changes(mini: Mini) -> None:
-    """By the command that `make publish` calls, with the variables of the workflow."""
+    """By the workflow's command, from a clone with one commit."""
     jobs = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text())["jobs"]
-    own = {"REGISTRY": mini.registry, "PLACE": mini.registry, "ONLY": "", "SINCE": "HEAD"}  # PLACE: what make calls it
-    env = {**os.environ, **jobs["images"]["env"], **own}
     (step,) = [step["run"] for step in jobs["images"]["steps"] if "publish" in step.get("run", "")]
-    told = subprocess.run(
-        [*step.split()[:1], "--dry-run", "AT_MOST=1", *step.split()[1:]],
-        cwd=ROOT,
-        env=env,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    command = told.stdout.splitlines()[-1].replace("uv run --quiet scripts/", f"{sys.executable} scripts/")
+    words = step.replace("HEAD^1", "HEAD").split()
+    assert words[0] == "./rosml"
 
     def publish() -> dict[str, Any]:
         done = subprocess.run(
-            ["bash", "-c", f"{command} --json"],
+            [sys.executable, "src", *words[1:], "--at-most", "1", "--registry", mini.registry, "--json"],
             cwd=mini.folder,
-            env=env,
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -13,14 +14,15 @@ import yaml
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(sys.executable).parent / "lint-imports"
 
-PRINTS = ("rosml/cli/", "rosml/base/terminal.py", "rosml/base/environment.py")
+PRINTS = ("src/rosml/cli/", "src/rosml/base/terminal.py", "src/rosml/base/environment.py")
 """What prints: commands and their tables, how tables come onto a terminal, and what is said where packages are missing."""
 
 
 def lint_imports(folder: Path) -> subprocess.CompletedProcess[str]:
     """Checks the contracts of a checkout."""
     argv = [str(PROGRAM), "--no-cache", "--config", str(folder / "pyproject.toml")]
-    return subprocess.run(argv, cwd=folder, capture_output=True, text=True, check=False)
+    env = {**os.environ, "PYTHONPATH": str(folder / "src")}
+    return subprocess.run(argv, cwd=folder, env=env, capture_output=True, text=True, check=False)
 
 
 def printing(code: str) -> bool:
@@ -36,9 +38,9 @@ def test_imports_go_one_way() -> None:
 
 
 def test_only_commands_print() -> None:
-    files = {file.relative_to(ROOT).as_posix(): file.read_text() for file in (ROOT / "rosml").rglob("*.py")}
+    files = {file.relative_to(ROOT).as_posix(): file.read_text() for file in (ROOT / "src/rosml").rglob("*.py")}
     assert [name for name in files if not name.startswith(PRINTS) and printing(files[name])] == []
-    assert printing(files["rosml/cli/report.py"]) or printing(files["rosml/cli/tables.py"])
+    assert printing(files["src/rosml/cli/report.py"]) or printing(files["src/rosml/cli/tables.py"])
 
 
 def named_parts(text: str, parts: set[str]) -> list[int]:
@@ -51,6 +53,6 @@ def test_no_code_knows_which_parts_there_are() -> None:
     """A part is data; NVIDIA's libraries alone have an accelerator of their name, and facts of the stack."""
     matrix = yaml.safe_load((ROOT / "matrix.yaml").read_text())
     parts = {part["name"] for part in matrix["parts"]} - {"cuda"}
-    for file in sorted((ROOT / "rosml").rglob("*.py")):
+    for file in sorted((ROOT / "src/rosml").rglob("*.py")):
         assert not named_parts(file.read_text(), parts), file
     assert named_parts('if part == "torch":\n    pass\n', {"torch"}) == [1]

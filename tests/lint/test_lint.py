@@ -31,6 +31,7 @@ def shell_scripts() -> list[Path]:
         [
             *(path for name in ("components", "tests", "scripts", "tools") for path in (ROOT / name).rglob("*.*sh")),
             ROOT / ".ci/run",
+            ROOT / "rosml",
         ]
     )
 
@@ -83,7 +84,7 @@ def test_hadolint() -> None:
 
 def test_oxlint() -> None:
     """The page's JavaScript, which no build step reads before a browser does."""
-    files = sorted((ROOT / "rosml/catalogue/page").glob("*.js"))
+    files = sorted((ROOT / "src/rosml/catalogue/page").glob("*.js"))
     assert files
     check("oxlint", "--config", "tests/lint/oxlint.json", "--deny-warnings", *files)
 

@@ -24,7 +24,7 @@ def buildx() -> list[str]:
         return [found]
     if shutil.which("docker") and not subprocess.run(["docker", "buildx", "version"], capture_output=True).returncode:
         return ["docker", "buildx"]
-    pytest.skip("no buildx on this machine; 'make up' installs it")
+    pytest.skip("no buildx on this machine; 'rosml setup' installs it")
 
 
 def evaluated(*names: str, file: Path = ROOT / "docker-bake.hcl", **env: str) -> dict[str, Any]:

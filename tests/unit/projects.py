@@ -30,9 +30,17 @@ def copy(folder: Path) -> Path:
 
 def copy_for_generator(folder: Path) -> Path:
     """A copy of all that the generator reads and writes."""
-    for name in ("components", "locks", "rosml", "scripts", "tests/structure", "tools"):
+    for name in ("components", "locks", "src", "scripts", "tests/structure", "tools"):
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
-    for name in ("matrix.yaml", "matrix.schema.json", "docker-bake.hcl", "Dockerfile", "Makefile", "README.md"):
+    for name in (
+        "matrix.yaml",
+        "matrix.schema.json",
+        "docker-bake.hcl",
+        "Dockerfile",
+        "Makefile",
+        "README.md",
+        "rosml",
+    ):
         shutil.copy(ROOT / name, folder)
     shutil.copy(ROOT / "catalogue.schema.json", folder)
     return folder
@@ -41,7 +49,7 @@ def copy_for_generator(folder: Path) -> Path:
 def copy_with_commands(folder: Path, matrix: str) -> Path:
     """The project with another matrix and the commands that compare, committed."""
     copy(folder)
-    for name in ("rosml", "scripts"):
+    for name in ("src", "scripts"):
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
     (folder / ".gitignore").write_text("__pycache__\n")
     (folder / "matrix.yaml").write_text(matrix)
@@ -66,5 +74,5 @@ def commit(folder: Path) -> None:
 
 def diff(folder: Path, version: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     """What a project's own command says of how it differs from a version."""
-    command = [sys.executable, "-m", "rosml", "diff", *arguments, "--", version]
+    command = [sys.executable, "src", "diff", *arguments, "--", version]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=60)

@@ -36,7 +36,7 @@ def generate(*arguments: str | Path, cwd: Path = ROOT, **env: str) -> subprocess
 
 def rosml(*arguments: str | Path, cwd: Path = ROOT, **env: str) -> subprocess.CompletedProcess[str]:
     """Runs the command as a user does."""
-    return called(["-m", "rosml", *map(str, arguments)], cwd, env)
+    return called([str(ROOT / "src"), *map(str, arguments)], cwd, env)
 
 
 def called(words: list[str], cwd: Path, env: dict[str, str]) -> subprocess.CompletedProcess[str]:
@@ -44,7 +44,7 @@ def called(words: list[str], cwd: Path, env: dict[str, str]) -> subprocess.Compl
     return subprocess.run(
         [sys.executable, *words],
         cwd=cwd,
-        env={**os.environ, "PYTHONPATH": str(ROOT), **env},
+        env={**os.environ, **env},
         capture_output=True,
         text=True,
         check=False,
@@ -191,7 +191,7 @@ def test_check_fails_when_stale(small_file: Path) -> None:
     assert re.search(r'^-    packages = .* desktop = "ros-alpha-desktop-full" }$', done.stdout, re.M)
     assert re.search(r'^\+    packages = .* desktop = "ros-alpha-desktop" }$', done.stdout, re.M)
     assert "out.hcl: stale" in done.stderr
-    assert "make generate" in done.stderr
+    assert "rosml generate" in done.stderr
     assert "desktop-full" in output.read_text(), "--check must not write"
 
 
@@ -248,13 +248,13 @@ def test_list_is_one_line_for_each_image(small: ImageSet, small_file: Path) -> N
     assert [line.split()[0] for line in lines[1:-2]] == [image.target for image in small.images]
     assert [line.split()[0] for line in lines[:-2] if " missing " in line] == unlocked
     assert lines[-2] == f"{len(small.images)} images, {len(small.parts)} parts"
-    assert lines[-1].startswith(f"{len(unlocked)} without a lock, which cannot be built yet: run 'make locks'")
+    assert lines[-1].startswith(f"{len(unlocked)} without a lock, which cannot be built yet: run 'rosml locks'")
 
 
 EXITS: dict[str, tuple[list[str], int, str]] = {
     "exists": (["explain", "alpha-core"], 0, "alpha-core exists:"),
     "ruled out": (["explain", "alpha-robot"], 0, "alpha (ROS 2) has no robot metapackage"),
-    "no lock": (["explain", "alpha-core-torch-cu1"], 0, "run 'make locks'"),
+    "no lock": (["explain", "alpha-core-torch-cu1"], 0, "run 'rosml locks'"),
     "not understood": (["explain", "alfa-core"], 2, "did you mean 'alpha-core'"),
     "nothing": (["explain", ""], 2, "no image is named"),
     "two things at once": (["generate", "--check", "--shards", "2"], 2, "use one of them"),

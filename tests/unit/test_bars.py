@@ -62,4 +62,4 @@ def test_elsewhere_there_are_lines_alone(capsys: pytest.CaptureFixture[str]) -> 
 )
 def test_long_work_has_one(module: str, title: str) -> None:
     """Reading a registry, resolving locks, and each step of publishing."""
-    assert re.search(rf"progress_bar\.over\(.*, {title}, len\(", (ROOT / f"rosml/{module}.py").read_text())
+    assert re.search(rf"progress_bar\.over\(.*, {title}, len\(", (ROOT / f"src/rosml/{module}.py").read_text())

@@ -105,7 +105,7 @@ def test_an_error_of_the_command(tmp_path: Path) -> None:
 def test_a_command_that_says_nothing_of_use(tmp_path: Path, answer: str) -> None:
     with pytest.raises(RosmlError, match=r"no base image for system-1\.0: .*/bases") as caught:
         base_images.reference(answering(tmp_path, answer), SYSTEMS, "system-1.0")
-    assert caught.value.remedy.startswith("run 'make up'; or name one that answers: OS_SYSTEM_1_0=")
+    assert caught.value.remedy.startswith("run 'rosml setup'; or name one that answers: OS_SYSTEM_1_0=")
 
 
 def test_a_command_that_is_not_there(tmp_path: Path) -> None:

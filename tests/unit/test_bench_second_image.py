@@ -301,7 +301,7 @@ def test_notes() -> None:
     assert "torch 2.10.0: the same 40 pinned packages both ways, compression=zstd,compression-level=7\n" in told
     assert "installation took 1 min 10 s" in told
     assert "assembled once, before this run" in told
-    assert "make clean" in told
+    assert "rosml setup clean" in told
 
 
 def test_json_has_everything() -> None:

@@ -38,11 +38,11 @@ def bare(tmp_path: Path) -> Bootstrap:
 @pytest.fixture
 def ready(bare: Bootstrap, monkeypatch: pytest.MonkeyPatch) -> Bootstrap:
     """A checkout with packages, and a machine with a uv that notes its calls."""
-    for folder in ("rosml/cli", "tools", ".venv/bin", "mine", ".state"):
+    for folder in ("src/rosml/cli", "tools", ".venv/bin", "mine", ".state"):
         (bare.root / folder).mkdir(parents=True)
     (bare.root / ".venv/bin/python").symlink_to(sys.executable)
-    (bare.root / "rosml/__main__.py").write_text(SETUP)
-    for name in ("rosml/__init__.py", "rosml/cli/__init__.py", "rosml/cli/main.py"):
+    (bare.root / "src/__main__.py").write_text(SETUP)
+    for name in ("src/rosml/__init__.py", "src/rosml/cli/__init__.py", "src/rosml/cli/main.py"):
         (bare.root / name).touch()
     uv(bare, "0.13.8")
     monkeypatch.setenv("PATH", str(bare.root / "mine"), prepend=os.pathsep)
@@ -60,13 +60,13 @@ def uv(bare: Bootstrap, version: str) -> Path:
 
 
 def test_its_commands_are_those_of_rosml(bare: Bootstrap) -> None:
-    assert bare.module.COMMANDS.keys() == setup.main.commands.keys()
+    assert bare.module.COMMANDS.keys() - {"python"} == setup.main.commands.keys()
 
 
 def test_its_help(bare: Bootstrap) -> None:
     """Each example is a command."""
     done = bare("--help")
-    assert done.returncode == 0 and done.stdout.startswith("usage: bootstrap.py")
+    assert done.returncode == 0 and done.stdout.startswith("usage: rosml setup")
     lines = [line for line in done.stdout.partition("Examples:\n")[2].splitlines() if line.strip()]
     assert len(lines) > 1
     assert {shlex.split(line)[2] for line in lines} <= bare.module.COMMANDS.keys()
@@ -82,12 +82,13 @@ def test_wrong_usage(bare: Bootstrap, arguments: list[str]) -> None:
 @pytest.mark.parametrize(
     ("words", "group"),
     [
-        ("up", "dev"),
+        ("up", "app"),
         ("suite", "page"),
         ("client", "app"),
         ("scanner", "app"),
         ("scanner --tests", "dev"),
-        ("tools --python", "dev"),
+        ("python", "app"),
+        ("linters", "dev"),
         ("down", ""),
         ("status --json", ""),
     ],
@@ -97,7 +98,7 @@ def test_it_hands_over(ready: Bootstrap, words: str, group: str) -> None:
     done = ready(*words.split(), PYTHONPATH="/opt/ros", CODE="3")
     calls = (ready.root / "calls").read_text() if group else ""
     assert not group or calls.endswith(f" --require-hashes --no-build {ready.root}/tools/requirements-{group}.txt\n")
-    if "--python" in words:
+    if words == "python":
         assert (done.returncode, done.stdout) == (0, "")
         return
     uv = str(ready.root / "mine/uv") if group else ""
@@ -109,7 +110,7 @@ def test_it_hands_over(ready: Bootstrap, words: str, group: str) -> None:
 
 def test_only_one_set_up_at_a_time(ready: Bootstrap) -> None:
     """The lock is kept by what it hands over to."""
-    (ready.root / "rosml/__main__.py").write_text("import time\nprint('begins', flush=True)\ntime.sleep(60)\n")
+    (ready.root / "src/__main__.py").write_text("import time\nprint('begins', flush=True)\ntime.sleep(60)\n")
     argv = [sys.executable, str(ready.file), "up"]
     with subprocess.Popen(argv, stdout=subprocess.PIPE, text=True) as first:
         assert first.stdout and first.stdout.readline() == "begins\n"
@@ -222,22 +223,22 @@ def test_a_file_in_a_folders_place_is_named(bare: Bootstrap, name: str) -> None:
 def test_nothing_there(bare: Bootstrap) -> None:
     assert bare("down").stdout == "nothing was running\n"
     assert bare("clean").stdout == "nothing to remove\n"
-    assert bare("status").stdout == "services  not up (make up)\n"
+    assert bare("status").stdout == "services  not up (rosml setup)\n"
     assert json.loads(bare("status", "--json").stdout)["up"] is False
     assert not (bare.root / ".state").exists()
 
 
 def test_clean_removes_what_was_made(ready: Bootstrap) -> None:
     (ready.root / "mine.txt").touch()
-    (ready.root / "rosml/__pycache__").mkdir()
+    (ready.root / "src/__pycache__").mkdir()
     failed = ready("clean", CODE="1")
     assert failed.returncode == 1 and (ready.root / ".state").exists(), "something still runs"
     done = ready("clean")
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout.splitlines()[0])[0] == ["setup", "clean"]
     assert done.stdout.endswith(" GB\n")
-    assert sorted(path.name for path in ready.root.iterdir()) == ["mine", "mine.txt", "rosml", "scripts", "tools"]
-    assert not (ready.root / "rosml/__pycache__").exists()
+    assert sorted(path.name for path in ready.root.iterdir()) == ["mine", "mine.txt", "scripts", "src", "tools"]
+    assert not (ready.root / "src/__pycache__").exists()
 
 
 @pytest.mark.parametrize("word", ["down", "clean"])

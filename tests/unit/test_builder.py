@@ -210,8 +210,8 @@ LOGIN = "docker login"
     [
         ("write /x: no space left on device", "free some disk space"),
         ("No space left on device (28)", "free some disk space"),
-        ("dial tcp 127.0.0.1:1: connect: connection refused", "run 'make up'"),
-        ("failed to dial gRPC", "run 'make up'"),
+        ("dial tcp 127.0.0.1:1: connect: connection refused", "run 'rosml setup'"),
+        ("failed to dial gRPC", "run 'rosml setup'"),
         (
             "failed to resolve source metadata for docker.io/library/a:1: failed to do request: Head"
             ' "https://registry-1.docker.io/v2/library/a/manifests/1": dial tcp: connect: connection refused',
@@ -221,7 +221,7 @@ LOGIN = "docker login"
         ("Temporary failure resolving 'example.org'", "Debian's mirrors"),
         ("E: Failed to fetch x.deb", "run it again"),
         ("error sending request for url", "run it again"),
-        ("Hash mismatch for `x`", "make locks"),
+        ("Hash mismatch for `x`", "rosml locks"),
         ("failed to push ghcr.io/a: unexpected status from POST request to https://ghcr.io/v2/: 403 Forbidden", LOGIN),
         (
             "failed to resolve source metadata for x: unexpected status from HEAD request to https://x: 401 Unauthorized",
@@ -266,24 +266,24 @@ def test_the_reason_may_stand_far_above_the_last_lines(tmp_path: Path, bake: Bak
     progress = BuildProgress()
     progress.feed(vertex(completed=f"{DAY}12Z", error="exit code: 1"))
     progress.steps[NAME].tail.append("  sha256:00")
-    assert "make locks" in builder.failure(bake, progress, log, 1).remedy
+    assert "rosml locks" in builder.failure(bake, progress, log, 1).remedy
 
 
 def test_a_service_that_is_down_is_the_reason(tmp_path: Path, registry: str, bake: Bake) -> None:
     with pytest.raises(RosmlError, match=r"registry at 127\.0\.0\.1:1 does not answer") as caught:
         builder.run(having(tmp_path, "127.0.0.1:1", says("ERROR: whatever", code=1)), bake)
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
     broken = having(tmp_path, registry, says("ERROR: whatever", code=1))
     (tmp_path / "status").write_text("Status: stopped\n")
     with pytest.raises(RosmlError, match="builder 'rosml' is stopped") as caught:
         builder.run(broken, bake)
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
 
 
 def test_buildx_is_gone(tmp_path: Path, bake: Bake) -> None:
     with pytest.raises(RosmlError, match="cannot run /nowhere/buildx: No such file") as caught:
         builder.run(services(tmp_path), bake)
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
 
 
 # ---- Ctrl-C ----------------------------------------------------------------------------------------------------------

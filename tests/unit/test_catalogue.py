@@ -357,7 +357,7 @@ def test_what_format_1_promised_is_still_there() -> None:
 
 def test_the_schema_is_that_of_the_model_and_open_to_later_fields() -> None:
     text = (ROOT / "catalogue.schema.json").read_text()
-    assert text == schema.render(Published, "rosml/catalogue/model.py", read=True)
+    assert text == schema.render(Published, "src/rosml/catalogue/model.py", read=True)
     assert '"additionalProperties": false' not in text
     assert '"additionalProperties": false' in schema.render(), "the matrix is held to its keys"
 

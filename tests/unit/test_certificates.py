@@ -95,7 +95,7 @@ def test_an_authority_is_trusted_for_its_registry(docker: Path, tmp_path: Path) 
             assert client.head("a", "x") == ""
         with Registry(other) as client, pytest.raises(RosmlError, match="its certificate is not trusted") as caught:
             client.head("a", "x")
-    assert f"{docker}/{other}/ca.crt" in caught.value.remedy and "make up" in caught.value.remedy
+    assert f"{docker}/{other}/ca.crt" in caught.value.remedy and "rosml setup" in caught.value.remedy
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,8 @@ from rosml.bake.inputs import Inputs
 from rosml.base import ci, units
 from rosml.base.errors import RosmlError
 from rosml.cli import locks as lock
-from rosml.cli import publish, report
+from rosml.cli import plan, publish, report
+from rosml.cli.call import Call
 from rosml.images import locked
 from rosml.images.image_set import ImageSet
 from rosml.locks.resolve import Move
@@ -224,17 +225,17 @@ def test_force_makes_everything_anew_once_on_several_machines(registry: Place, i
 def test_fields_may_be_empty_or_hold_several(
     monkeypatch: pytest.MonkeyPatch, arguments: list[str], only: tuple[str, ...], serve: tuple[str, ...], place: str
 ) -> None:
-    seen: list[publish.Call] = []
+    seen: list[Call] = []
 
     class Stop(Exception):
         pass
 
-    def stop(call: publish.Call) -> None:
+    def stop(call: Call) -> None:
         seen.append(call)
         raise Stop
 
-    monkeypatch.setattr(publish.Call, "pipeline", stop)
-    CliRunner().invoke(publish.cli, ["plan", "--everywhere", *arguments])
+    monkeypatch.setattr(Call, "pipeline", stop)
+    CliRunner().invoke(plan.main, ["--everywhere", *arguments])
     (call,) = seen
     assert (call.only, call.serve, call.registry) == (only, serve, place)
     assert call.architectures == (serve or ("amd64", "arm64"))
@@ -296,11 +297,11 @@ def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     from rosml.machine.services import Services
 
     monkeypatch.setattr(Services, "load", lambda root, required: None)
-    done = CliRunner().invoke(publish.cli, ["all", "--since", "HEAD", "--json"])
+    done = CliRunner().invoke(publish.main, ["all", "--since", "HEAD", "--json"])
     assert done.exit_code == 0, done.output
     assert json.loads(done.stdout) == {"counts": {}, "outcomes": []}
     assert "0 images changed" in (told / ci.SUMMARY).read_text()
-    both = CliRunner().invoke(publish.cli, ["all", "--since", "HEAD", "--only", "bookworm-core"])
+    both = CliRunner().invoke(publish.main, ["all", "--since", "HEAD", "--only", "bookworm-core"])
     assert both.exit_code == 2
     assert "leave --only out" in both.output
 

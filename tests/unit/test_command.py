@@ -97,16 +97,14 @@ def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> 
     assert capsys.readouterr().err.strip() == "kept"
 
 
-@pytest.mark.parametrize(
-    "called", ["python -m bench", *(f"scripts/{name}.py" for name in ("generate_bake", "lock", "publish"))]
-)
+@pytest.mark.parametrize("called", ["src", *(f"scripts/{name}.py" for name in ("generate_bake", "lock", "publish"))])
 def test_outside_of_the_virtual_environment(called: str) -> None:
     """Without any packages: before the first of them is imported, wherever that is."""
     argv = [sys.executable, "-S", *called.removeprefix("python ").split(), "--help"]
     done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
     told = (
         f"error: not installed: {', '.join(environment.REQUIRED)}\n"
-        f"remedy: python3 scripts/bootstrap.py tools --python, then uv run {called}\n"
+        f"remedy: {'rm -r .venv, then call it again' if called == 'src' else 'run this with .venv/bin/python; ./rosml makes it'}\n"
     )
     assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
 
@@ -157,11 +155,23 @@ def test_help_has_an_example(name: str) -> None:
         accepted(PROGRAMS[program], shlex.split(re.split(r"  +", rest)[0]))
 
 
-@pytest.mark.parametrize("name", [name for name in COMMANDS if isinstance(COMMANDS[name], click.Group)])
-def test_a_command_that_is_mistyped(name: str, capsys: pytest.CaptureFixture[str]) -> None:
-    for wrong, meant in (("imge", "image"), ("undoo", "undo")):
-        assert command.run(COMMANDS[name], arguments=[wrong]) == 2
-        assert re.search(f"Did you mean .*'{meant}'", capsys.readouterr().err)
+@pytest.mark.parametrize(("words", "meant"), [(["imge"], "image"), (["publish", "undoo"], "undo")])
+def test_a_command_that_is_mistyped(words: list[str], meant: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(main.cli, arguments=words) == 2
+    assert re.search(f"Did you mean .*'{meant}'", capsys.readouterr().err)
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["up"], "rosml setup"),
+        (["publish", "image", "x"], "rosml image"),
+        (["publish", "join"], "rosml publish join-images"),
+    ],
+)
+def test_a_command_that_is_elsewhere(words: list[str], told: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.run(main.cli, arguments=words) == 2
+    assert capsys.readouterr().err.endswith(f"It is: {told}\n")
 
 
 @pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
@@ -212,7 +222,7 @@ def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("more", [[], ["--json"]])
 def test_output_on_a_full_disk(more: list[str]) -> None:
-    argv = [sys.executable, "-m", "rosml", "list", *more]
+    argv = [sys.executable, "src", "list", *more]
     with open("/dev/full", "w") as full:
         done = subprocess.run(argv, cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert done.returncode == 1
@@ -281,11 +291,13 @@ def test_an_error_is_an_object_where_json_is_asked_for(
     assert (remedy if isinstance(error, KeyboardInterrupt) else says) in done.err, "people read it as well"
 
 
-@pytest.mark.parametrize("script", ["publish.py status", "publish.py all", "publish.py prune", "join.py a b --tag c"])
+@pytest.mark.parametrize(
+    "script", ["src status", "src publish all", "src publish prune", "scripts/join.py a b --tag c"]
+)
 def test_commands_print_an_object_for_an_error(script: str, tmp_path: Path) -> None:
     name, *arguments = script.split()
-    more = ["--registry", "nowhere"] if name == "publish.py" else []
-    argv = [sys.executable, str(ROOT / "scripts" / name), *arguments, *more, "--json"]
+    more = ["--registry", "nowhere"] if name == "src" else []
+    argv = [sys.executable, str(ROOT / name), *arguments, *more, "--json"]
     done = subprocess.run(argv, capture_output=True, text=True, check=False, cwd=tmp_path)
     assert done.returncode in (1, 2)
     assert json.loads(done.stdout)["error"] in done.stderr

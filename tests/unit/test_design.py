@@ -145,7 +145,7 @@ def test_distributions_past_their_end_of_life_come_from_the_last_snapshot(real: 
     # Its last packages are published some weeks after that day, and the snapshot of them is made.
     over = datetime.date.today() - datetime.timedelta(days=60)
     live = [name for name, row in rows if row.apt and row.apt.channel == "live" and row.eol and row.eol < over]
-    assert live == [], "past their end of life: apt: {channel: final} in matrix.yaml, then make generate"
+    assert live == [], "past their end of life: apt: {channel: final} in matrix.yaml, then rosml generate"
 
 
 def test_every_framework_of_every_stack_has_a_budget(real: ImageSet) -> None:

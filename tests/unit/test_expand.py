@@ -161,7 +161,7 @@ def test_latest_is_of_a_distribution_that_has_the_component_of_the_short_tags() 
 def test_a_group_without_a_lock_is_explained(small: ImageSet) -> None:
     locks = {lock for part in small.parts if part.stack != "cpu" for lock in part.locks}
     said = explained(with_locks(small, locks), "cpu").text
-    assert said.startswith("cpu: a group of no targets: none of its images has a lock; run 'make locks'")
+    assert said.startswith("cpu: a group of no targets: none of its images has a lock; run 'rosml locks'")
 
 
 @pytest.mark.parametrize(
@@ -249,7 +249,7 @@ def test_images_without_a_lock_are_in_no_group(small: ImageSet) -> None:
     assert "part-torch-cu1-py314" in grouped
     said = explained(image_set, "alpha-core-torch-cu1").text
     assert said.startswith("alpha-core-torch-cu1 exists, but cannot be built yet:\n")
-    assert said.endswith(f"\n  - {torch} is missing; run 'make locks'")
+    assert said.endswith(f"\n  - {torch} is missing; run 'rosml locks'")
     assert with_locks(small, locks) == small
 
 
@@ -413,9 +413,9 @@ REASONS = {
     "so it has no stack.",
     "alpha-base-torch": "alpha-base-torch names no stack; there is alpha-base-torch-cu1 and alpha-base-torch-cpu.",
     "alpha-base-none": "alpha-base-none is called alpha-base.",
-    "cu1": "cu1: a group of 13 targets; see them with: make list GROUP=cu1",
-    "default": "default: a group of 1 target; see them with: make list GROUP=default",
-    "parts": "parts: a group of 13 targets; see them with: make list",
+    "cu1": "cu1: a group of 13 targets; see them with: rosml list cu1",
+    "default": "default: a group of 1 target; see them with: rosml list default",
+    "parts": "parts: a group of 13 targets; see them with: rosml list",
     "ros-ml:omega-base-cpu": "ros-ml:omega-base-cpu does not exist: no release of tensorflow has a wheel for "
     "Python 3.14, the Python of ubuntu-26.04.",
     "x.org:5000/y/ros-ml:omega": "x.org:5000/y/ros-ml:omega does not exist on any stack: no release of tensorflow has a "
@@ -479,7 +479,7 @@ def test_unknown_names(small: ImageSet) -> None:
         with pytest.raises(RosmlError, match="no image named 'alfa-core'; did you mean 'alpha-core'") as caught:
             ask()
         assert caught.value.exit_code == 2
-        assert "make list" in caught.value.remedy
+        assert "rosml list" in caught.value.remedy
 
 
 @pytest.mark.parametrize("name", ["ros:alpha-base", "localhost:5000/ros:alpha", "https://x.org/y/ros:latest"])

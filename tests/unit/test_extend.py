@@ -45,7 +45,7 @@ def test_a_release_and_a_stack(project: Path, real: ImageSet) -> None:
     insert(project, next(section("A release of PyTorch or TensorFlow")))
     said = follow(project, "A stack")
     assert "jazzy-base-torch-cu126 exists, but cannot be built yet:" in said
-    assert "run 'make locks'" in said
+    assert "run 'rosml locks'" in said
     assert "stack cu126 carries torch 2.7.1, cuda 12.6.77, cudnn 9.5.1.17 and nccl 2.26.2" in said
     made = load.load(project / "matrix.yaml", project)
     new = {image.target for image in made.images} - {image.target for image in real.images}
@@ -57,7 +57,7 @@ def test_a_step_that_is_left_out_is_told(project: Path) -> None:
     blocks_of_stack = [block for block in section("A stack") if block.title]
     insert(project, next(section("A release of PyTorch or TensorFlow")))
     insert(project, blocks_of_stack[0])
-    argv = ["make", "generate", "BOOTSTRAP=:", f"RUN={sys.executable}"]
+    argv = [sys.executable, "src", "generate"]
     done = subprocess.run(argv, cwd=project, capture_output=True, text=True, check=False)
     assert done.returncode != 0
     assert "cu126" in done.stderr and "disk" in done.stderr

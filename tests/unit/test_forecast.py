@@ -68,8 +68,8 @@ def test_too_little(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     free(monkeypatch, 300)
     with pytest.raises(RosmlError, match=r"build a-core: 7\.1 GB are needed .* 0\.3 GB are free at ") as caught:
         disk.require(tmp_path, 5_100, "a-core")
-    assert "make clean" in caught.value.remedy
-    assert "make list" in caught.value.remedy
+    assert "rosml setup clean" in caught.value.remedy
+    assert "rosml list" in caught.value.remedy
 
 
 def test_nothing_to_build_needs_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

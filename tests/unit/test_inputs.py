@@ -82,7 +82,7 @@ FILES: dict[str, tuple[bool, set[str]]] = {
     "tools/structure-test.txt": (False, set()),
     "tests/structure/run.sh": (False, set()),
     "README.md": (False, set()),
-    "rosml/bake/targets.py": (False, set()),
+    "src/rosml/bake/targets.py": (False, set()),
     "components/torch/__pycache__/x.pyc": (False, set()),
 }
 """A file, whether it reaches all images, and the parts that it reaches."""
@@ -290,7 +290,7 @@ def test_a_fact_changes_what_it_reaches(name: str, project: Path, small: ImageSe
 
 @dataclasses.dataclass(frozen=True)
 class Unknown:
-    """A way to decide a value that rosml/bake/inputs.py knows nothing of."""
+    """A way to decide a value that src/rosml/bake/inputs.py knows nothing of."""
 
     what: str
 
@@ -308,7 +308,7 @@ def test_a_value_that_nobody_declared_is_an_error(
     monkeypatch.setattr(targets, "of", lambda _: {**every, "alpha-core": wrong})
     with pytest.raises(RosmlError, match=f"alpha-core, {where.removesuffix('s')} {name} is Unknown") as caught:
         Inputs(project, small).digest("alpha-core", "amd64")
-    assert "rosml/bake/targets.py" in caught.value.remedy
+    assert "src/rosml/bake/targets.py" in caught.value.remedy
 
 
 def test_the_time_of_files_counts(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,4 +1,4 @@
-"""`make list`: all images, or those that are in all of some groups; for people and for machines."""
+"""`rosml list`: all images, or those that are in all of some groups; for people and for machines."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rosml.images import selection
 from rosml.images.image_set import ImageSet
 from rosml.images.locked import with_locks
 
-ROSML = [sys.executable, "-m", "rosml"]
+ROSML = [sys.executable, "src"]
 
 
 def targets(image_set: ImageSet, *groups: str) -> list[str]:
@@ -48,7 +48,7 @@ def test_groups_without_a_common_image(groups: tuple[str, ...], tmp_path: Path) 
     done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=True)
     assert done.stdout == ""
     assert done.stderr.startswith(f"no image is in all of {listed(groups)}; see why: ")
-    assert done.stderr.endswith(": make explain TARGET=<distribution>-<component>-<framework>\n")
+    assert done.stderr.endswith(": rosml explain <distribution>-<component>-<framework>\n")
 
 
 def test_one_image_is_one(small: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
@@ -73,7 +73,7 @@ def test_command(real: ImageSet) -> None:
     """With two groups that the project's matrix has together, whatever it holds."""
     image = real.image(real.matrix.default.target)
     done = subprocess.run(
-        ["make", "list", f"GROUP={image.distribution} {image.framework}"],
+        [*ROSML, "list", image.distribution, image.framework],
         cwd=ROOT,
         capture_output=True,
         text=True,
@@ -93,7 +93,7 @@ def test_command_for_machines(tmp_path: Path) -> None:
 
 
 def test_a_reader_that_has_seen_enough() -> None:
-    """`make list | head` is no error."""
+    """`rosml list | head` is no error."""
     done = subprocess.run(
         ["bash", "-c", 'set -o pipefail; "$@" list | head -1', "bash", *ROSML],
         cwd=ROOT,

@@ -164,7 +164,7 @@ def test_render() -> None:
     assert resolve.render(request(), "torch", []).startswith("# Part 'torch' of stack cu1, Python 3.12, amd64.\n")
     assert resolve.render(request(), "cuda", [pin("nvidia-x", "torch")]) == (
         "# Part 'cuda' of stack cu1, Python any, amd64.\n"
-        "# Made by scripts/lock.py (make locks) from matrix.yaml; do not edit.\n"
+        "# Made by 'rosml locks' from matrix.yaml; do not edit.\n"
         "nvidia-x==1 \\\n    --hash=sha256:nvidia-x\n"
     )
 
@@ -338,7 +338,7 @@ def test_earlier_versions_stay_unless_upgraded(tmp_path: Path, upgrade: bool) ->
 def test_uv_is_missing(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="'/nowhere/uv' is not installed") as caught:
         resolve.resolve(request(), resolve.Uv("/nowhere/uv"))
-    assert "make up" in caught.value.remedy
+    assert "rosml setup" in caught.value.remedy
 
 
 def test_uv_fails(tmp_path: Path) -> None:
@@ -550,7 +550,7 @@ def test_check_says_what_would_change(checkout: Path, capsys: pytest.CaptureFixt
     assert "locks/cu1/amd64/3.12/common.txt: would change\n" in done.out
     table = [line.split() for line in done.out.splitlines() if line.startswith("c")]
     assert table == [["cpu", "numpy", "1.26.4", "1.26.5", "2"], ["cu1", "numpy", "1.26.4", "1.26.5", "2"]]
-    assert re.search(r"error: \d+ locks are stale\nremedy: run 'make locks' and commit the result\n", done.err)
+    assert re.search(r"error: \d+ locks are stale\nremedy: run 'rosml locks' and commit the result\n", done.err)
     assert {file: file.read_text() for file in checkout.glob("locks/**/*.txt")} == before
 
 
@@ -659,7 +659,7 @@ def test_command_without_uv(
 ) -> None:
     monkeypatch.setenv("PATH", str(checkout / "locks"))
     assert run(checkout) == 1
-    assert "error: 'uv' is not installed\nremedy: run 'make up'" in capsys.readouterr().err
+    assert "error: 'uv' is not installed\nremedy: run 'rosml setup'" in capsys.readouterr().err
 
 
 def test_command_when_uv_fails(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:

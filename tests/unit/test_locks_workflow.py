@@ -46,7 +46,7 @@ def checkout(tmp_path: Path) -> Path:
     (project / "matrix.yaml").write_text(SMALL)
     write_locks(project, parse(SMALL))
     shutil.copy(ROOT / ".gitignore", project)
-    step("make generate", project)
+    step("./rosml generate", project)
     git(project, "init", "--quiet")
     git(project, "add", "--all")
     git(project, "commit", "--quiet", "--message", "before")
@@ -58,7 +58,7 @@ def step(command: str, folder: Path, **environment: str) -> str:
     (folder / ".state").mkdir(exist_ok=True)
     fake_uv(folder / ".state")
     done = subprocess.run(
-        ["bash", "-euo", "pipefail", "-c", f"{command} BOOTSTRAP=: RUN={sys.executable}"],
+        ["bash", "-euo", "pipefail", "-c", command.replace("./rosml ", f"{sys.executable} src ")],
         cwd=folder,
         env={**os.environ, "ROSML_DOCKER_HUB": "0", **environment, "PATH": f"{folder}/.state:{os.environ['PATH']}"},
         capture_output=True,
@@ -88,7 +88,7 @@ def test_what_is_proposed_is_whole(checkout: Path, tmp_path_factory: pytest.Temp
         shutil.copytree(source, second / name, dirs_exist_ok=True) if source.is_dir() else shutil.copy(
             source, second / name
         )
-    step("make generate", second)
+    step("./rosml generate", second)
     assert set(git(second, "status", "--porcelain", "--untracked-files=all").splitlines()) == set(
         git(checkout, "status", "--porcelain", "--untracked-files=all").splitlines()
     )
@@ -96,6 +96,8 @@ def test_what_is_proposed_is_whole(checkout: Path, tmp_path_factory: pytest.Temp
 
 def test_whatever_is_generated_is_handed_over(checkout: Path) -> None:
     """Also what new versions happen to leave alone today: every file that the generator can write."""
-    written = [line.split(":")[0] for line in step("make generate", checkout).splitlines() if "is up to date" in line]
+    written = [
+        line.split(":")[0] for line in step("./rosml generate", checkout).splitlines() if "is up to date" in line
+    ]
     assert len(written) == 4
     assert [name for name in written if not name.startswith(tuple(KEPT))] == []

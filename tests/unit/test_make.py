@@ -1,165 +1,118 @@
-"""The Makefile's variables reach the commands."""
+"""The front door: short words of make reach the commands, a typo does nothing, and ./rosml works from a bare checkout."""
 
 from __future__ import annotations
 
 import os
 import re
-import shlex
+import shutil
 import subprocess
-import sys
+from pathlib import Path
 
 import pytest
 from conftest import ROOT
 
-from rosml.images.image_set import ImageSet
-
 CALLS = {
-    "locks STACK=cpu": "scripts/lock.py --stack=cpu",
-    "locks UPGRADE=1": "scripts/lock.py --upgrade",
-    "list JSON=1": "-m rosml list --json",
-    "list GROUP=jazzy\\ torch": "-m rosml list jazzy torch",
-    "locks REPORT=x.md": 'scripts/lock.py --report "$REPORT"',
-    "publish ONLY=x": 'scripts/publish.py all --only "$ONLY" --registry "$PLACE" --since "$SINCE" --at-most "4" --serve "$SERVE"',
-    "status": 'scripts/publish.py status --only "$ONLY" --registry "$PLACE"',
-    "locks JSON=1": "scripts/lock.py --json",
-    "explain TARGET=x JSON=1": '-m rosml explain --json -- "$TARGET"',
-    "catalogue JSON=1": 'scripts/catalogue.py --only "$ONLY" --registry "$PLACE" --json',
-    "catalogue OUTPUT=x": 'scripts/catalogue.py --only "$ONLY" --registry "$PLACE" --output "$OUTPUT"',
-    "bench TARGET=x": 'python -m bench --target="$TARGET"',
-    "plan JSON=1": 'scripts/generate_bake.py --shards "8" --json',
-    "status JSON=1": 'scripts/publish.py status --only "$ONLY" --registry "$PLACE" --json',
-    "unit": "python -m tests.suite --phase unit",
-    "unit COVERAGE=1": "python -m tests.suite --phase unit --coverage",
-    "page": "python -m tests.suite --phase page",
-    "diff JSON=1": '-m rosml diff --json -- "$REV"',
+    "image TARGET=x": './rosml image -- "$TARGET"',
+    "image TARGET=x PLATFORM=linux/arm64": './rosml image --platform "$PLATFORM" -- "$TARGET"',
+    "unit COVERAGE=1": "python3 scripts/bootstrap.py linters; .venv/bin/python -m tests.suite --phase unit --coverage",
+    "bench TARGET=x": '.venv/bin/python -m bench --target="$TARGET"',
+    "test-all SHARD=2/3 PROOF=cuda": '--started "$started" --all --shard "$SHARD" --proof "cuda"',
+    "clean": "python3 scripts/bootstrap.py clean",
 }
+
+
+def make(*words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(["make", *words], cwd=ROOT, capture_output=True, text=True, check=False)
 
 
 @pytest.mark.parametrize("call", CALLS)
 def test_variables_reach_the_command(call: str) -> None:
-    argv = ["bash", "-c", f"make --dry-run {call}"]
-    lines = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
-    assert " ".join(lines[-1].replace("uv run --quiet ", "").split()) == CALLS[call]
+    done = make("--dry-run", *call.split())
+    assert done.returncode == 0, done.stderr
+    assert CALLS[call] in " ".join(done.stdout.split())
 
 
-def test_explain_knows_the_channel() -> None:
-    here = ["BOOTSTRAP=:", f"RUN={shlex.quote(sys.executable)}"]  # without setting anything up
-    argv = ["make", "--silent", "explain", "TARGET=jazzy-core", "CHANNEL=snapshot", "SNAPSHOT=2026-08-07"]
-    told = subprocess.run([*argv, *here], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    assert "this time, packages come from ROS's apt snapshot: of 2026-08-07" in told
-
-
-def test_help_names_the_variables() -> None:
-    told = subprocess.run(["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    assert {
-        name for name in ("TARGET", "GROUP", "REV", "SHARDS", "STACK", "UPGRADE", "JSON") if f"{name}=" in told
-    } == {*("TARGET", "GROUP", "REV", "SHARDS", "STACK", "UPGRADE", "JSON")}
-
-
-def test_a_registry_is_no_variable_of_the_bake_file() -> None:
-    """Where images are published must not change what bake prints, least of all to nothing."""
-    for given in ([], ["REGISTRY=ghcr.io/me/x"]):
-        done = subprocess.run(
-            ["make", "list", "BOOTSTRAP=:", 'RUN=echo "[$${REGISTRY-none}] $$PLACE"; :', *given],
-            cwd=ROOT,
-            env={name: value for name, value in os.environ.items() if name != "REGISTRY"},
-            capture_output=True,
-            text=True,
-            check=True,
-        )
-        assert done.stdout.strip() == f"[none] {given[0].partition('=')[2] if given else ''}".strip()
-
-
-# ---- What make prints ------------------------------------------------------------------------------------------------
-
-
-WORDS = set(re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(), re.MULTILINE))
-
-
-def test_commands_are_listed() -> None:
-    told = subprocess.run(["make"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    assert set(re.findall(r"^  make ([a-z-]+) +\S", told, re.MULTILINE)) == WORDS
-    assert "  make list         every image of the matrix, or those of groups\n" in told
-    assert '                    make list GROUP="jazzy torch"; JSON=1\n' in told
+def test_every_word_is_one_line_and_listed() -> None:
+    text = (ROOT / "Makefile").read_text()
+    recipes = re.findall(r"^([a-z-]+): ## .*\n((?:\t.*\n)+)", text, re.MULTILINE)
+    assert len(recipes) > 5 and all(recipe.count("\n") == 1 for _, recipe in recipes)
+    assert re.findall(r"^  make ([a-z-]+) ", make().stdout, re.MULTILINE) == [name for name, _ in recipes]
 
 
 @pytest.mark.parametrize(
     ("given", "wrong"),
-    [
-        ("imge", "imge"),
-        ("image jazzy-base", "jazzy-base"),
-        ("jazzy-base image", "jazzy-base"),
-        ("up imge", "imge"),
-        ("image TRAGET=x", "TRAGET"),
-        ("image target=x", "target"),
-        ("locks UPGARDE=1", "UPGARDE"),
-        ("image PLATFORMS=linux/arm64", "PLATFORMS"),
-    ],
+    [("imge", "imge"), ("image jazzy-base", "jazzy-base"), ("image TRAGET=x", "TRAGET"), ("image target=x", "target")],
 )
 @pytest.mark.parametrize("options", [[], ["--dry-run"]])
 def test_a_slip_does_nothing(given: str, wrong: str, options: list[str]) -> None:
     """`make image jazzy-base` would build the default image, and then say that it knows no jazzy-base."""
-    argv = ["make", *options, *given.split(), "BOOTSTRAP=echo set up", "RUN=echo run"]
-    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
+    done = make(*options, *given.split())
     assert (done.returncode, done.stdout) == (2, "")
-    assert f"nothing was done: make has no command or variable {wrong}; see all with: make" in done.stderr
+    assert f"nothing was done: make has no command or variable {wrong}; see make's words with: make," in done.stderr
 
 
-def test_what_the_makefile_reads_is_let_through() -> None:
-    """A value may look like a slip."""
-    text = (ROOT / "Makefile").read_text()
-    ours = {
-        name
-        for pair in re.findall(r"^([A-Z_]+) (?:\?=|:=$)|\$\(if \$\(([A-Z_]+)\)", text, re.M)
-        for name in pair
-        if name
-    }
-    assert {"TARGET", "REV", "PLATFORM", "UPGRADE", "AT_MOST"} <= ours
-    given = [f"{name}=" for name in sorted(ours)]
-    given += [f"PATH={os.environ['PATH']}", "BOOTSTRAP=:", "SHELL=/bin/bash", "ROSML_DOCKER_HUB=0", "ONLY=x TRAGET=y"]
-    done = subprocess.run(["make", "--dry-run", "list", *given], cwd=ROOT, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
+def test_what_make_test_does_not_know() -> None:
+    assert "PROOF and SHARD are for make test-all" in make("--dry-run", "test", "PROOF=cuda").stderr
 
 
-@pytest.mark.parametrize("word", sorted(WORDS))
-def test_every_command_is_known(word: str) -> None:
-    done = subprocess.run(["make", "--dry-run", word], cwd=ROOT, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
+def test_a_value_is_no_command(tmp_path: Path) -> None:
+    """What somebody gives as a target is told, and never run."""
+    (tmp_path / "rosml").write_text('#!/bin/sh\nprintf "%s|" "$@"\n')
+    (tmp_path / "rosml").chmod(0o755)
+    argv = ["make", "-f", str(ROOT / "Makefile"), "image", f'TARGET=a b";touch {tmp_path}/made;"']
+    done = subprocess.run(argv, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout == f'image|--|a b";touch {tmp_path}/made;"|'
+    assert not (tmp_path / "made").exists()
 
 
-# ---- Completion ------------------------------------------------------------------------------------------------------
+BOOTSTRAP = """\
+import pathlib, sys
+print("bootstrap", *sys.argv[1:])
+root = pathlib.Path(__file__).parents[1]
+(root / ".venv/bin").mkdir(parents=True, exist_ok=True)
+(root / ".venv/group").touch()
+python = root / ".venv/bin/python"
+python.write_text('#!/bin/sh\\necho "${PYTHONPATH-none}" "$@"\\n')
+python.chmod(0o755)
+"""
+"""In the place of scripts/bootstrap.py: installs a Python that says how it is called."""
 
 
-def completed(*words: str, folder: str = str(ROOT)) -> list[str]:
-    """What bash offers for the last word; it splits words at `=`."""
-    script = (
-        'source tools/completion.bash; cd "$FOLDER"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); '
-        "_rosml_make make; printf '%s\\n' \"${COMPREPLY[@]}\""
-    )
-    env = {**os.environ, "FOLDER": folder}
-    argv = ["bash", "--norc", "-c", script, "bash", *words]
-    return subprocess.run(argv, cwd=ROOT, env=env, capture_output=True, text=True, check=True).stdout.split()
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    for folder in ("scripts", "tools", "elsewhere"):
+        (tmp_path / folder).mkdir()
+    shutil.copy(ROOT / "rosml", tmp_path)
+    (tmp_path / "tools/requirements-app.txt").touch()
+    os.utime(tmp_path / "tools/requirements-app.txt", (0, 0))
+    (tmp_path / "scripts/bootstrap.py").write_text(BOOTSTRAP)
+    return tmp_path
 
 
-def test_commands_are_completed() -> None:
-    assert completed("make", "ex") == ["explain"]
-    assert set(completed("make", "")) == WORDS
+def rosml(checkout: Path, *words: str) -> tuple[str, str]:
+    """Calls it through a link, from elsewhere, with what a ROS workspace sets; what it prints."""
+    link = checkout / "elsewhere/link"
+    if not link.is_symlink():
+        link.symlink_to(checkout / "rosml")
+    env = {**os.environ, "PYTHONPATH": "/opt/ros"}
+    done = subprocess.run([link, *words], cwd=link.parent, env=env, capture_output=True, text=True, check=True)
+    return done.stdout, done.stderr
 
 
-def test_targets_are_completed(real: ImageSet) -> None:
-    assert set(completed("make", "image", "TARGET", "=")) == {image.target for image in real.images}
-    assert completed("make", "image", "TARGET", "=", "trixie-core-tens") == [
-        "trixie-core-tensorflow-cu128",
-        "trixie-core-tensorflow-cpu",
-    ]
+def test_rosml_installs_what_it_needs_once(checkout: Path) -> None:
+    called = f"none {checkout}/src list a b\n"
+    assert rosml(checkout, "list", "a b") == (called, "bootstrap python\n")
+    assert rosml(checkout, "list", "a b") == (called, "")
+    os.utime(checkout / "tools/requirements-app.txt")
+    os.utime(checkout / ".venv/group", (1, 1))
+    assert rosml(checkout, "list", "a b") == (called, "bootstrap python\n"), "other packages are asked for now"
+    (checkout / ".venv/bin/python").unlink()
+    assert rosml(checkout, "list", "a b") == (called, "bootstrap python\n"), "the Python is gone"
 
 
-def test_groups_and_stacks_are_completed(real: ImageSet) -> None:
-    groups = set(completed("make", "list", "GROUP", "="))
-    assert {*real.matrix.distributions, *real.matrix.components, *real.matrix.stacks} <= groups
-    assert set(completed("make", "locks", "STACK", "=")) == {*real.matrix.stacks, "jazzy-wheels"}
-    assert {"jazzy-desktop", "jazzy"} <= set(completed("make", "publish", "ONLY", "=", "jazzy"))
-
-
-def test_other_folders_are_left_alone() -> None:
-    assert completed("make", "ex", folder="/") == []
+@pytest.mark.parametrize(
+    ("words", "given"), [((), "up"), (("clean",), "clean"), (("status", "--json"), "status --json")]
+)
+def test_set_up_installs_for_itself(checkout: Path, words: tuple[str, ...], given: str) -> None:
+    """Nothing is installed to be removed."""
+    assert rosml(checkout, "setup", *words) == (f"bootstrap {given}\n", "")

@@ -190,7 +190,7 @@ def test_another_architecture_needs_emulation(stage: Stage) -> None:
     target = "alpha-core-ml-cpu"
     with pytest.raises(RosmlError, match="does not run programs for linux/arm64") as caught:
         stage.test(target, "arm64")
-    assert caught.value.remedy == "run 'make emulation'"
+    assert caught.value.remedy == "run 'rosml setup emulate'"
 
 
 # ---- What the builder is told ----------------------------------------------------------------------------------------

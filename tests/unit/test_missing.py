@@ -50,7 +50,7 @@ def test_lost_locks_name_their_images(elsewhere: ImageSet) -> None:
         "6 images cannot be built (alpha-core-torch-cu1, alpha-base-torch-cu1, alpha-desktop-torch-cu1, "
         f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing"
     )
-    assert one.remedy == "run 'make locks'; if they were there and got lost: git checkout locks"
+    assert one.remedy == "run 'rosml locks'; if they were there and got lost: git checkout locks"
     two = missing.lost(without(elsewhere, TORCH, COMMON))
     assert two is not None
     assert f"): {TORCH}, {COMMON} are missing" in two.message
@@ -59,7 +59,7 @@ def test_lost_locks_name_their_images(elsewhere: ImageSet) -> None:
 def test_what_an_image_lacks(elsewhere: ImageSet) -> None:
     image_set = without(elsewhere, TORCH, WAITING)
     lost, waiting = image_set.image("alpha-core-torch-cu1"), image_set.image("alpha-core-torch-cpu")
-    assert (missing.reason(lost), missing.remedy(lost)) == (f"{TORCH} is missing", "run 'make locks'")
+    assert (missing.reason(lost), missing.remedy(lost)) == (f"{TORCH} is missing", "run 'rosml locks'")
     assert (missing.reason(waiting), missing.remedy(waiting)) == (f"{WAITING} is missing", missing.ASK_PYTORCH)
 
 
@@ -123,7 +123,7 @@ def test_a_damaged_lock_is_not_called_missing(tmp_path: Path, damage: Callable[[
     assert said is not None
     assert said.message.endswith(f"): {GONE} is missing; {damaged}")
     text = explained(image_set, "alpha-core-torch-cu1").text
-    assert text.endswith(f"{damaged}; run 'make locks'")
+    assert text.endswith(f"{damaged}; run 'rosml locks'")
 
 
 def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pytest.CaptureFixture[str]) -> None:
@@ -131,7 +131,7 @@ def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pyte
     stale = capsys.readouterr().err.splitlines()
     assert stale[0].startswith("error: 6 images cannot be built")
     assert stale[1].endswith("out.hcl: stale")
-    assert stale[2:] == [f"remedy: {missing.RESTORE}; then run 'make generate' and commit the result"]
+    assert stale[2:] == [f"remedy: {missing.RESTORE}; then run 'rosml generate' and commit the result"]
     command.run(generate_bake.main, arguments=project)
     capsys.readouterr()
     assert command.run(generate_bake.main, arguments=[*project, "--check"]) == 1

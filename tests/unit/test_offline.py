@@ -49,7 +49,7 @@ def test_another_registry_answers_for_itself() -> None:
 
 def test_an_error_is_an_answer(tmp_path: Path) -> None:
     """In a checkout of its own, that was not set up."""
-    for name in ("rosml", "tools/offline"):
+    for name in ("src", "tools/offline"):
         shutil.copytree(Path(OFFLINE[1]).parents[1] / name, tmp_path / name)
     done = subprocess.run(
         [OFFLINE[0], str(tmp_path / "tools/offline"), f"{UBUNTU}@{DIGEST}"], capture_output=True, text=True, check=False
@@ -57,7 +57,7 @@ def test_an_error_is_an_answer(tmp_path: Path) -> None:
     assert done.returncode == 1, done.stderr
     assert json.loads(done.stdout) == {
         "error": "the local registry and the builder are not up",
-        "remedy": "run 'make up'",
+        "remedy": "run 'rosml setup'",
     }
 
 
@@ -171,7 +171,7 @@ def test_no_mmdebstrap(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(RosmlError, match="not installed") as caught:
         debian.make(load(tmp_path), "bookworm", "amd64", tmp_path / "x")
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
 
 
 def test_push_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

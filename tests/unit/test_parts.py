@@ -14,7 +14,7 @@ from stubs import buildx, calls, executable, services
 from rosml.base.errors import RosmlError
 from rosml.build import file_list, part
 from rosml.cli import command
-from rosml.cli import publish as script
+from rosml.cli import part as script
 from rosml.images import image_set as sets
 from rosml.images import locked
 from rosml.registry.oci import Registry
@@ -113,7 +113,7 @@ def test_an_architecture_without_a_lock_is_left_out(stage: Stage) -> None:
     (stage.folder / "locks/cpu/arm64/3.12/common.txt").unlink()
     with pytest.raises(RosmlError, match=r"has no lock .*: locks/cpu/amd64/3\.12/common\.txt") as caught:
         stage.publish("common-cpu-py312")
-    assert "make locks" in caught.value.remedy
+    assert "rosml locks" in caught.value.remedy
 
 
 @pytest.mark.parametrize("of", ["another version", "a cut file", "another part"])
@@ -188,7 +188,7 @@ def run(stage: Stage, monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
     monkeypatch.setattr(script, "ROOT", stage.folder)
     services(stage.folder, **{**stage.facts, "buildx": list(stage.facts["buildx"])})
     (stage.folder / "matrix.yaml").write_text(changed("cpu: [arm64]}", "cpu: [amd64, arm64]}"))
-    return command.run(script.cli, "interrupted", ["part", "--matrix", str(stage.folder / "matrix.yaml"), *arguments])
+    return command.run(script.main, "interrupted", ["--matrix", str(stage.folder / "matrix.yaml"), *arguments])
 
 
 def test_several_at_once(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:

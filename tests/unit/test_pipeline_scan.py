@@ -99,7 +99,7 @@ def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, image_set: Image
     run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
     for step in ("build", "test"):
         STEPS[step](run)
-    found = run.scan(rules(), ScannerFailed("the scanner is not installed", "make scanner"))
+    found = run.scan(rules(), ScannerFailed("the scanner is not installed", "rosml setup scanner"))
     assert found.outcome is Outcome.SCANNER_FAILED
     run.index()
     STEPS["promote"](run)
@@ -124,10 +124,10 @@ def test_a_part_of_the_images_says_nothing_of_an_ignore_entry(
         run = registry.run(image_set, date=NEXT, only=only)
         with pytest.MonkeyPatch.context() as patch:
             patch.setattr(judging, "summarise", judge)
-            run.scan(rules(), ScannerFailed("none", "make scanner"))
+            run.scan(rules(), ScannerFailed("none", "rosml setup scanner"))
     for key in [key for key in run.plan.present if key[0] == "omega-base"]:
         run.plan.present.discard(key)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(judging, "summarise", judge)
-        run.scan(rules(), ScannerFailed("none", "make scanner"))
+        run.scan(rules(), ScannerFailed("none", "rosml setup scanner"))
     assert found == [False, True, True]

@@ -177,13 +177,13 @@ def test_no_machines(shards: int, small: ImageSet) -> None:
     with pytest.raises(RosmlError) as caught:
         dealing.deal(small, shards)
     assert (caught.value.message, caught.value.exit_code) == (f"{shards} machines can build nothing", 2)
-    assert caught.value.remedy == "say how many there are, one or more: make plan SHARDS=8"
+    assert caught.value.remedy == "say how many there are, one or more: rosml generate --shards 8"
 
 
 def test_nothing_to_plan(small: ImageSet) -> None:
     with pytest.raises(RosmlError, match="nothing to plan") as caught:
         dealing.deal(small, 2, lambda image: False)
-    assert "make locks" in caught.value.remedy
+    assert "rosml locks" in caught.value.remedy
 
 
 @pytest.mark.parametrize("rate", ["0", "-1", "2.5", "fast", "100000"])
@@ -216,7 +216,7 @@ def test_what_has_no_lock_is_in_no_plan(small_file: Path, capsys: pytest.Capture
 def test_the_table_counts_what_has_no_lock(small_file: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (small_file.parent / "locks/cu1/amd64/3.12/torch.txt").unlink()
     assert run("--matrix", small_file, "--shards", "4") == 0
-    assert capsys.readouterr().out.splitlines()[-1] == "left out: 6 images without a lock; see them with: make list"
+    assert capsys.readouterr().out.splitlines()[-1] == "left out: 6 images without a lock; see them with: rosml list"
 
 
 def run(*arguments: str | Path) -> int:

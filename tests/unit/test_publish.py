@@ -1,4 +1,4 @@
-"""`publish.py image`: a publishing run for one image, and what it tells; above all, that no untested tag moves."""
+"""`rosml image`: a publishing run for one image, and what it tells; above all, that no untested tag moves."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from projects import copy
 from stubs import OFFLINE, buildx, calls, services
 
 from rosml.base.file_lock import turn
-from rosml.cli import command
-from rosml.cli import publish as script
+from rosml.cli import call, command
+from rosml.cli import image as script
 from rosml.images import image_set as sets
 from rosml.machine import base_images
 from rosml.machine.services import Services
@@ -40,7 +40,7 @@ class Stage:
 
     def image(self, *arguments: str) -> int:
         """The command; gives its exit code."""
-        return command.run(script.cli, arguments=["image", "--matrix", str(self.folder / "matrix.yaml"), *arguments])
+        return command.run(script.main, arguments=["--matrix", str(self.folder / "matrix.yaml"), *arguments])
 
     def tags(self, repository: str = "ros-torch") -> dict[str, str]:
         """Tags and what they point at, but for dated ones."""
@@ -59,6 +59,7 @@ def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pyte
     free(monkeypatch, 1_000_000)
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
     monkeypatch.setattr(script, "ROOT", tmp_path)
+    monkeypatch.setattr(call, "ROOT", tmp_path)
     monkeypatch.setattr(signal, "signal", lambda *_: None)  # a test run keeps its own
     copy(tmp_path)
     (tmp_path / "matrix.yaml").write_text(SMALL)
@@ -66,18 +67,18 @@ def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pyte
     services(tmp_path, registry, buildx=buildx(tmp_path, "exit 1"))
     found = Stage(tmp_path, small, place(tmp_path, Services.load(tmp_path), monkeypatch))
 
-    def pipeline(call: script.Call) -> Run:
+    def pipeline(called: call.Call) -> Run:
         facts: dict[str, Any] = {
             "date": (DAY, NEXT)[len(found.runs)],
-            "only": call.only,
-            "architectures": call.architectures,
-            "serving": call.serve,
-            "force": call.force,
+            "only": called.only,
+            "architectures": called.architectures,
+            "serving": called.serve,
+            "force": called.force,
         }
         found.runs.append(found.place.run(small, **facts, **found.options))
         return found.runs[-1]
 
-    monkeypatch.setattr(script.Call, "pipeline", pipeline)
+    monkeypatch.setattr(call.Call, "pipeline", pipeline)
     return found
 
 
@@ -133,7 +134,7 @@ def test_a_run_waits_for_another_one_of_its_checkout(
                 other.close()
             click.echo(line)
 
-        monkeypatch.setattr(script, "say", say)
+        monkeypatch.setattr(call, "say", say)
         assert stage.image(TARGET) == 0
     assert "waiting for another publishing run of this checkout" in capsys.readouterr().out
     with turn(stage.folder / ".state/publish.lock", lambda: pytest.fail("its own turn has not ended")):
@@ -234,14 +235,41 @@ def test_no_room(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.C
     assert not stage.runs[0].made
 
 
-def test_services_are_down(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    (stage.folder / "status").write_text("Status: stopped\n")
+SET_UP = """\
+import pathlib, shutil, sys
+print("set up:", *sys.argv[1:])
+root = pathlib.Path(__file__).parents[1]
+shutil.copytree(root / "kept", root / ".state", dirs_exist_ok=True)
+"""
+"""In the place of scripts/bootstrap.py: the services are as they were."""
+
+
+@pytest.mark.parametrize("lost", ["all", "registry", "builder"])
+def test_it_sets_the_machine_up(stage: Stage, capfd: pytest.CaptureFixture[str], lost: str) -> None:
+    shutil.copytree(stage.folder / ".state", stage.folder / "kept")
+    (stage.folder / "scripts").mkdir()
+    program = stage.folder / "scripts/bootstrap.py"
+    program.write_text(SET_UP)
+    if lost == "all":
+        shutil.rmtree(stage.folder / ".state")
+    elif lost == "registry":
+        file = stage.folder / ".state/services.json"
+        file.write_text(json.dumps({**json.loads(file.read_text()), "registry": "127.0.0.1:1"}))
+    else:
+        (stage.folder / "status").write_text("Status: stopped\n")
+        program.write_text(SET_UP + '(root / "status").write_text("Status: running")\n')
+    assert stage.image(TARGET, "--json") == 0
+    said = capfd.readouterr()
+    assert "set up: up\n" in said.err and json.loads(said.out)
+
+
+def test_a_set_up_that_fails(stage: Stage, capfd: pytest.CaptureFixture[str]) -> None:
+    """It has said why; nothing is built."""
+    shutil.rmtree(stage.folder / ".state")
+    (stage.folder / "scripts").mkdir()
+    (stage.folder / "scripts/bootstrap.py").write_text("import sys\nsys.exit('error: no disk')\n")
     assert stage.image(TARGET) == 1
-    assert "builder 'rosml' is stopped" in capsys.readouterr().err
-    file = stage.folder / ".state/services.json"
-    file.write_text(json.dumps({**json.loads(file.read_text()), "registry": "127.0.0.1:1"}))
-    assert stage.image(TARGET) == 1
-    assert "registry at 127.0.0.1:1 does not answer" in capsys.readouterr().err
+    assert "error: no disk\nerror: this machine could not be set up\n" in capfd.readouterr().err
     assert not stage.runs
 
 
@@ -261,15 +289,9 @@ def test_a_near_miss(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
     assert not calls(stage.folder)
 
 
-def test_before_the_set_up(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    shutil.rmtree(stage.folder / ".state")
-    assert stage.image(TARGET) == 1
-    assert "are not up\nremedy: run 'make up'\n" in capsys.readouterr().err
-
-
 def test_another_channel(stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_CHANNEL", "fina")
-    assert stage.image(TARGET, "--check") == 2
+    assert stage.image(TARGET) == 2
     assert "no channel 'fina'" in capsys.readouterr().err
 
 
@@ -281,7 +303,7 @@ def test_a_platform_that_nothing_has(stage: Stage, capsys: pytest.CaptureFixture
 
 
 def test_committed_files_are_left_alone(stage: Stage) -> None:
-    """A stale docker-bake.hcl is no matter of a build, which reads an excerpt of its own: make generate writes it."""
+    """A stale docker-bake.hcl is no matter of a build, which reads an excerpt of its own: rosml generate writes it."""
     (stage.folder / "docker-bake.hcl").write_text("# somebody's edit\n")
     assert stage.image(TARGET) == 0
     assert (stage.folder / "docker-bake.hcl").read_text() == "# somebody's edit\n"

@@ -185,7 +185,7 @@ def test_an_index_that_does_not_answer(uv: str, monkeypatch: pytest.MonkeyPatch,
         monkeypatch.setenv(key, value)
     with pytest.raises(resolve.Unreachable, match="PyTorch's own index does not answer") as caught:
         resolve.resolve(REQUEST, resolve.Uv(uv))
-    assert "make locks" in caught.value.remedy
+    assert "rosml locks" in caught.value.remedy
 
 
 def test_an_index_without_the_wheel(uv: str, monkeypatch: pytest.MonkeyPatch, index: Index) -> None:

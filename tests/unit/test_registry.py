@@ -90,20 +90,20 @@ def test_registry_is_down(tmp_path: Path) -> None:
     for words in ("denied", "not found"):
         with pytest.raises(RosmlError, match=r"the local registry at 127\.0\.0\.1:1 does not answer") as caught:
             regctl.digest(having(tmp_path, "127.0.0.1:1", f"echo '{words}' >&2; exit 1"), "r:t")
-        assert caught.value.remedy == "run 'make up'"
+        assert caught.value.remedy == "run 'rosml setup'"
 
 
 def test_registry_hangs(tmp_path: Path, address: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(regctl, "SECONDS", 0.1)
     with pytest.raises(RosmlError, match="did not answer within 0 s: manifest head r:t") as caught:
         regctl.digest(having(tmp_path, address, "exec sleep 5"), "r:t")
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
 
 
 def test_regctl_is_gone(tmp_path: Path, address: str) -> None:
     with pytest.raises(RosmlError, match="cannot run /nowhere/regctl: No such file") as caught:
         regctl.digest(services(tmp_path, address), "r:t")
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
 
 
 @pytest.mark.parametrize("answer", ["[]", "null", "3", "", "<html>"])

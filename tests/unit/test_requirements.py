@@ -49,7 +49,7 @@ def test_they_are_current() -> None:
     ],
 )
 def test_a_change_of_pyproject_is_seen(tmp_path: Path, old: str, new: str, stale: set[str]) -> None:
-    for folder in ("scripts", "tools", "rosml"):
+    for folder in ("scripts", "tools", "src"):
         shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__", "go"))
     text = (ROOT / "pyproject.toml").read_text()
     assert text.count(old) == 1
@@ -128,7 +128,7 @@ def bare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bootstrap:
 def install(bare: Bootstrap, group: str) -> None:
     """Installs a group of packages."""
     found = os.environ.get("UV") or shutil.which("uv") or str(ROOT / ".state/bin/uv")
-    assert Path(found).exists(), "make up installs uv"
+    assert Path(found).exists(), "rosml setup installs uv"
     with bare.module.lock():
         bare.module.packages(found, group)
 

@@ -22,9 +22,8 @@ from conftest import ROOT
 from registry_stand_in import standing_in
 
 import rosml
-from rosml.base import terminal, words
 from rosml.base.errors import RosmlError
-from rosml.cli import main, publish, setup, tables
+from rosml.cli import checkout, main, publish
 from rosml.images import load
 from rosml.registry.oci import Registry
 from tests.e2e import parts
@@ -62,8 +61,8 @@ ALL = dict(commands(main.cli))
 
 def test_its_words() -> None:
     assert sorted(main.cli.commands) == sorted([*WORDS, "status"])
-    assert {"all", "build", "join", "test", "scan", "record", "index", "promote", "undo", "prune"} <= set(
-        publish.cli.commands
+    assert {"all", "build", "join-images", "test", "scan", "record", "index", "promote", "undo", "prune"} <= set(
+        publish.main.commands
     )
 
 
@@ -99,7 +98,7 @@ def test_a_list_of_groups() -> None:
 def test_shells_complete(shell: str) -> None:
     def asked(instruction: str, **facts: str) -> str:
         env = {**os.environ, "_ROSML_COMPLETE": f"{shell}_{instruction}", **facts}
-        return subprocess.run([sys.executable, "-m", "rosml"], cwd=ROOT, env=env, capture_output=True, text=True).stdout
+        return subprocess.run([sys.executable, "src"], cwd=ROOT, env=env, capture_output=True, text=True).stdout
 
     assert "rosml" in asked("source")
     begun = JOINED.target[:-2]
@@ -110,7 +109,7 @@ def test_shells_complete(shell: str) -> None:
 
 def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The checkout that the package is in, or that somebody is in, or else what came with the package."""
-    package, project = tmp_path / "site-packages/rosml", tmp_path / "project"
+    package, project = tmp_path / "lib/site-packages/rosml", tmp_path / "project"
     (project / "docs").mkdir(parents=True)
     monkeypatch.chdir(project / "docs")
     (project / "matrix.yaml").touch()
@@ -121,9 +120,9 @@ def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     (project / "scripts").mkdir()
     (project / "scripts/bootstrap.py").touch()
     assert rosml.root_of(package) == project
-    (package.parent / "scripts").mkdir(parents=True)
-    (package.parent / "scripts/bootstrap.py").touch()
-    assert rosml.root_of(package) == package.parent
+    (package.parents[1] / "scripts").mkdir(parents=True)
+    (package.parents[1] / "scripts/bootstrap.py").touch()
+    assert rosml.root_of(package) == package.parents[1]
 
 
 def test_another_users_folder_is_no_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -132,13 +131,13 @@ def test_another_users_folder_is_no_checkout(tmp_path: Path, monkeypatch: pytest
     for name in rosml.PARTS:
         (tmp_path / name).touch()
     monkeypatch.chdir(tmp_path)
-    assert rosml.root_of(tmp_path / "x") == tmp_path
+    assert rosml.root_of(tmp_path / "lib/x") == tmp_path
     owner = tmp_path.stat().st_uid
     monkeypatch.setattr("os.geteuid", lambda: owner + 1)
     monkeypatch.delenv("SUDO_UID", raising=False)
-    assert rosml.root_of(tmp_path / "x") == (tmp_path if owner == 0 else tmp_path / "x/data")
+    assert rosml.root_of(tmp_path / "lib/x") == (tmp_path if owner == 0 else tmp_path / "lib/x/data")
     monkeypatch.setenv("SUDO_UID", str(owner))
-    assert rosml.root_of(tmp_path / "x") == tmp_path
+    assert rosml.root_of(tmp_path / "lib/x") == tmp_path
 
 
 def test_which_checkout_is_passed_over(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -147,7 +146,7 @@ def test_which_checkout_is_passed_over(tmp_path: Path, monkeypatch: pytest.Monke
         (tmp_path / name).touch()
     (tmp_path / "docs").mkdir()
     monkeypatch.chdir(tmp_path / "docs")
-    package = tmp_path / "site-packages/rosml"
+    package = tmp_path / "lib/site-packages/rosml"
     assert rosml.passed_over(package) is None, "it is this user's"
     if os.geteuid() == 0:
         os.chown(tmp_path, 12345, -1)
@@ -157,14 +156,14 @@ def test_which_checkout_is_passed_over(tmp_path: Path, monkeypatch: pytest.Monke
     monkeypatch.chdir(tmp_path.parent)
     assert rosml.passed_over(package) is None, "nobody works there"
     monkeypatch.chdir(tmp_path)
-    (package.parent / "scripts").mkdir(parents=True)
-    (package.parent / "scripts/bootstrap.py").touch()
+    (package.parents[1] / "scripts").mkdir(parents=True, exist_ok=True)
+    (package.parents[1] / "scripts/bootstrap.py").touch()
     assert rosml.passed_over(package) is None, "the package is a checkout's own"
 
 
 def foreign(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
-    monkeypatch.setattr(main, "FOREIGN", folder)
-    monkeypatch.setattr(main, "IN_CHECKOUT", False)
+    monkeypatch.setattr(checkout, "FOREIGN", folder)
+    monkeypatch.setattr(checkout, "IN_CHECKOUT", False)
 
 
 def test_another_users_checkout_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -264,7 +263,7 @@ def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
 def test_what_needs_one_says_so(wheel: Path, tmp_path: Path, words: str) -> None:
     done = installed(wheel, tmp_path, *words.split())
     assert done.returncode == 2
-    assert "error: there is no checkout here" in done.stderr
+    assert "error: not in a checkout" in done.stderr
     assert "remedy: git clone the project" in done.stderr
 
 
@@ -281,7 +280,7 @@ def test_what_is_wrong_is_told_before_services_are_asked_for(repository: Path) -
         "plan --only nonsense": "no image named 'nonsense'",
         "publish test --plan matrix.yaml": "matrix.yaml is no plan",
     }.items():
-        argv = [sys.executable, "-m", "rosml", *given.split()]
+        argv = [sys.executable, "src", *given.split()]
         done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
         assert (done.returncode, says in done.stderr) == (2, True), done.stderr
 
@@ -291,7 +290,7 @@ def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
         file = repository / name
         whole = file.read_bytes()
         file.write_bytes(b"# \n\xff" + whole)
-        argv = [sys.executable, "-m", "rosml", *given.split()]
+        argv = [sys.executable, "src", *given.split()]
         done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
         assert done.returncode == 2
         assert done.stderr == f"error: {name}:2: not UTF-8 (byte 0xff)\nremedy: save the file as UTF-8\n"
@@ -304,7 +303,7 @@ def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
     ids=lambda words: words.split()[0],
 )
 def test_what_cannot_be_read_or_written_has_a_remedy(repository: Path, words: str) -> None:
-    argv = [sys.executable, "-m", "rosml", *words.split()]
+    argv = [sys.executable, "src", *words.split()]
     done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
     assert done.returncode in (1, 2) and "\nremedy: " in done.stderr, done.stderr
 
@@ -356,43 +355,38 @@ def test_remedies_are_in_its_own_words(wheel: Path, tmp_path: Path) -> None:
 
 
 TARGETS = "|".join(re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(), re.MULTILINE))
-MAKES = re.compile(rf"\bmake ({TARGETS})\b(?! CHANNEL)|publish\.py [a-z]")
-"""A command in the words of make and the scripts. `CHANNEL` is told of where a bake file says what its variables are for."""
+MAKES = re.compile(rf"\bmake ({TARGETS})\b|publish\.py [a-z]")
+"""A command in other words than its own."""
 
 
 def told() -> Iterator[str]:
-    """Texts of the library that name a command of make or of the scripts; what people write about code is none of them."""
-    for file in sorted({*(ROOT / "rosml").rglob("*.py")} - {Path(words.__file__)}):
+    """Texts of the library that name a command; what people write about code is none of them."""
+    for file in sorted((ROOT / "src/rosml").rglob("*.py")):
         tree = ast.parse(file.read_text())
         notes = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
         texts = [node for node in ast.walk(tree) if isinstance(node, ast.Constant) and id(node) not in notes]
-        yield from (node.value for node in texts if isinstance(node.value, str) and MAKES.search(node.value))
+        yield from (node.value for node in texts if isinstance(node.value, str) and "rosml " in node.value)
 
 
 def exists(words: list[str]) -> bool:
-    """Whether the first words are a command, with the options that follow them."""
+    """Whether the first words are a command or a group, with the options that follow them."""
     found: click.Command = main.cli
     while isinstance(found, click.Group) and words and words[0] in found.commands:
         found, words = found.commands[words[0]], words[1:]
-    alone = found is not main.cli and (not isinstance(found, click.Group) or found.invoke_without_command)
     options = {name for parameter in found.params for name in parameter.opts}
-    return alone and {word for word in words if word.startswith("--")} <= options
+    return found is not main.cli and {word for word in words if word.startswith("--")} <= options
 
 
 def unknown_commands(text: str) -> list[str]:
     """What a text says of `rosml` and there is not."""
-    calls = re.findall(r"\brosml ([a-z]+(?: +(?:--)?[a-z]+)*)", text)
+    calls = re.findall(r"(?:['(]|[:;] |^ +)rosml ([a-z-]+(?: +(?:--)?[a-z-]+)*)", text, re.MULTILINE)
     return [call for call in calls if not exists(call.split())]
 
 
-def test_every_command_of_make_that_is_told_is_one_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(words.CALLED, "rosml")
+def test_every_command_that_a_message_names_is_one_that_there_is() -> None:
     texts = sorted(set(told()))
     assert len(texts) > 20
-    for text in texts:
-        own = words.in_words(text)
-        assert not MAKES.search(own), text
-        assert not unknown_commands(own), own
+    assert [call for text in texts for call in unknown_commands(text)] == []
 
 
 @pytest.mark.parametrize("command", ALL)
@@ -400,43 +394,6 @@ def test_its_help_speaks_of_its_own_commands(command: str) -> None:
     said = " ".join(CliRunner().invoke(main.cli, [*command.split(), "--help"]).output.split())
     assert not MAKES.search(said.replace("`make test`", ""))
     assert not unknown_commands(ALL[command].help or "")
-
-
-@pytest.mark.parametrize(
-    ("make", "own"),
-    [
-        ("run 'make locks UPGRADE=1' and", "run 'rosml locks --upgrade' and"),
-        ("how many: make plan SHARDS=8", "how many: rosml generate --shards 8"),
-        ("not up (make up)", "not up (rosml setup)"),
-        ("make status; make machine", "rosml status; rosml setup status"),
-        ("run 'make emulation'", "run 'rosml setup emulate'"),
-        ("sign it: publish.py promote --sign", "sign it: rosml publish promote --sign"),
-        ("see uv run scripts/publish.py part", "see rosml part"),
-        ("make it a folder", "make it a folder"),
-    ],
-)
-def test_words_of_make_and_its_own(make: str, own: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert words.in_words(make) == make, "make calls python -m rosml"
-    monkeypatch.setenv(words.CALLED, "rosml")
-    assert words.in_words(make) == own
-
-
-def test_tables_are_in_its_own_words(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setenv(words.CALLED, "rosml")
-    tables.show(("why",), [["run 'make locks'"]])
-    terminal.console().print("see them with: make list")
-    assert capsys.readouterr().out == "why\nrun 'rosml locks'\nsee them with: rosml list\n"
-
-
-def test_setup_knows_who_called_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It becomes a script first, which calls `python -m rosml`."""
-    monkeypatch.delenv(setup.UV, raising=False)
-    monkeypatch.setenv(words.CALLED, "")  # put back when the test ends
-    monkeypatch.setattr("sys.argv", ["/x/rosml", "setup", "status"])
-    monkeypatch.setattr("os.execv", lambda *_: None)
-    setup.bootstrap()
-    monkeypatch.setattr("sys.argv", ["/x/rosml/__main__.py"])
-    assert words.in_words("make up") == "rosml setup"
 
 
 def test_a_join_overwrites_nothing_that_it_reads(wheel: Path, tmp_path: Path) -> None:

@@ -241,7 +241,7 @@ def test_another_version(world: World) -> None:
     with pytest.raises(ScannerFailed, match=r"is trivy 0\.64\.1, and 0\.65\.0 is pinned") as caught:
         world.trivy()
     assert caught.value.exit_code == 4
-    assert caught.value.remedy == "run 'make scanner'"
+    assert caught.value.remedy == "run 'rosml setup scanner'"
 
 
 @pytest.mark.parametrize("text", [None, "{", "{}", "[]", '{"trivy": "/nowhere/trivy"}'])
@@ -253,7 +253,7 @@ def test_no_program(tmp_path: Path, text: str | None) -> None:
         (tmp_path / ".state/scanner.json").write_text(text)
     with pytest.raises(ScannerFailed) as caught:
         Trivy.find(tmp_path)
-    assert caught.value.remedy == "run 'make scanner'"
+    assert caught.value.remedy == "run 'rosml setup scanner'"
 
 
 def test_the_projects_pins(tmp_path: Path) -> None:
@@ -395,7 +395,7 @@ def test_the_command_says_which_state_is_the_newest(tmp_path: Path, monkeypatch:
         policy = tmp_path / "scan.yaml"
         text = (ROOT / "scan.yaml").read_text()
         policy.write_text(re.sub(r"repositories: .*", f"repositories: ['{server.address}/me/db:2']", text))
-        done = CliRunner().invoke(publish.cli, ["database", "--policy", str(policy)])
+        done = CliRunner().invoke(publish.main, ["database", "--policy", str(policy)])
     assert done.exit_code == 0, done.exception
     assert done.output == (f"{server.address}/me/db@{state}\n")
 

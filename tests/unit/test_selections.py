@@ -20,11 +20,7 @@ from memory_registry import DAY, NEXT, MemoryRegistry
 from registry_stand_in import StandIn, standing_in
 
 from rosml.build import package_state
-from rosml.cli import catalogue as catalogue_script
-from rosml.cli import command, publish
-from rosml.cli import generate as generate_bake
-from rosml.cli import join as join
-from rosml.cli import locks as lock
+from rosml.cli import call, catalogue, command, generate, image, locks, main, part, publish, setup
 from rosml.images import load
 from rosml.machine import base_images
 from rosml.machine.services import Services
@@ -37,11 +33,13 @@ PUBLISHED = "bookworm-core*"
 CODES = {0, 1, 2, 3, 4}
 """Exit codes as documented: done, failed, wrong input, and two of scans."""
 
-SCRIPTS = {"generate_bake": generate_bake, "catalogue": catalogue_script, "join": join, "lock": lock}
 LOAD = load.load
 COMMANDS: dict[str, click.Command] = {
-    **{f"publish {name}": found for name, found in publish.cli.commands.items()},
-    **{name: module.main for name, module in SCRIPTS.items()},
+    **{f"publish {name}": found for name, found in publish.main.commands.items()},
+    **{
+        name: main.cli.commands[name]
+        for name in ("catalogue", "generate", "image", "join", "locks", "part", "plan", "status")
+    },
 }
 
 
@@ -121,8 +119,9 @@ def fill(content: StandIn, root: Path, services: Services, patch: pytest.MonkeyP
 @pytest.fixture(autouse=True)
 def around(shop: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
     """Commands of the checkout, on a machine of one kind, which reaches nothing but the registry."""
-    for module in (publish, generate_bake, catalogue_script, lock):
+    for module in (call, catalogue, generate, image, locks, part, publish):
         monkeypatch.setattr(module, "ROOT", shop.root)
+    monkeypatch.setattr(setup, "is_up", lambda _: True)
     monkeypatch.setattr(load, "load", lambda *_: REAL)
     monkeypatch.setattr(package_state, "state", lambda *_: "monday")
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
@@ -237,7 +236,7 @@ def arguments(draw: st.DrawFn, name: str) -> list[str]:
 
 ALWAYS: Mapping[str, tuple[str, ...]] = {
     **dict.fromkeys(COMMANDS, ("registry",)),
-    "generate_bake": ("output",),  # it would write the checkout's own files
+    "generate": ("output",),  # it would write the checkout's own files
     "publish scan": ("registry", "policy"),
     "publish database": ("policy",),
 }
@@ -246,11 +245,9 @@ ALWAYS: Mapping[str, tuple[str, ...]] = {
 def ended(shop: Shop, name: str, words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:
     """Calls a command in this process: its exit code, and what it said. An error that it does not know goes through."""
     shop.reset()
-    script, _, inner = name.partition(" ")
     argv = [word.replace("{host}", shop.host).replace("{root}", str(shop.root)) for word in words]
-    main = publish.cli if script == "publish" else COMMANDS[name]
     try:
-        code = command.run(main, arguments=[*([inner] if inner else []), *argv])
+        code = command.run(main.cli, arguments=[*name.split(), *argv])
     except SystemExit as end:
         code = int(end.code or 0)
     done = capsys.readouterr()
@@ -286,7 +283,7 @@ def test_any_call_ends_as_documented(
 def status_of(shop: Shop, capsys: pytest.CaptureFixture[str], place: str, *only: str) -> dict[str, dict[str, Any]]:
     """What `status` says of images, by target."""
     words = ["--registry", f"{{host}}/{place}", "--json", *(word for name in only for word in ("--only", name))]
-    code, out, _ = ended(shop, "publish status", words, capsys)
+    code, out, _ = ended(shop, "status", words, capsys)
     assert code == 0
     return {item["target"]: {**item, "age": None} for item in json.loads(out)["images"]}
 
@@ -324,10 +321,10 @@ def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.Ca
     assert found["bookworm-core"]["state"] == "published"
     words = ["--only", "bookworm-core"]
     assert ended(shop, "catalogue", [*words, "--registry", "{host}/published", "--json"], capsys)[0] == 0
-    for name in ("publish status", "catalogue"):
+    for name in ("status", "catalogue"):
         code, _, err = ended(shop, name, words, capsys)
         assert (code, err.splitlines()[0]) == (1, "error: the local registry and the builder are not up")
-        assert "run 'make up'" in err
+        assert "run 'rosml setup'" in err
 
 
 @pytest.fixture
@@ -346,7 +343,7 @@ def test_parts_are_planned_where_their_images_cannot_be_built(
     monkeypatch.setattr(load, "load", LOAD)
     own = shutil.copy(ROOT / "matrix.yaml", tmp_path / "own.yaml")
     words = ["--registry", "{host}/nothing", "--matrix", str(own), "--only", "jazzy-core*", "--json"]
-    code, out, err = ended(shop, "publish plan", words, capsys)
+    code, out, err = ended(shop, "plan", words, capsys)
     assert code == 0, err
     plan = json.loads(out)
     planned = {task["target"] for task in plan["tasks"] if task["steps"]}
@@ -358,7 +355,7 @@ def test_parts_are_planned_where_their_images_cannot_be_built(
 def test_a_plan_of_an_image_without_a_lock(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
     """What it stands on can be built, and it cannot."""
     target = next(image.target for image in REAL.images if image.parent == "bookworm-core" and not image.locked)
-    code, out, err = ended(shop, "publish plan", ["--registry", "{host}/nothing", "--only", target, "--json"], capsys)
+    code, out, err = ended(shop, "plan", ["--registry", "{host}/nothing", "--only", target, "--json"], capsys)
     assert code == 0, err
     (task,) = [
         task for task in json.loads(out)["tasks"] if task["target"] == target and task["architecture"] == "amd64"

@@ -24,7 +24,7 @@ def test_load(tmp_path: Path) -> None:
 def test_not_up(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="not up") as caught:
         Services.load(tmp_path)
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"registry": 1}', "null"])
@@ -86,7 +86,7 @@ def test_registry_answers(tmp_path: Path, registry: str, monkeypatch: pytest.Mon
 def test_registry_is_down(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match=r"127\.0\.0\.1:1 does not answer") as caught:
         load(tmp_path).require_registry()
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
 
 
 def fake_buildx(folder: Path, text: str) -> list[str]:
@@ -112,7 +112,7 @@ def test_builder_runs(tmp_path: Path) -> None:
 def test_builder_is_down(tmp_path: Path, text: str, says: str) -> None:
     with pytest.raises(RosmlError, match=says) as caught:
         load(tmp_path, buildx=fake_buildx(tmp_path, text)).require_builder()
-    assert caught.value.remedy == "run 'make up'"
+    assert caught.value.remedy == "run 'rosml setup'"
 
 
 def test_buildx_is_gone(tmp_path: Path) -> None:

@@ -258,9 +258,9 @@ def test_a_client_of_a_registry_builds_no_program(state: State, monkeypatch: pyt
     for ask in (found.require_registry, found.require_builder, lambda: found.place):
         with pytest.raises(RosmlError) as caught:
             ask()
-        assert caught.value.remedy == "run 'make up'"
+        assert caught.value.remedy == "run 'rosml setup'"
     assert services.status(state)["up"] is False
-    assert "not up (make up)" in call(state, monkeypatch, "status")
+    assert "not up (rosml setup)" in call(state, monkeypatch, "status")
 
 
 def test_a_client_leaves_services_that_are_up(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -840,10 +840,9 @@ def test_a_call_by_people_begins_with_uv_and_packages(
         raise SystemExit
 
     called: list[str] = []
-    monkeypatch.setattr(commands, "ROOT", tmp_path)
+    monkeypatch.setattr(commands, "PROGRAM", (sys.executable, str(tmp_path / "scripts/bootstrap.py")))
     monkeypatch.setattr(os, "execv", become)
     monkeypatch.delenv(commands.UV, raising=False)
-    monkeypatch.setenv("ROSML_CALLED", "")  # put back when the test ends
     monkeypatch.setattr(sys, "argv", ["rosml", "setup", *typed])
     CliRunner().invoke(main.cli, ["setup", *typed], catch_exceptions=False)
     assert called == [sys.executable, str(tmp_path / "scripts/bootstrap.py"), *(typed or ["up"])]
@@ -860,7 +859,7 @@ def test_help_has_an_example() -> None:
 def test_status_after_the_services_died(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
     machine(state, "buildkitd", "/nowhere/buildx", "127.0.0.1:1").save()
     said = call(state, monkeypatch, "status")
-    assert said.count("DOES NOT ANSWER (make up)") == 2
+    assert said.count("DOES NOT ANSWER (rosml setup)") == 2
     facts = json.loads(call(state, monkeypatch, "status", "--json"))
     assert (facts["up"], facts["registry"], facts["docker_hub"]) == (
         True,

@@ -113,7 +113,7 @@ def test_a_cosign_on_path(root: Path) -> None:
     assert with_key(root, PATH=f"{root}:/usr/bin:/bin").program == str(root / "cosign")
     with pytest.raises(SignerFailed, match="cosign, is not installed") as caught:
         with_key(root)
-    assert caught.value.remedy == "run 'make signer'"
+    assert caught.value.remedy == "run 'rosml setup signer'"
 
 
 def test_another_version_is_not_used(root: Path) -> None:

@@ -231,7 +231,7 @@ UNKNOWN = {
     "a platform": ("platforms = platforms(image.platforms)\n  contexts", "platforms = image.platforms\n  contexts"),
     "a secret": ('["id=ca-bundle,src=${CA_BUNDLE}"]', '["id=ca-bundle,src=${CA_BUNDLE}", "id=new,env=NEW"]'),
 }  # fmt: skip
-"""What somebody may write into the graph, and not into rosml/bake/targets.py."""
+"""What somebody may write into the graph, and not into src/rosml/bake/targets.py."""
 
 
 @pytest.mark.parametrize("name", UNKNOWN)

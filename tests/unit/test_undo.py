@@ -73,7 +73,7 @@ def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytes
     with oci.Registry(server.address) as client:
         found = published(client)
         before = len(server.requests)
-        code = command.run(script.cli, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
+        code = command.run(script.main, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
         said = capsys.readouterr()
         assert code == 0, said.err
         reads = [line for line in server.requests[before:] if "/records/manifests/image-" in line]
@@ -96,7 +96,7 @@ def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
         found = published(client)
         server.fault("DELETE", "/manifests/", 405, times=99)
         with pytest.raises(SystemExit) as ended:
-            command.run(script.cli, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
+            command.run(script.main, arguments=["undo", "--registry", f"{server.address}/{PREFIX}", "--json"])
         (failed,) = [item for item in json.loads(capsys.readouterr().out)["outcomes"] if item["state"] == "failed"]
         assert ended.value.code == 1 and failed["target"] == f"ros:{TAGS[1]}"
         assert "deletes no tag by its name" in failed["reason"] and "its own tools" in failed["reason"]
@@ -104,7 +104,7 @@ def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
 
 
 def test_undo_without_a_place_says_how_to_name_one(clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(script.cli, arguments=["undo"]) == 1
+    assert command.run(script.main, arguments=["undo"]) == 1
     assert "--registry" in capsys.readouterr().err
 
 
@@ -113,7 +113,7 @@ def test_prune_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pyte
     with oci.Registry(server.address) as client:
         published(client)
     arguments = ["prune", "--registry", f"{server.address}/{PREFIX}", "--json"]
-    assert command.run(script.cli, arguments=arguments) == 0
+    assert command.run(script.main, arguments=arguments) == 0
     assert json.loads(capsys.readouterr().out)["kept"] == 3
     assert not (clone / ".state").exists()
 
@@ -122,6 +122,6 @@ def test_moves_are_reported_as_a_table_too(server: StandIn, clone: Path, capsys:
     with oci.Registry(server.address) as client:
         published(client)
     place = f"{server.address}/{PREFIX}"
-    assert command.run(script.cli, arguments=["undo", "--registry", place]) == 0
+    assert command.run(script.main, arguments=["undo", "--registry", place]) == 0
     assert "undo: 3 done" in capsys.readouterr().out
-    assert command.run(script.cli, arguments=["undo", "2020-01-01T00:00:00Z", "--registry", place]) == 1
+    assert command.run(script.main, arguments=["undo", "2020-01-01T00:00:00Z", "--registry", place]) == 1

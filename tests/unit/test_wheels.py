@@ -169,8 +169,8 @@ def test_a_missing_lock_is_told_like_others(wheels: ImageSet) -> None:
     assert said is not None
     assert said.message.endswith(f"): {LOCK} is missing")
     assert said.remedy == missing.RESTORE
-    assert explained(image_set, "sigma-core").text.endswith(f"\n  - {LOCK} is missing; run 'make locks'")
-    assert targets.of(image_set)["sigma-core"].description == "cannot be built yet: no lock; run 'make locks'"
+    assert explained(image_set, "sigma-core").text.endswith(f"\n  - {LOCK} is missing; run 'rosml locks'")
+    assert targets.of(image_set)["sigma-core"].description == "cannot be built yet: no lock; run 'rosml locks'"
     with pytest.raises(RosmlError, match=f"sigma-core cannot be built yet: {LOCK} is missing"):
         require_buildable(image_set.image("sigma-core"), "amd64")
 

@@ -3,21 +3,21 @@ do no more than it must."""
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 import shlex
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import click
 import pytest
 from conftest import ROOT
-from workflows import COMMANDS, FOLDER, accepted, load, text
+from workflows import FOLDER, accepted, load, text
 
-from rosml.cli import publish
+from rosml.cli import main, publish
 
 NAMES = ("ci", "locks", "nightly", "proofs")
 
@@ -63,7 +63,7 @@ LOGIN = {
 }
 """How every job logs in that asks a registry. Where a fork names its own registry, the job's token stays at home."""
 
-WRITERS = {"build", "join", "test", "record", "index", "promote"}
+WRITERS = {"build", "join-images", "test", "record", "index", "promote"}
 """Steps that write into the registry."""
 
 
@@ -135,9 +135,8 @@ def test_every_command_is_one_that_there_is(step: Step) -> None:
         listed = subprocess.run(["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True).stdout
         assert f"  make {argv[1]} " in listed, "one that people are told of"
         return
-    assert argv[:2] == ["uv", "run"], "make, or uv run with a script"
-    assert Path(argv[2]).suffix == ".py" and (ROOT / argv[2]).is_file()
-    accepted(COMMANDS[argv[2]], argv[3:])
+    assert argv[0] == "./rosml", "make or rosml"
+    accepted(main.cli, argv[1:])
 
 
 @pytest.mark.parametrize(
@@ -151,44 +150,43 @@ def test_every_command_is_one_that_there_is(step: Step) -> None:
 )
 def test_what_there_is_not_is_told(arguments: list[str], reason: str) -> None:
     with pytest.raises((AssertionError, click.UsageError)) as caught:
-        accepted(publish.cli, arguments)
+        accepted(main.cli, arguments)
     assert reason in str(caught.value)
-
-
-def test_variables_of_make_are_known_to_it() -> None:
-    """`make publish` and `make diff` take theirs from the environment."""
-    content = (ROOT / "Makefile").read_text()
-    for step in RUNS:
-        if step.content["run"].startswith("make"):
-            for name in step.environment:
-                assert re.search(rf"^{name} \?=", content, re.MULTILINE) or step.workflow == "nightly", name
 
 
 BUILDERS = {("ci", "images"), ("ci", "test"), ("locks", "try"), ("nightly", "images"), ("proofs", "all")}
 """Jobs that build images: the others need no builder and no local registry, whose programs take minutes to build."""
 
-FROM_SOURCE = {"up", "publish", "test", "test-all", "scanner", "test-scanner", "signer", "test-signer", "lint", "unit"}
-"""Targets of make that build programs from their Go modules."""
+FROM_SOURCE = {
+    "./rosml setup",
+    *(f"./rosml setup {name}" for name in ("scanner", "signer")),
+    *(f"make {name}" for name in ("test", "test-all", "test-scanner", "test-signer", "lint", "unit")),
+}
+"""Commands that build programs from their Go modules."""
+
+
+def command(step: Mapping[str, Any]) -> str:
+    """The command of a step without its options: `./rosml publish build`; empty where it runs none."""
+    found = itertools.takewhile(lambda word: re.fullmatch(r"[a-z./-]+", word), str(step.get("run", "")).split())
+    return " ".join(found)
 
 
 @pytest.mark.parametrize(("name", "job"), PERMISSIONS)
 def test_a_job_installs_what_it_uses(name: str, job: str) -> None:
     """No job that only reads and writes a registry has a builder and a registry of its own."""
-    told = [words(step) for step in RUNS if (step.workflow, step.job) == (name, job)]
-    targets = [argv[1] for argv in told if argv[0] == "make"]
+    told = [command(step.content) for step in RUNS if (step.workflow, step.job) == (name, job)]
     if (name, job) not in BUILDERS:
-        assert not {"up", "publish", "test", "test-all"} & set(targets)
-    if any(argv[0] == "uv" for argv in told):
-        assert [target for target in targets if target in ("up", "client")] == [
-            "up" if (name, job) in BUILDERS else "client"
-        ]
+        assert not {"./rosml setup", "./rosml publish all", "make test", "make test-all"} & set(told)
+    if any(call.startswith(("./rosml publish", "./rosml plan", "./rosml catalogue")) for call in told):
+        wanted = "./rosml setup" if (name, job) in BUILDERS else "./rosml setup client"
+        assert [call for call in told if call in ("./rosml setup", "./rosml setup client")] == [wanted]
 
 
 @pytest.mark.parametrize(("name", "job"), PERMISSIONS)
 def test_programs_are_cached(name: str, job: str) -> None:
     """Before make builds them; by what pins them, for each job apart, since a cache is never written a second time."""
     content = load(name)["jobs"][job]["steps"]
-    builds = [it for it, step in enumerate(content) if set(str(step.get("run")).split()[1:]) & FROM_SOURCE]
+    builds = [it for it, step in enumerate(content) if command(step) in FROM_SOURCE]
     caches = [it for it, step in enumerate(content) if str(step.get("uses")).startswith("actions/cache@")]
     assert len(caches) == bool(builds)
     for it in caches:
@@ -256,11 +254,11 @@ def test_the_scanner_may_not_publish() -> None:
     for step in RUNS:
         argv = words(step)
         permissions = PERMISSIONS[step.workflow, step.job]
-        if {"scanner", "test-scanner"} & set(argv) or argv[2:4] == ["scripts/publish.py", "scan"]:
+        if {"scanner", "test-scanner", "scan"} & set(argv):
             assert "write" not in permissions.values()
-        if argv[2:3] == ["scripts/publish.py"]:
-            assert (argv[3] in WRITERS) == (permissions.get("packages") == "write") or argv[3] == "status"
-            if argv[3] == "scan":
+        if argv[:2] == ["./rosml", "publish"] and step.workflow == "nightly":
+            assert (argv[2] in WRITERS) == (permissions.get("packages") == "write")
+            if argv[2] == "scan":
                 assert "--output" in argv, "or it would write into the registry"
 
 
@@ -268,23 +266,23 @@ def test_scanner_and_signer_are_tested_before_a_night_relies_on_them() -> None:
     for job, name, use in (("scan", "scanner", "scan"), ("promote", "signer", "index")):
         told = [words(step) for step in RUNS if (step.workflow, step.job) == ("nightly", job)]
         (proof,) = [number for number, argv in enumerate(told) if argv == ["make", f"test-{name}"]]
-        (first,) = [number for number, argv in enumerate(told) if argv[3:4] == [use]]
+        (first,) = [number for number, argv in enumerate(told) if argv[2:3] == [use]]
         assert proof < first
 
 
 def test_one_variable_says_whether_indexes_are_signed() -> None:
     """It installs the signer, and has the commands sign; nobody else shows who they are."""
     job = load("nightly")["jobs"]["promote"]
-    (install,) = [step for step in job["steps"] if step.get("run") == "make signer"]
+    (install,) = [step for step in job["steps"] if step.get("run") == "./rosml setup signer"]
     assert install["if"] == "${{ vars.ROSML_SIGN == 'true' }}"
     (proof,) = [step for step in job["steps"] if step.get("run") == "make test-signer"]
     assert proof["if"] == install["if"]
     assert job["env"] == {"ROSML_SIGN": "${{ vars.ROSML_SIGN }}"}
     for name in ("index", "promote"):
-        (option,) = [item for item in publish.cli.commands[name].params if item.name == "sign"]
+        (option,) = [item for item in publish.main.commands[name].params if item.name == "sign"]
         assert isinstance(option, click.Option) and option.envvar == "ROSML_SIGN" and option.is_flag
     for value, expected in (("", False), ("false", False), ("true", True)):
-        context = click.Context(publish.cli.commands["promote"])
+        context = click.Context(publish.main.commands["promote"])
         os.environ["ROSML_SIGN"] = value
         try:
             assert option.handle_parse_result(context, {}, [])[0] is expected
@@ -344,8 +342,8 @@ def test_one_image_blocks_only_itself() -> None:
         assert jobs[name]["if"] == "${{ !cancelled() && needs.plan.result == 'success' }}"
     for step in RUNS:
         argv = words(step)
-        if argv[2:3] == ["scripts/publish.py"] and argv[3] in WRITERS - {"build", "record"}:
-            unsigned = " && steps.signer.outcome != 'failure'" if argv[3] in ("index", "promote") else ""
+        if argv[:2] == ["./rosml", "publish"] and argv[2] in WRITERS - {"build", "record"}:
+            unsigned = " && steps.signer.outcome != 'failure'" if argv[2] in ("index", "promote") else ""
             assert step.content["if"] == f"${{{{ !cancelled(){unsigned} }}}}"
 
 
@@ -353,8 +351,8 @@ def test_the_date_is_chosen_once() -> None:
     """By the plan, which all other steps are given."""
     for step in RUNS:
         argv = words(step)
-        if argv[2:3] == ["scripts/publish.py"] and argv[3] in WRITERS | {"scan"}:
-            assert argv[4:6] == ["--plan", "plan.json"]
+        if argv[:2] == ["./rosml", "publish"] and argv[2] in WRITERS | {"scan"}:
+            assert argv[3:5] == ["--plan", "plan.json"]
             assert "--date" not in argv
 
 

@@ -1,4 +1,4 @@
-"""The workflows as they are written, and whether a script takes the options that it is called with."""
+"""The workflows as they are written, and whether a command takes the options that it is called with."""
 
 from __future__ import annotations
 
@@ -8,19 +8,7 @@ import click
 import yaml
 from conftest import ROOT
 
-from rosml.cli import catalogue, publish
-from rosml.cli import generate as generate_bake
-from rosml.cli import locks as lock
-
 FOLDER = ROOT / ".github/workflows"
-
-COMMANDS: dict[str, click.Command] = {
-    "scripts/publish.py": publish.cli,
-    "scripts/lock.py": lock.main,
-    "scripts/generate_bake.py": generate_bake.main,
-    "scripts/catalogue.py": catalogue.main,
-}
-"""The scripts that workflows run, by the file that they name."""
 
 
 def text(name: str) -> str:
@@ -37,6 +25,8 @@ def load(name: str) -> dict[str, Any]:
 def accepted(command: click.Command, arguments: list[str]) -> None:
     """Has click's own parser read a command line; nothing is checked for being there, and nothing runs."""
     if isinstance(command, click.Group):
+        if not arguments and command.invoke_without_command:
+            return None
         assert arguments[0] in command.commands, f"no command {arguments[0]}"
         return accepted(command.commands[arguments[0]], arguments[1:])
     context = click.Context(command, **command.context_settings)

@@ -1,4 +1,4 @@
-"""The command that is asked for a base image where Docker Hub does not answer: see rosml/machine/base_images.py."""
+"""The command that is asked for a base image where Docker Hub does not answer: see src/rosml/machine/base_images.py."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:1] = [str(ROOT), str(ROOT / "tools")]
+sys.path[:1] = [str(ROOT / "src"), str(ROOT / "tools")]
 
 from offline.official import missing  # noqa: E402
 

@@ -74,6 +74,6 @@ def with_python(services: Services, reference: str, python: str, home: Path) -> 
             command, env=services.environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
         )
         if done.returncode != 0:
-            raise RosmlError(f"cannot add Python {python} to {reference}:\n{done.stderr.strip()}", "run 'make up'")
+            raise RosmlError(f"cannot add Python {python} to {reference}:\n{done.stderr.strip()}", "run 'rosml setup'")
         digest = json.loads((context / "said").read_text())["containerimage.digest"]
     return f"{repository}@{digest}"

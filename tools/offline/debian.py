@@ -94,7 +94,7 @@ def ensure(services: Services, image: str, architecture: str = "") -> dict[str, 
     if not emulated(architecture):
         raise RosmlError(
             f"a Debian base image for {architecture} cannot be made on {native}: its programs do not run here",
-            f"run 'make emulation', or use an {architecture} machine, or one that reaches Docker Hub",
+            f"run 'rosml setup emulate', or use an {architecture} machine, or one that reaches Docker Hub",
         )
     digests = [debian(services, suite, name) for name in (native, architecture)]
     index = regctl.create_index(services, f"{services.registry}/library/debian", digests, {})
@@ -107,7 +107,7 @@ def say(line: str) -> None:
 
 
 def emulated(architecture: str) -> bool:
-    """Whether the kernel runs programs of another architecture (``make emulation``)."""
+    """Whether the kernel runs programs of another architecture (``rosml setup emulate``)."""
     machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(architecture, architecture)
     return (BINFMT / f"qemu-{machine}").exists()
 
@@ -196,7 +196,7 @@ def make(
     """
     if shutil.which("mmdebstrap") is None:
         raise RosmlError(
-            "mmdebstrap is not installed; it makes base images where Docker Hub does not answer", "run 'make up'"
+            "mmdebstrap is not installed; it makes base images where Docker Hub does not answer", "run 'rosml setup'"
         )
     tag = tag or suite
     say(f"base image debian:{tag}: making it with mmdebstrap, since Docker Hub does not answer")
@@ -346,5 +346,5 @@ def push(services: Services, layout: Path, tag: str) -> None:
         done = subprocess.run([services.regctl, *arguments], env=env, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise RosmlError(
-                f"cannot push the base image to {target}: {done.stderr.strip()}", "run 'make up' and try again"
+                f"cannot push the base image to {target}: {done.stderr.strip()}", "run 'rosml setup' and try again"
             )

@@ -1,0 +1,135 @@
+"""Derived files: written when they differ, compared when they are checked."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from rosml.base.errors import RosmlError
+
+WRITABLE = "choose a writable folder"
+
+
+def write(file: Path, content: str, within: Path | None = None) -> bool:
+    """Writes a file at once, so that nobody ever reads half of it. Returns whether it changed.
+
+    Links are followed; pipes and devices, such as /dev/stdout, are written to, never replaced.
+
+    Args:
+        within: the folder that a link may not lead out of, for a name that the user did not choose.
+
+    Raises:
+        RosmlError: it cannot be written.
+    """
+    return bool(write_all({file: content}, within))
+
+
+def write_all(wanted: Mapping[Path, str], within: Path | None = None) -> list[Path]:
+    """Writes files as `write` does: all of them, or none where the disk is full. Returns those that changed."""
+    staged: dict[Path, tuple[Path, Path]] = {}
+    written: list[Path] = []
+    try:
+        for file, content in wanted.items():
+            with _told(file):
+                if within:
+                    _require_within(file, within)
+                if file.exists() and not file.is_file() and not file.is_dir():
+                    file.write_text(content, encoding="utf-8")
+                    written.append(file)
+                elif _read(file) != content:
+                    staged[file] = (file.resolve(), _staged(file.resolve(), content))
+        for file, (real, temporary) in staged.items():
+            with _told(file):
+                os.replace(temporary, real)
+                written.append(file)
+    except BaseException:  # also Ctrl-C: leave nothing behind
+        for _, temporary in staged.values():
+            temporary.unlink(missing_ok=True)
+        raise
+    return written
+
+
+@contextlib.contextmanager
+def _told(file: Path) -> Iterator[None]:
+    """Says which file could not be written, and what to do about it."""
+    try:
+        yield
+    except (OSError, ValueError, RuntimeError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        full = getattr(error, "errno", None) in (errno.ENOSPC, errno.EDQUOT)
+        remedy = "free some disk space, then run it again" if full else WRITABLE
+        raise RosmlError(f"{shown(file)}: cannot be written: {reason}", remedy) from None
+
+
+def _require_within(file: Path, folder: Path) -> None:
+    """Raises RosmlError where links lead a file out of a folder."""
+    if not file.resolve().is_relative_to(folder.resolve()):
+        text = f"{file}: cannot be written: a link leads out of {folder}, to {file.resolve()}"
+        raise RosmlError(text, "remove the link, then run it again")
+
+
+def _staged(file: Path, content: str) -> Path:
+    """A temporary file beside another one, with its new content."""
+    import tempfile  # only needed here
+
+    mode = file.stat().st_mode & 0o777 if file.exists() else 0o644
+    descriptor, name = tempfile.mkstemp(dir=file.parent, prefix=f".{file.name}.")
+    try:
+        with os.fdopen(descriptor, "w", encoding="utf-8", newline="\n") as stream:
+            stream.write(content)
+        os.chmod(name, mode)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+    return Path(name)
+
+
+def text(file: Path) -> str:
+    """What a file of the checkout holds.
+
+    Raises:
+        RosmlError: it cannot be read, or is not UTF-8.
+    """
+    try:
+        return file.read_bytes().decode("utf-8")
+    except OSError as error:
+        remedy = (
+            f"bring it back: git checkout {shown(file)}" if isinstance(error, FileNotFoundError) else "make it readable"
+        )
+        raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", remedy) from None
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        found = f"byte 0x{error.object[error.start]:02x}"
+        raise RosmlError(f"{shown(file)}:{line}: not UTF-8 ({found})", "save the file as UTF-8", exit_code=2) from None
+
+
+def difference(file: Path, content: str) -> str:
+    """A unified diff from the file to what it should hold; empty if it holds just that."""
+    found = _read(file)
+    if found == content:
+        return ""
+    from difflib import unified_diff  # only needed when something is stale
+
+    name = shown(file)
+    old = [] if found is None else found.splitlines(keepends=True)
+    return "".join(unified_diff(old, content.splitlines(keepends=True), f"{name} (found)", f"{name} (expected)"))
+
+
+def _read(file: Path) -> str | None:
+    try:
+        return file.read_bytes().decode("utf-8", errors="replace")
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}") from None
+
+
+def shown(file: Path) -> str:
+    """A file's name for messages: short where it lies below the current folder."""
+    try:
+        return str(file.resolve().relative_to(Path.cwd()))
+    except (ValueError, OSError, RuntimeError):  # elsewhere, or a link that leads to itself
+        return str(file)

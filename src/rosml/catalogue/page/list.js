@@ -1,0 +1,382 @@
+// The list of images: filters, free text, sorting.
+"use strict";
+
+(() => {
+  const r = window.rosml;
+  const { el } = r;
+
+  /** What one can filter by: the values of an image under each name. */
+  const GROUPS = {
+    distribution: { title: "Distribution", of: (image) => [image.distribution] },
+    component: { title: "Component", of: (image) => [image.component] },
+    framework: { title: "Framework", of: (image) => [image.framework], name: (value) => r.TITLES[value] || value },
+    stack: { title: "Stack", of: (image) => [image.stack || "none"] },
+    architecture: { title: "Architecture", of: (image) => image.platforms.map(r.architecture) },
+    status: { title: "Status", of: (image) => [image.status], name: (value) => r.STATUS[value] },
+  };
+  const ORDER = Object.keys(r.STATUS);
+  const SORTS = {
+    image: { title: "Image", by: (row) => row.number },
+    size: { title: "Size", by: (row) => (row.platform ? row.platform.size.compressed : -1), down: true },
+    created: { title: "Created", by: (row) => (row.build ? row.build.created : ""), down: true },
+    status: { title: "Status", by: (row) => ORDER.indexOf(row.image.status) },
+  };
+
+  const FIRST = 60; // rows at a time
+  let rows; // one for each image, made once
+  const state = { text: "", chosen: {}, sort: "status", down: false };
+
+  /** Everything that is searched in, in lower case. */
+  function haystack(row) {
+    if (!row.words) {
+      const { image, build } = row;
+      const versions = (build ? build.platforms : []).flatMap((platform) => Object.entries(platform.versions));
+      const facts = r.catalogue.distributions[image.distribution];
+      row.words = [
+        image.target,
+        image.repository,
+        facts.os,
+        `ros${facts.ros}`,
+        `python${facts.python}`,
+        r.TITLES[image.framework],
+        r.STATUS[image.status],
+        ...image.tags.map((tag) => `${image.repository}:${tag.name}`),
+        ...image.platforms,
+        ...Object.entries(image.promised).flat(),
+        ...versions.flat(),
+        ...(build ? [build.digest] : []),
+        ...(build ? build.platforms.map((platform) => platform.digest) : []),
+      ]
+        .join(" ")
+        .toLowerCase();
+    }
+    return row.words;
+  }
+
+  function content(image) {
+    const facts = r.catalogue.distributions[image.distribution];
+    const carried = ["torch", "tensorflow", "cuda"].filter((name) => name in image.promised);
+    return [
+      `ROS ${facts.ros} ${image.component}`,
+      ...carried.map((name) => `${r.CARRIED[name]} ${image.promised[name]}`),
+    ];
+  }
+
+  function checks(platform) {
+    if (!platform) return "";
+    const { tests, scan } = platform;
+    return [
+      el(
+        "span",
+        { class: tests && tests.failures.length ? "bad" : null },
+        tests ? `${tests.passed} passed` : "tests unknown",
+      ),
+      scan ? el("span", { class: `sub ${scan.outcome === "clean" ? "" : "bad"}` }, `scan: ${scan.outcome}`) : null,
+    ];
+  }
+
+  /** What is known of an image, for sorting and filtering; its element is made when it is first seen. */
+  function makeRow(image, number) {
+    const build = r.present(image);
+    const values = Object.fromEntries(Object.entries(GROUPS).map(([name, group]) => [name, group.of(image)]));
+    return { image, build, number, values, platform: build && build.platforms[0] };
+  }
+
+  function node(row) {
+    row.node = row.node || element(row);
+    return row.node;
+  }
+
+  function element({ image, build, platform }) {
+    const tag = r.mainTag(image);
+    const line = `FROM ${r.reference(image, tag)}`;
+    const size = platform
+      ? [
+          r.size(platform.size.compressed),
+          el(
+            "span",
+            { class: "sub" },
+            platform.size.unpacked ? `${r.size(platform.size.unpacked)} unpacked` : "unpacked: not counted",
+          ),
+        ]
+      : "";
+    return el(
+      "tr",
+      { class: image.status === "built" ? null : "absent" },
+      el(
+        "th",
+        { scope: "row" },
+        el("a", { href: `#/image/${image.target}` }, image.target),
+        el("span", { class: "sub mono" }, tag ? `${image.repository}:${tag}` : image.repository),
+      ),
+      el(
+        "td",
+        { class: "content" },
+        content(image).map((text) => el("span", { class: "chip" }, text)),
+      ),
+      el("td", { class: "wide" }, image.platforms.map(r.architecture).join(", ")),
+      el("td", { class: "number" }, size),
+      el("td", { class: "wide line" }, checks(platform)),
+      el("td", { class: "wide line" }, build ? r.day(build.created) : ""),
+      el(
+        "td",
+        { class: "middle" },
+        el(
+          "span",
+          { class: `status ${image.status.replace(" ", "-")}`, title: image.reason || null },
+          r.STATUS[image.status],
+        ),
+      ),
+      el(
+        "td",
+        { class: "actions" },
+        build
+          ? [
+              r.copyButton(() => line, "Copy FROM", `Copy the FROM line of ${image.target}`),
+              el(
+                "a",
+                {
+                  href: `#/compare?a=${encodeURIComponent(r.buildName(image, build))}`,
+                  class: "button wide",
+                  "aria-label": `Compare ${image.target} with another one`,
+                },
+                "Compare",
+              ),
+            ]
+          : "",
+      ),
+    );
+  }
+
+  /** Whether a row matches, leaving one group of filters out of account. */
+  function matches(row, words, without) {
+    for (const name of Object.keys(GROUPS)) {
+      const chosen = state.chosen[name];
+      if (name !== without && chosen && chosen.size && !row.values[name].some((value) => chosen.has(value)))
+        return false;
+    }
+    return words.every((word) => haystack(row).includes(word));
+  }
+
+  /** How many rows each value of a group would give, with all other filters as they are. */
+  function countOf(name, words) {
+    const counts = new Map();
+    for (const row of rows) {
+      if (matches(row, words, name))
+        for (const value of row.values[name]) counts.set(value, (counts.get(value) || 0) + 1);
+    }
+    return counts;
+  }
+
+  function remember() {
+    const query = new URLSearchParams();
+    if (state.text) query.set("q", state.text);
+    for (const [name, chosen] of Object.entries(state.chosen)) if (chosen.size) query.set(name, [...chosen].join(","));
+    if (state.sort !== "status" || state.down) query.set("sort", `${state.down ? "-" : ""}${state.sort}`);
+    const text = query.toString();
+    history.replaceState(null, "", text ? `#/?${text}` : "#/");
+  }
+
+  function read(query) {
+    state.text = query.get("q") || "";
+    state.chosen = {};
+    for (const name of Object.keys(GROUPS))
+      state.chosen[name] = new Set((query.get(name) || "").split(",").filter(Boolean));
+    const sort = query.get("sort") || "status";
+    state.down = sort.startsWith("-");
+    state.sort = sort.replace("-", "") in SORTS ? sort.replace("-", "") : "status";
+  }
+
+  /** Shows so many more of the rows that were found. */
+  function more(ui, number) {
+    const there = ui.body.children.length;
+    ui.body.append(...ui.shown.slice(there, there + number).map(node));
+    ui.rest.hidden = ui.body.children.length === ui.shown.length;
+    ui.all.textContent = `Show all ${r.count(ui.shown.length, "image")}`;
+  }
+
+  /** The rows that match, in the order that was chosen. */
+  function find(words) {
+    const { by } = SORTS[state.sort];
+    const direction = state.down ? -1 : 1;
+    const found = rows.filter((row) => matches(row, words));
+    return found.sort((a, b) => {
+      const [left, right] = [by(a), by(b)];
+      return left < right ? -direction : left > right ? direction : a.number - b.number;
+    });
+  }
+
+  /** Shows what the state says: rows, how many each choice would leave, which order it is. */
+  function update(ui) {
+    const words = state.text.toLowerCase().split(/\s+/).filter(Boolean);
+    ui.shown = find(words);
+    ui.body.replaceChildren();
+    more(ui, FIRST);
+    const counts = Object.fromEntries(Object.keys(GROUPS).map((name) => [name, countOf(name, words)]));
+    for (const { name, value, number } of ui.boxes) {
+      const others = counts[name].get(value) || 0;
+      number.textContent = others;
+      number.parentElement.classList.toggle("empty", others === 0);
+    }
+    const [found, all] = [ui.shown.length, rows.length];
+    const built = ui.shown.filter((row) => row.build).length;
+    ui.summary.textContent = `${found === all ? "All" : `${found} of`} ${r.count(all, "image")}, ${built} published here`;
+    ui.none.hidden = found > 0;
+    ui.clear.hidden = !state.text && Object.values(state.chosen).every((chosen) => !chosen.size);
+    for (const [name, button] of Object.entries(ui.heads)) {
+      const on = name === state.sort;
+      button.parentElement.setAttribute("aria-sort", on ? (state.down ? "descending" : "ascending") : "none");
+    }
+  }
+
+  function changed(ui) {
+    remember();
+    update(ui);
+  }
+
+  function searchField(ui) {
+    const search = el("input", {
+      type: "search",
+      id: "search",
+      placeholder: "jazzy torch arm64, numpy 1.26, sha256:…",
+      autocomplete: "off",
+      spellcheck: "false",
+      "aria-keyshortcuts": "/",
+      oninput: (event) => {
+        state.text = event.target.value;
+        changed(ui);
+      },
+    });
+    search.value = state.text;
+    return search;
+  }
+
+  /** A value of a group, to be ticked. */
+  function choice(ui, name, value) {
+    const box = el("input", {
+      type: "checkbox",
+      value,
+      onchange: (event) => {
+        if (event.target.checked) state.chosen[name].add(value);
+        else state.chosen[name].delete(value);
+        changed(ui);
+      },
+    });
+    box.checked = state.chosen[name].has(value);
+    const number = el("span", { class: "number" });
+    ui.boxes.push({ name, value, number, box });
+    const group = GROUPS[name];
+    return el("label", { class: "choice" }, box, el("span", null, group.name ? group.name(value) : value), number);
+  }
+
+  function filters(ui) {
+    const groups = Object.entries(GROUPS).map(([name, group]) => {
+      const values = [...new Set(rows.flatMap((row) => row.values[name]))];
+      if (name === "status") values.sort((a, b) => ORDER.indexOf(a) - ORDER.indexOf(b));
+      return el(
+        "fieldset",
+        { "data-group": name },
+        el("legend", null, group.title),
+        el(
+          "div",
+          { class: "values" },
+          values.map((value) => choice(ui, name, value)),
+        ),
+      );
+    });
+    return el(
+      "details",
+      { class: "filters", open: window.matchMedia("(min-width: 60rem)").matches },
+      el("summary", null, "Filters"),
+      el("form", { onsubmit: (event) => event.preventDefault() }, groups),
+    );
+  }
+
+  function clearButton(ui) {
+    const onclick = () => {
+      state.text = ui.search.value = "";
+      for (const chosen of Object.values(state.chosen)) chosen.clear();
+      for (const { box } of ui.boxes) box.checked = false;
+      changed(ui);
+      ui.search.focus();
+    };
+    return el("button", { type: "button", class: "clear", onclick }, "Clear all filters");
+  }
+
+  /** The head of a column that the table can be sorted by. */
+  function head(ui, name, className) {
+    const sort = SORTS[name];
+    const onclick = () => {
+      state.down = state.sort === name ? !state.down : Boolean(sort.down);
+      state.sort = name;
+      changed(ui);
+    };
+    ui.heads[name] = el("button", { type: "button", onclick }, sort.title);
+    return el("th", { scope: "col", class: className || null, "aria-sort": "none" }, ui.heads[name]);
+  }
+
+  function table(ui) {
+    return el(
+      "table",
+      { class: "list" },
+      el("caption", { class: "hidden" }, "Images"),
+      el(
+        "thead",
+        null,
+        el(
+          "tr",
+          null,
+          head(ui, "image"),
+          el("th", { scope: "col", class: "content" }, "Content"),
+          el("th", { scope: "col", class: "wide" }, "Platforms"),
+          head(ui, "size", "number"),
+          el("th", { scope: "col", class: "wide" }, "Checks"),
+          head(ui, "created", "wide"),
+          head(ui, "status", "middle"),
+          el("th", { scope: "col" }, "Use"),
+        ),
+      ),
+      ui.body,
+    );
+  }
+
+  function view(main, query) {
+    read(query);
+    rows = rows || r.catalogue.images.map(makeRow);
+    const ui = { body: el("tbody"), shown: [], boxes: [], heads: {} };
+    ui.all = el("button", { type: "button", onclick: () => more(ui, Infinity) });
+    ui.rest = el("p", { class: "rest" }, ui.all);
+    ui.summary = el("p", { class: "summary", role: "status", "aria-live": "polite" });
+    ui.search = searchField(ui);
+    ui.clear = clearButton(ui);
+    ui.none = el(
+      "p",
+      { class: "notice", hidden: true },
+      "No image matches. Take a filter away, or ask why one does not exist: rosml explain <name>.",
+    );
+    // A browser lays a long table out slowly: the next rows come when the end of those that are there is near.
+    new IntersectionObserver(
+      (entries) => {
+        if (entries.some((entry) => entry.isIntersecting)) more(ui, FIRST);
+      },
+      { rootMargin: "100%" },
+    ).observe(ui.rest);
+    main.append(
+      el("h1", null, "Images"),
+      el(
+        "p",
+        { class: "lead" },
+        "Find a tag, copy its line. Every published one was tested from the inside before its tag pointed at it.",
+      ),
+      el("div", { class: "search" }, el("label", { for: "search" }, "Search names, versions and digests"), ui.search),
+      filters(ui),
+      el("div", { class: "bar" }, ui.summary, ui.clear),
+      table(ui),
+      ui.rest,
+      ui.none,
+    );
+    update(ui);
+  }
+
+  r.views = { list: { title: "Images", view } };
+})();

@@ -1,0 +1,115 @@
+"""Writes docker-bake.hcl (and schemas, and the tables of README.md) from matrix.yaml; plans the build of images in CI.
+
+\b
+Examples:
+  rosml generate             after a change of matrix.yaml
+  rosml generate --shards 8  which of eight machines would build what, and how long that takes
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml import ROOT
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.cli import command, options
+from rosml.cli.checkout import Command
+
+if TYPE_CHECKING:  # imported where it is needed: what is fast stays fast
+    from rosml.images.image_set import ImageSet
+
+COMMAND = "rosml generate"
+
+
+@click.command("generate", cls=Command, prints=True, help=__doc__)
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
+@click.option("--json", "as_json", is_flag=True, help="With --shards: as JSON.")
+@click.option("--shards", metavar="N", type=int, help="Plan the build of all images on N machines.")
+@options.MATRIX
+@click.option(
+    "--output",
+    type=click.Path(path_type=Path),
+    help="Write this bake file instead, and nothing else; with --shards: this plan, as JSON.",
+)
+def main(check: bool, as_json: bool, shards: int | None, matrix: Path, output: Path | None) -> None:
+    if check and shards is not None:
+        raise click.UsageError("--check and --shards do different things; use one of them")
+    if as_json and shards is None:
+        raise click.UsageError("--json belongs to --shards")
+    if output and output.exists() and output.resolve() == matrix.resolve():
+        raise click.UsageError(f"--output {output} would overwrite the matrix; name another file")
+    from rosml.images import load, missing
+
+    image_set = load.load(matrix, ROOT)
+    if shards is not None:
+        deal_out(image_set, shards, as_json, output)
+        return
+    wanted, lost = generated(image_set, output), missing.lost(image_set)
+    if check:
+        verify(wanted, lost)
+    else:
+        write(wanted, lost, None if output else ROOT)
+
+
+def deal_out(image_set: ImageSet, shards: int, as_json: bool, output: Path | None) -> None:
+    """Prints which of some machines builds what, or writes it into a file."""
+    from rosml.cli import tables
+    from rosml.publish import shards as dealing
+
+    planned = dealing.deal(image_set, shards, include=lambda image: image.locked)
+    if output:
+        write({output: dealing.as_json(planned)})
+    elif as_json:
+        click.echo(dealing.as_json(planned), nl=False)
+    else:
+        tables.print_shards(planned, left_out=sum(not image.locked for image in image_set.images))
+
+
+def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
+    """Every generated file with its content; nothing but the bake file where that is to be written elsewhere."""
+    from rosml.bake import bake_file, inputs
+
+    inputs.Inputs(ROOT, image_set).check()
+    if output:
+        return {output: bake_file.render(image_set)}
+    from rosml.catalogue import readme
+    from rosml.catalogue.model import Published
+    from rosml.matrix import schema
+
+    return {
+        ROOT / "docker-bake.hcl": bake_file.render(image_set),
+        ROOT / "matrix.schema.json": schema.render(),
+        ROOT / "catalogue.schema.json": schema.render(Published, "src/rosml/catalogue/model.py", read=True),
+        ROOT / "README.md": readme.render(files.text(ROOT / "README.md"), image_set),
+    }
+
+
+def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path | None = None) -> None:
+    """Writes the files that changed.
+
+    Args:
+        lost: locks that should be there; images without them are in no group.
+        within: the folder that links may not lead out of; None for a file that the user named.
+    """
+    changed = files.write_all(wanted, within)
+    for file in wanted:
+        click.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)
+    if lost:
+        command.warn(lost.message, lost.remedy)
+
+
+def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
+    """Compares the files; raises RosmlError if one is stale, or if locks are lost: whoever then generates and commits
+    would commit the loss."""
+    differences = {file: files.difference(file, content) for file, content in wanted.items()}
+    stale = [files.shown(file) for file, text in differences.items() if text]
+    click.echo("".join(differences.values()), nl=False)
+    found = [(lost.message, lost.remedy)] if lost else []
+    found += [(f"{', '.join(stale)}: stale", f"run '{COMMAND}' and commit the result")] if stale else []
+    if found:
+        problems, remedies = zip(*found, strict=True)
+        raise RosmlError("\n".join(problems), remedy="; then ".join(remedies))

@@ -1,0 +1,74 @@
+"""`rosml image`: one image, from nothing to a tag in the local registry."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import click
+
+from rosml import ROOT
+from rosml.cli import completion, setup
+from rosml.cli.call import KEPT, Call, sharing, wait_for_turn
+from rosml.cli.checkout import Command
+
+
+@click.command("image", cls=Command, kept=KEPT)
+@click.argument("target", default="", type=completion.Name("targets"))
+@sharing("matrix", "namespace")
+@click.option(
+    "--platform",
+    default="",
+    metavar="PLATFORM",
+    help="build and test for it, such as linux/arm64; no tag moves where it is not the machine's own",
+)
+@sharing("force", "json")
+def main(target: str, matrix: Path, namespace: str, platform: str, force: bool, as_json: bool) -> None:
+    """Builds TARGET and what it stands on, runs its structure tests, and moves its tags in the local registry.
+
+    Sets this machine up first, if it is not. Makes only what is missing or out of date. 'status' and the catalogue know the
+    image afterwards.
+
+    Without TARGET: the one that matrix.yaml names as its default.
+
+    \b
+    Examples:
+      rosml image bookworm-core-torch-cu128
+      rosml image bookworm-base --json
+    """
+    from rosml.build.maker import require_buildable
+    from rosml.cli import summary
+    from rosml.images import apt_source, explain, selection
+    from rosml.machine import disk
+    from rosml.machine.base_images import native_architecture
+    from rosml.machine.services import Services
+    from rosml.publish import promote
+
+    call = Call(matrix=matrix, force=force)
+    image_set = call.image_set
+    # A typo is told before anything else happens.
+    native = native_architecture()
+    architecture = selection.architecture_of(image_set, platform) if platform else native
+    wanted = explain.image(image_set, target or image_set.matrix.default.target)
+    require_buildable(wanted, architecture)
+    apt_source.source(image_set.matrix, wanted.distribution)
+    if not setup.is_up(ROOT):
+        setup.bring_up(ROOT)
+    services = Services.load(ROOT)
+    services.require_registry()
+    services.require_builder("" if architecture == native else image_set.matrix.architectures[architecture].platform)
+    call.registry, call.only = f"{services.registry}/{namespace}", (wanted.target,)
+    call.architectures = call.serve = (architecture,)
+    wait_for_turn()
+    run = call.pipeline()
+    there = {target.removeprefix("part-") for target, name in run.plan.by_key if run.plan.made((target, name))}
+    disk.require(services.state, disk.needed_mb(image_set, wanted, there), wanted.target)
+    run.build()
+    run.join()
+    run.test([wanted.target])
+    moves = None
+    if architecture == native and not run.failed:
+        run.index()
+        moves = promote.Promotion(run).run()
+    found = summary.of_image(run, wanted, architecture, moves)
+    click.echo(json.dumps(found.to_json(), indent=2) if as_json else found.text())

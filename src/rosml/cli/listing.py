@@ -1,0 +1,39 @@
+"""`rosml list`: images with their facts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from rosml import ROOT
+from rosml.cli import completion, options
+from rosml.cli.checkout import Command
+
+
+@click.command("list", cls=Command, alone=True, prints=True)
+@click.argument("groups", nargs=-1, type=completion.Name("groups"), metavar="[GROUP]...")
+@options.MATRIX
+@options.JSON
+def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
+    """Lists every image with its facts; with GROUPs, those that are in all of them.
+
+    \b
+    Examples:
+      rosml list
+      rosml list trixie tensorflow --json
+    """
+    from rosml.bake.inputs import Inputs
+    from rosml.cli import tables
+    from rosml.images import load, selection
+
+    image_set = load.load(matrix, ROOT)
+    images = selection.members(image_set, groups)
+    if not images:
+        click.echo(selection.none_in(groups), err=True)
+    if as_json:
+        inputs = Inputs(ROOT, image_set)
+        inputs.check()
+        click.echo(tables.images_as_json(inputs, images), nl=False)
+    elif images:
+        tables.print_images(images)

@@ -1,0 +1,72 @@
+"""The command `rosml`: one word for each thing that people do with images."""
+
+from __future__ import annotations
+
+import sys
+from importlib import import_module
+
+import click
+
+from rosml import __version__
+from rosml.cli import command, completion
+from rosml.cli.checkout import Command, Group
+
+SETUP = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "scanner", "signer")} | {
+    "up": "rosml setup"
+}
+
+
+@click.group(cls=Group, elsewhere=SETUP)
+@click.version_option(__version__, prog_name="rosml")
+def cli() -> None:
+    """ROS base images with machine learning inside.
+
+    list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
+    prune with --registry. The others need a checkout.
+
+    \b
+    Examples:
+      rosml list jazzy torch
+      rosml explain jazzy-robot
+      rosml image bookworm-core-torch-cu128
+      rosml status --registry ghcr.io/me/rosml
+
+    \b
+    Completion in bash; in zsh and fish likewise:
+      eval "$(_ROSML_COMPLETE=bash_source rosml)"
+    """
+
+
+COMMANDS = (
+    "catalogue",
+    "diff",
+    "explain",
+    "generate",
+    "image",
+    "join",
+    "listing",
+    "locks",
+    "part",
+    "plan",
+    "publish",
+    "setup",
+    "status",
+)
+"""The modules of this package that have a command: `main` in each."""
+
+for name in COMMANDS:
+    cli.add_command(import_module(f"rosml.cli.{name}").main)
+
+
+def run(word: str = "") -> int:
+    """What the installed command calls; gives its exit code. Shells ask it how words go on (`rosml --help` says how).
+
+    Args:
+        word: the only one of its commands that a script calls.
+    """
+    if (answered := completion.answer(cli)) is not None:
+        return answered
+    first = cli.commands.get(word or next(iter(sys.argv[1:]), ""))
+    known = first if isinstance(first, Command | Group) else cli
+    code = command.run(known if word else cli, known.kept, reader_gone=0 if known.prints else command.BROKEN_PIPE)
+    return command.ended(code)

@@ -1,0 +1,185 @@
+"""What a publishing run will do, or did: as tables, as JSON, and as the summary of a job in CI."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections import Counter
+from typing import Any
+
+from rosml.base import ci, terminal
+from rosml.base.problems import counted, some
+from rosml.base.units import duration, size
+from rosml.cli import tables
+from rosml.publish import shards as dealing
+from rosml.publish.pipeline import Outcome, Pipeline
+from rosml.publish.plan import Task, changes
+from rosml.publish.plan_file import PLAN_FORMAT
+from rosml.records import store
+
+
+def tasks(pipeline: Pipeline) -> list[Task]:
+    """What is to be done about every item."""
+    return [pipeline.plan.task(item) for item in pipeline.plan.items]
+
+
+def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
+    """plan.json: what is to be done, and which machine builds what."""
+    found = tasks(pipeline)
+    plan = pipeline.plan
+    dealt: list[dict[str, Any]] = []
+    # What is only to be tested needs a machine as well. A scan needs none of a kind.
+    here = [task for task in found if task.item.architecture in plan.architectures]
+    work = dealing.Work(
+        frozenset(task.item.key for task in here if task.item.making in task.steps),
+        frozenset(task.item.key for task in here if "test" in task.steps),
+    )
+    wanted = {image.target for image in plan.images}
+    architectures = {name for target, name in work.made | work.tested if target in wanted}
+    if architectures and plan.image_set.matrix.rates:
+        # By architecture: a machine of each kind, however few images there are.
+        made = dealing.deal(plan.image_set, max(shards, len(architectures)), lambda image: image.target in wanted, work)
+        dealt = [dealing.facts(shard) for shard in made.shards]
+    content = {
+        "version": PLAN_FORMAT,
+        "date": plan.date,
+        "registry": f"{pipeline.host}/{pipeline.prefix}",
+        "architectures": list(plan.architectures),
+        "serve": list(pipeline.serving),
+        "force": plan.force,
+        "upstream": plan.upstream,
+        "targets": [image.target for image in plan.images],
+        "shards": dealt,
+        "tasks": [task.to_json() | _changed(pipeline, task, why) for task in found if task.steps or task.hindered],
+        "unchanged": sum(not task.steps and not task.hindered for task in found),
+        "remarks": plan.remarks,
+    }
+    return json.dumps(content, indent=2) + "\n"
+
+
+def tell(text: str) -> None:
+    """Tells CI of a plan: its shards, for the matrix of the jobs that build, and what there is to do."""
+    content = json.loads(text)
+    shards = content["shards"]
+    ci.output("shards", json.dumps([{"name": shard["name"], "runner": shard["runner"]} for shard in shards]))
+    counts = Counter(step for task in content["tasks"] for step in task["steps"])
+    lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
+    lines += [f"- as they should be: {content['unchanged']}", *(f"- {remark}" for remark in content["remarks"]), ""]
+    rows = []
+    for shard in shards:
+        estimates = shard["estimates"]
+        disk, minutes = f"{estimates['disk_mb'] / 1000:.1f}", f"{estimates['seconds'] / 60:.0f}"
+        distributions = ", ".join(shard["distributions"])
+        rows.append((shard["name"], shard["runner"], distributions, str(len(shard["targets"])), minutes, disk))
+    columns = ("shard", "runner", "distributions", "images", "minutes (estimate)", "GB disk (estimate)")
+    found = "\n".join(lines) + "\n" + (ci.table(columns, rows) if rows else "")
+    ci.summary(f"\n## Plan of {content['date']} for {content['registry']}\n\n{found}")
+
+
+def _changed(pipeline: Pipeline, task: Task, why: bool) -> dict[str, Any]:
+    if not why or not task.steps or task.item.key not in pipeline.plan.known:
+        return {}
+    changed = changes(pipeline.plan, pipeline.records, task.item)
+    return {"inputs": changed} if changed else {}
+
+
+def print_plan(pipeline: Pipeline, why: bool) -> None:
+    """A line for each item that something is to be done about, and counts of the others."""
+    found = tasks(pipeline)
+    todo = [task for task in found if task.steps]
+    rows = []
+    for task in todo:
+        changed = _changed(pipeline, task, why).get("inputs", [])
+        reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
+        rows.append((task.item.target, task.item.architecture, ", ".join(task.steps), reason))
+    tables.show(("image", "architecture", "to do", "why"), rows, wrapped=["why"])
+    hindered = Counter(task.hindered.partition(":")[0] for task in found if task.hindered)
+    rest = "".join(f", {number} {reason}" for reason, number in hindered.items())
+    unchanged = len(found) - len(todo) - sum(hindered.values())
+    terminal.console().print(f"{len(todo)} to do, {unchanged} as they should be{rest}", style="dim")
+
+
+def show(pipeline: Pipeline, as_json: bool) -> None:
+    """What a run did, on standard output; and in CI's summary, where there is one."""
+    tell_outcomes(pipeline.outcomes, pipeline.plan.date, pipeline.uploaded, pipeline.started, as_json)
+    ci.summary(markdown(pipeline))
+
+
+def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
+    """Outcomes of a command on standard output.
+
+    Args:
+        date: of the run. uploaded: bytes that the registry got. started: when it began, by the monotonic clock.
+        as_json: as an object, and not as a table.
+    """
+    if as_json:
+        content = {
+            "date": date,
+            "seconds": round(time.monotonic() - started, 2),
+            "uploaded": uploaded,
+            "counts": dict(Counter(f"{outcome.step} {outcome.state}" for outcome in outcomes)),
+            "outcomes": [outcome.to_json() for outcome in outcomes],
+        }
+        print(json.dumps(content, indent=2))
+        return
+    colours = {"done": "green", "failed": "red"}
+    rows = (
+        (it.step, it.target, it.architecture, f"[{colours[it.state]}]{it.state}[/]", duration(it.seconds), _first(it))
+        for it in _interesting(outcomes)
+    )
+    tables.show(("step", "image", "architecture", "state", "time", "what"), rows, right=["time"], wrapped=["what"])
+    out = terminal.console()
+    for reason, number in _waiting(outcomes).items():
+        out.print(f"waits: {number} times: {reason}", style="yellow", markup=False)
+    text = ", ".join(_counts(outcomes)) or "nothing to do: everything is as it should be"
+    out.print(text, _effort(uploaded, started), sep="\n", style="dim")
+
+
+def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
+    """Those that people want to read of: what was done or failed; what merely waits is counted."""
+    return [outcome for outcome in outcomes if outcome.state != "waits"]
+
+
+def _first(outcome: Outcome) -> str:
+    """The first line of an outcome's reason."""
+    return outcome.reason.partition("\n")[0]
+
+
+def _counts(outcomes: list[Outcome]) -> list[str]:
+    """How many there are of each step and state."""
+    counts = Counter((outcome.step, outcome.state) for outcome in outcomes)
+    return [f"{step}: {number} {state}" for (step, state), number in counts.items()]
+
+
+def _effort(uploaded: int, started: float) -> str:
+    """What a run cost: bytes and time."""
+    return f"{size(uploaded)} uploaded, {duration(time.monotonic() - started)}"
+
+
+def _waiting(outcomes: list[Outcome]) -> Counter[str]:
+    return Counter(outcome.reason for outcome in outcomes if outcome.state == "waits")
+
+
+def markdown(pipeline: Pipeline) -> str:
+    """The summary of a job in CI."""
+    outcomes = pipeline.outcomes
+    touched = {(outcome.target, outcome.architecture) for outcome in outcomes}
+    alone = [task for task in tasks(pipeline) if task.item.key not in touched]
+    skipped = sum(not task.steps and not task.hindered for task in alone)
+    effort = _effort(pipeline.uploaded, pipeline.started)
+    lines = ["", f"## Publishing run of {pipeline.plan.date}", "", *(f"- {text}" for text in _counts(outcomes))]
+    lines += [f"- {skipped} left alone, as they should be", f"- {effort}", ""]
+    rows = []
+    for outcome in _interesting(outcomes):
+        entry = pipeline.plan.known.get((outcome.target, outcome.architecture or store.INDEX))
+        facts = (
+            size(entry.size) if entry and entry.size else "",
+            f"`{entry.digest[:19]}`" if entry and entry.digest else "",
+        )
+        what = (outcome.step, f"`{outcome.target}`", outcome.architecture, outcome.state)
+        rows.append((*what, duration(outcome.seconds), *facts, _first(outcome)))
+    if rows:
+        columns = ("step", "image", "architecture", "state", "time", "size", "digest", "what")
+        lines += [ci.table(columns, rows)]
+    lines += [f"- waits, {counted(number, 'time')}: {reason}" for reason, number in _waiting(outcomes).items()]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,296 @@
+"""Makes this machine ready for what the other commands do: `rosml setup`, which scripts/bootstrap.py calls."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from rosml import ROOT
+from rosml.cli import checkout, options
+from rosml.cli.checkout import Command, Group
+
+if TYPE_CHECKING:
+    from rosml.machine.services import Services
+    from rosml.machine.setup.installer import Installer
+    from rosml.machine.setup.state import State
+
+KEPT = "interrupted; call it again to carry on"
+"""What is said after Ctrl-C."""
+
+UV = "ROSML_UV"
+"""Where uv is: set by scripts/bootstrap.py, which has installed the Python packages then."""
+
+PREINSTALLED = (
+    "/usr/local/lib/android",
+    "/usr/share/dotnet",
+    "/usr/share/swift",
+    "/usr/local/.ghcup",
+    "/opt/ghc",
+    "/opt/hostedtoolcache/CodeQL",
+)
+"""What GitHub's machines bring that takes gigabytes and is not used here."""
+
+TESTS = click.option("--tests", is_flag=True, help="also what its tests need: a registry, and pytest")
+
+
+STANDARD_ERROR = 2
+
+PROGRAM = (sys.executable, str(ROOT / "scripts/bootstrap.py"))
+"""The way from a bare Python: finds uv, installs Python packages, and calls `rosml setup` again."""
+
+
+def bootstrap() -> None:
+    """Becomes scripts/bootstrap.py, which brings uv and Python packages and calls the command again; once."""
+    if UV not in os.environ:
+        os.execv(PROGRAM[0], [*PROGRAM, *(sys.argv[2:] or ["up"])])
+
+
+def is_up(root: Path) -> bool:
+    """Whether a checkout has what builds need: a registry that answers, and a builder."""
+    from rosml.base.errors import RosmlError
+    from rosml.machine.services import Services
+
+    try:
+        services = Services.load(root)
+        services.require_registry()
+        services.require_builder()
+    except RosmlError:
+        return False
+    return True
+
+
+def bring_up(root: Path) -> None:
+    """Sets this machine up, as `rosml setup` does. What it says goes to standard error.
+
+    Raises:
+        RosmlError: it failed; it has said why.
+    """
+    from rosml.base.errors import RosmlError
+
+    program = [sys.executable, str(root / "scripts/bootstrap.py"), "up"]
+    if subprocess.run(program, stdout=STANDARD_ERROR, check=False).returncode:
+        raise RosmlError("this machine could not be set up", "follow the remedy above, then call it again")
+
+
+class Step(Command):
+    """A command of set-up: with the packages that it needs."""
+
+    def __init__(self, *arguments: Any, **settings: Any) -> None:
+        super().__init__(*arguments, kept=KEPT, before=(bootstrap,), **settings)
+
+
+class Steps(Group):
+    """The commands of set-up."""
+
+    command_class = Step
+
+
+@click.group("setup", cls=Steps, kept=KEPT, invoke_without_command=True)
+@click.pass_context
+def main(context: click.Context) -> None:
+    """Makes this machine ready: tools at pinned versions, a local registry, a builder.
+
+    It takes your Docker. Without Docker it starts a buildkitd of its own, which needs root. All that it makes is in .state and
+    .venv; Debian packages are installed only where they are missing, and it says so. Without a command: up.
+
+    \b
+    Environment:
+      ROSML_DOCKER_HUB=0|1  do not ask whether Docker Hub answers
+      ROSML_CA_BUNDLE       a company's certificates; also SSL_CERT_FILE, REQUESTS_CA_BUNDLE, CURL_CA_BUNDLE
+      BUILDX_BUILDER        use this builder
+
+    \b
+    Examples:
+      rosml setup
+      rosml setup status --json
+      rosml setup down
+    """
+    if context.invoked_subcommand is None:
+        checkout.require()
+        bootstrap()
+        _up(_state())
+
+
+@main.command()
+def tools() -> None:
+    """Finds the tools that builds need, installs those that are missing."""
+    _tools(_state())
+
+
+@main.command()
+def up() -> None:
+    """Finds or installs the tools, then starts the local registry and the builder."""
+    _up(_state())
+
+
+@main.command()
+def suite() -> None:
+    """Does what `up` does, for `make test`: with Docker, Chromium and actionlint where there are none."""
+    _up(_state(), tests=True)
+
+
+@main.command()
+def client() -> None:
+    """uv and the commands' Python packages: enough to read and write a registry."""
+    from rosml.machine.services import Services
+    from rosml.machine.setup import services
+
+    state = _state()
+    _installer(state).report()
+    if not services.written(state):
+        Services(ROOT, "", (), "", "", None, "", state.uv, state.ca_bundle, bases=()).save()
+
+
+@main.command()
+def linters() -> None:
+    """The Python packages, and actionlint, which is built in some seconds."""
+    installer = _installer(_state())
+    if not installer.found("actionlint", "--version"):
+        installer.go_program("actionlint")
+        installer.drop_go_caches()
+
+
+@main.command()
+def emulate() -> None:
+    """Lets this machine build and test for the other architecture, with QEMU."""
+    from rosml.machine.setup import builder, emulation
+
+    state = _state()
+    if emulation.ensure(_installer(state)):
+        builder.stop(state)  # it looks once which architectures there are
+    _up(state)
+
+
+@main.command()
+def browser() -> None:
+    """Installs Chromium where there is none: tests open the catalogue's page in it."""
+    from rosml.machine.setup.tools import browser_packages
+
+    _installer(_state()).debian_packages(browser_packages())
+
+
+@main.command()
+@TESTS
+def scanner(tests: bool) -> None:
+    """Finds or builds trivy, which looks for known vulnerabilities in images: 10 minutes."""
+    _program("trivy", "--version", "scanner.json", tests)
+
+
+@main.command()
+@TESTS
+def signer(tests: bool) -> None:
+    """Finds or builds cosign, which signs images: a quarter of an hour."""
+    _program("cosign", "version", "signer.json", tests)
+
+
+@main.command()
+def room() -> None:
+    """Removes what GitHub's machines bring and nobody needs here; on those only."""
+    if os.environ.get("RUNNER_ENVIRONMENT") != "github-hosted":
+        click.echo("this is none of GitHub's own machines: nothing is removed")
+        return
+    before = shutil.disk_usage("/").free
+    folders = [folder for folder in PREINSTALLED if os.path.isdir(folder)]
+    if folders:
+        subprocess.run(["sudo", "rm", "-rf", *folders], stdin=subprocess.DEVNULL, check=False)
+    free = shutil.disk_usage("/").free
+    click.echo(f"removed {len(folders)} folders, {(free - before) / 1e9:.1f} GB; {free / 1e9:.1f} GB are free")
+
+
+@main.command()
+def down() -> None:
+    """Stops the registry and the builder; keeps what they stored."""
+    _down(remove=False)
+
+
+@main.command()
+def clean() -> None:
+    """Stops the registry and the builder, and removes all that was made (.state, .venv)."""
+    _down(remove=True)  # scripts/bootstrap.py, which waits for this, removes the folders
+
+
+@main.command()
+@options.JSON
+def status(as_json: bool) -> None:
+    """Says what is running."""
+    from rosml.machine.setup import services
+
+    facts = services.status(_state())
+    if as_json:
+        click.echo(json.dumps(facts, indent=2))
+        return
+    rows = {"services": "not up (rosml setup)"}
+    if facts["up"]:
+        place, builds = facts["registry"], facts["builder"]
+        answers = {True: "answers", False: "DOES NOT ANSWER (rosml setup)"}
+        rows = {
+            "registry": f"{place['address']}, {answers[place['answers']]}",
+            "builder": f"{builds['name']} ({builds['kind']}), {answers[builds['answers']]}",
+            "base images": "official ones, from Docker Hub" if facts["docker_hub"] else "made here with mmdebstrap",
+            "CA bundle": facts["ca_bundle"] or "the system's",
+        }
+    rows |= {"built tools": ", ".join(facts["installed"]) or "none", "disk free": f"{facts['disk_free_gb']} GB"}
+    for name, value in {**rows, "state": facts["state"]}.items():
+        click.echo(f"{name:<11}  {value}")
+
+
+def _state() -> State:
+    from rosml.machine.setup.state import State
+
+    return State(ROOT, click.echo, os.environ.get(UV, ""), os.environ.get("ROSML_CA_BUNDLE", ""))
+
+
+def _installer(state: State) -> Installer:
+    from rosml.machine.setup.installer import Installer
+
+    return Installer(state)
+
+
+def _tools(state: State, tests: bool = False) -> Services:
+    from rosml.machine.setup import network
+    from rosml.machine.setup.tools import install
+
+    hub = network.docker_hub_answers(state.ca_bundle)
+    state.say("Docker Hub: answers" if hub else "Docker Hub: does not answer; Debian base images are made here")
+    return install(state, hub, tests)
+
+
+def _up(state: State, tests: bool = False) -> None:
+    from rosml.base.units import duration
+    from rosml.machine.setup import services
+
+    started = time.monotonic()
+    services.up(state, _tools(state, tests))
+    state.say(f"set-up: done in {duration(time.monotonic() - started)}")
+
+
+def _program(name: str, ask: str, file: str, tests: bool) -> None:
+    """Finds or builds the scanner or the signer, and writes down where it is."""
+    from rosml.base import files
+
+    installer = _installer(_state())
+    path = installer.found(name, ask) or installer.go_program(name)
+    if tests:
+        installer.go_program("registry")
+    installer.drop_go_caches()
+    installer.report()
+    files.write(installer.state.folder / file, json.dumps({name: path}, indent=2) + "\n")
+
+
+def _down(remove: bool) -> None:
+    from rosml.machine.setup import builder, services
+
+    state = _state()
+    stopped = services.down(state, remove)
+    if remove:
+        builder.unmount_below(state.folder)
+    if stopped or not remove:
+        click.echo(f"stopped: {', '.join(stopped)}" if stopped else "nothing was running")

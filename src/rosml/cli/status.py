@@ -1,0 +1,37 @@
+"""`rosml status`: how the images of a matrix stand in a registry."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import click
+
+from rosml.cli.call import Call, sharing
+from rosml.cli.checkout import Command
+
+
+@click.command("status", cls=Command, alone=True, prints=True)
+@sharing("registry", "matrix", "only", "architecture", "serve", "json")
+def main(**options: Any) -> None:
+    """Shows how every image stands: published, outdated, failed, missing, lock missing, or waiting
+    for a builder; and why.
+
+    With --registry, it needs no service of this machine: it asks that registry, and for images of a live repository of
+    packages, that repository for its date.
+
+    \b
+    Examples:
+      rosml status --only 'bookworm-*'
+      rosml status --registry ghcr.io/me/rosml --json
+    """
+    from rosml.base.clock import now
+    from rosml.cli import tables
+    from rosml.publish import status as states
+
+    call = Call(**options)
+    pipeline = call.pipeline(reading=True)
+    found = list(states.read(pipeline.plan, pipeline.registry, pipeline.prefix, now(), pipeline.serving))
+    if call.as_json:
+        click.echo(states.as_json(found))
+    else:
+        tables.print_status(found)

@@ -1,0 +1,131 @@
+"""Tables for people of images, differences, shards, states and findings."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Collection, Iterable, Sequence
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml.bake.diff import Difference, how_many, rows
+from rosml.bake.inputs import Inputs
+from rosml.base import terminal
+from rosml.base.problems import counted
+from rosml.images import missing
+from rosml.images.facts import facts
+from rosml.images.image_set import Image
+from rosml.publish.shards import Dealt
+from rosml.publish.status import STATES, ImageStatus, age
+from rosml.scan.judge import Run
+from rosml.scan.sarif import COLUMNS, finding_rows, summary
+
+if TYPE_CHECKING:
+    from rich.text import Text
+
+COLOURS = {"critical": "bold red", "high": "red", "medium": "yellow"}
+
+
+def show(
+    columns: Sequence[str],
+    rows: Iterable[Iterable[str | Text]],
+    right: Collection[str] = (),
+    wrapped: Collection[str] = (),
+) -> None:
+    """Prints a table; nothing where it has no rows."""
+    table = terminal.table(*columns, right=right, wrapped=wrapped)
+    for row in rows:
+        table.add_row(*row)
+    if table.row_count:
+        terminal.show(table)
+
+
+def print_difference(difference: Difference) -> None:
+    """Prints it in few lines, whatever the number of images."""
+    from rich.text import Text  # slow to import, and only needed here
+
+    out, columns = terminal.console(), ("what", "why", "which")
+    if difference.registry:
+        out.print(f"registry: {' → '.join(difference.registry)}; all names change")
+    show(columns, (map(Text, row) for row in rows(difference)), wrapped=columns)
+    counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
+    out.print(", ".join([*counts, f"{difference.same} same"]), style="dim")
+
+
+def images_as_json(inputs: Inputs, images: Sequence[Image]) -> str:
+    """Images with the digests of their inputs by architecture."""
+    return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
+
+
+def print_images(images: Sequence[Image]) -> None:
+    """Prints images, a row each."""
+    size = "GB unpacked (forecast)"
+    rows = []
+    for image in images:
+        versions = ", ".join(f"{name} {version}" for name, version in image.versions.items())
+        state, gigabytes = "" if image.locked else "missing", f"{image.disk.unpacked / 1000:.1f}"
+        rows.append((image.target, versions, ", ".join(image.platforms), image.tags[0], state, gigabytes))
+    show(("target", "versions", "platforms", "main tag", "lock", size), rows, right=[size])
+    out = terminal.console()
+    parts = {name for image in images for name in image.parts}
+    out.print(f"{counted(len(images), 'image')}, {counted(len(parts), 'part')}", style="dim")
+    lost = sum(bool(image.lost) for image in images)
+    waiting = sum(not image.locked for image in images) - lost
+    for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
+        if count:
+            out.print(f"{count} without a lock, which cannot be built yet: {remedy}", style="yellow")
+
+
+def print_shards(plan: Dealt, left_out: int = 0) -> None:
+    """Prints one line for each shard, and what the whole takes. `left_out`: how many images have no lock."""
+    numbers = ("images", "parts", "minutes", "GB download", "GB disk")
+    rows = []
+    for shard in plan.shards:
+        sizes = (f"{megabytes / 1000:.1f}" for megabytes in (shard.download_mb, shard.disk_mb))
+        counts = (str(len(shard.targets)), str(len(shard.parts)), f"{shard.seconds / 60:.0f}")
+        rows.append((shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes))
+    show(("shard", "runner", "distributions", *numbers), rows, right=numbers)
+    out = terminal.console()
+    seconds = [shard.seconds for shard in plan.shards]
+    total = f"{max(seconds) / 60:.0f} minutes until all is built, {sum(seconds) / 60:.0f} minutes of machines"
+    out.print(f"estimates: {total}", style="dim")
+    if left_out:
+        out.print(f"left out: {counted(left_out, 'image')} without a lock; see them with: rosml list", style="yellow")
+    if len(plan.shards) < plan.allowed:
+        units = "as many as there are distributions on architectures"
+        out.print(f"{len(plan.shards)} shards instead of {plan.allowed}: {units}, which are never split", style="dim")
+
+
+def print_scan(run: Run) -> None:
+    """Prints a run: each image's line and its findings that stop it or are ignored, the worst first; what is wrong with the
+    policy's entries, and the run's outcome."""
+    from rich.text import Text  # slow to import, and only needed here
+
+    said: set[str] = set()
+    for image in run.images:
+        click.echo(summary(image))
+        found = finding_rows([it for it in image.findings if it.fails or it.ignored])
+        show(COLUMNS, ([Text(first, COLOURS.get(first, "")), *map(Text, others)] for first, *others in found))
+        for note in image.notes:
+            if note not in said:
+                click.echo(f"note: {note}")
+        said.update(image.notes)
+    for problem in run.problems:
+        click.echo(problem)
+    states = {(image.database.updated, image.database.digest) for image in run.images if image.database}
+    for updated, digest in sorted(states):
+        click.echo(f"database of {updated}, {digest}")
+    click.echo(f"{counted(len(run.images), 'image')}: {run.outcome.value}")
+
+
+def print_status(found: list[ImageStatus]) -> None:
+    """A line for each image, and how many there are of each state."""
+    rows = (
+        (it.target, f"[{STATES[it.state]}]{it.state}[/]", age(it.age), ", ".join(it.platforms), it.reason)
+        for it in found
+    )
+    show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"])
+    counts = Counter(item.state for item in found)
+    text = ", ".join(f"{counts[name]} {name}" for name in STATES if counts[name])
+    terminal.console().print(f"{counted(len(found), 'image')}: {text}", style="dim")

@@ -1,0 +1,237 @@
+"""Runs `buildx bake` for the publisher: shows progress, keeps a log, and turns failures into errors with a remedy."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shlex
+import signal
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
+from rosml.machine import trust
+from rosml.machine.progress import BuildProgress
+from rosml.machine.services import Services
+
+_LOGIN = "docker login, with an account that may push there; then run it again"
+_REFUSED = (
+    "a package index or mirror refuses this machine: check its address, the user and password in it, and what the proxy"
+    " allows; then run it again"
+)
+_AGAIN = "a mirror or index did not answer; run it again, finished steps are kept"
+
+_NO_BASE = (
+    "Docker Hub does not answer: run 'rosml setup', which looks for another way, or name a base image that answers, by its"
+    " digest: OS_BOOKWORM=registry.example.com/debian:bookworm@sha256:…"
+)
+
+_REMEDIES = (
+    (
+        "x509: certificate signed by unknown authority",
+        "put the registry's authority into certs.d/<host>/ca.crt beside Docker's config.json, then run 'rosml setup', which tells"
+        " the builder of it",
+    ),
+    ("x509: certificate has expired", "the registry's operator has to renew its certificate"),
+    (r"unexpected status\b.*: 40[13]\b|insufficient_scope|no basic auth credentials", _LOGIN),
+    (r"(client error \(|returned error: |failed to fetch .* )40[13]\b", _REFUSED),
+    ("Hash mismatch", "a download is not what the lock says: run 'rosml locks' if that is intended"),
+    ("all requirements must have their versions pinned", "a lock is damaged: run 'rosml locks'"),
+    ("failed to calculate checksum of ref", "a file of the build is missing; if it is a lock: run 'rosml locks'"),
+    (
+        "no space left on device",
+        "free some disk space (rosml setup down; rosml setup clean removes all that was made), then run it again",
+    ),
+    (r"registry-1\.docker\.io", _NO_BASE),
+    ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
+    ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
+    ("Failed to fetch|error sending request", _AGAIN),
+    (
+        "connection refused",
+        "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'rosml setup'",
+    ),
+    ("failed to dial", "run 'rosml setup', which starts what is down, then run it again"),
+    (
+        "500 Internal Server Error",
+        "the local registry's storage is damaged: rosml setup down; rm -r .state/registry; run it again",
+    ),
+)
+"""Patterns of what BuildKit and the programs in a step print when something outside the build is wrong, and what helps. A
+registry refuses in BuildKit's words ("unexpected status from POST request to …: 403 Forbidden"), a package index in those of
+uv, curl or apt."""
+
+CANCEL_SECONDS = 15.0
+"""How long a builder that was told to stop may take before it is ended."""
+
+_OURS = re.compile(r"PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
+"""Variables of the bake file that a shell may have for other reasons, and that would change what is built."""
+
+
+@dataclass(frozen=True)
+class Bake:
+    """One call of `buildx bake`.
+
+    Attributes:
+        target: the bake target.
+        sets: overrides of targets, `target.key=value` each.
+        variables: values of the bake file's variables.
+        name: what the log is called, without its ending.
+        file: the bake file.
+    """
+
+    target: str
+    name: str
+    file: Path
+    sets: Sequence[str] = ()
+    variables: Mapping[str, str] = field(default_factory=dict)
+
+
+def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
+    """The command line of a call."""
+    arguments = [*services.buildx, "bake", "--file", str(bake.file), "--progress", "rawjson"]
+    arguments += ["--metadata-file", str(metadata)]
+    if services.ca_bundle:
+        arguments += ["--allow", f"fs.read={services.ca_bundle}"]
+    for item in bake.sets:
+        arguments += ["--set", item]
+    return [*arguments, bake.target]
+
+
+def environment(services: Services, bake: Bake) -> dict[str, str]:
+    """The environment of a call: the bake file's variables, and what the user's shell says about proxies."""
+    env = trust.trusting(services)
+    # Attestations would make the pushed digest that of an index that changes with every build; they are kept apart.
+    env["BUILDX_NO_DEFAULT_ATTESTATIONS"] = "1"
+    env["CA_BUNDLE"] = services.ca_bundle
+    for name in [name for name in env if _OURS.fullmatch(name)]:
+        del env[name]
+    for name in ("HTTP_PROXY", "HTTPS_PROXY"):
+        env.setdefault(name, os.environ.get(name.lower(), ""))
+    env.update(bake.variables)
+    return env
+
+
+def command_on_it(services: Services) -> str:
+    """What a person types to build a Dockerfile of their own with the builder that was set up."""
+    config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""
+    return f"{config}{shlex.join(services.buildx)} build --builder {services.builder} ."
+
+
+def turn_file(services: Services) -> Path:
+    """What builds in one builder wait for."""
+    return (services.buildx_config or services.state) / "turns" / services.builder
+
+
+def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
+    """Builds a target; lines for people go to standard error, everything to `.state/log/<name>.log`.
+
+    Builds in one builder take turns. BuildKit solves builds that run at the same time in one graph; one that begins while
+    another one holds the steps that they share runs steps anew whose results are in the cache
+    (https://github.com/moby/buildkit/issues/4674): gigabytes of parts were assembled three times.
+
+    Returns:
+        The progress with all steps, and what buildx says about the target, e.g. `containerimage.digest`.
+
+    Raises:
+        RosmlError: the build failed; the message has the failed step's last lines.
+        KeyboardInterrupt: the user stopped it; the builder was told.
+    """
+    waits = f"waiting for another build in builder '{services.builder}'"
+    with turn(turn_file(services), lambda: BuildProgress(sys.stderr).say(waits)):
+        return _run(services, bake)
+
+
+def _run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
+    folder = services.state / "log"
+    folder.mkdir(parents=True, exist_ok=True)
+    log_path = folder / f"{bake.name}.log"
+    metadata = folder / f"{bake.name}.metadata.json"
+    metadata.unlink(missing_ok=True)
+    with log_path.open("w") as log:
+        arguments = command(services, bake, metadata)
+        log.write(f"$ {shlex.join(arguments)}\n")
+        progress = BuildProgress(sys.stderr, log)
+        try:
+            process = subprocess.Popen(
+                arguments,
+                cwd=services.root,
+                env=environment(services, bake),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+                errors="replace",
+            )
+        except OSError as error:
+            raise RosmlError(f"cannot run {arguments[0]}: {error.strerror}", "run 'rosml setup'") from None
+        try:
+            assert process.stderr is not None
+            progress.follow(process.stderr)
+            code = process.wait()
+        except BaseException:
+            _stop(process)
+            raise
+    if code != 0:
+        services.require_registry()
+        services.require_builder()
+        raise failure(bake, progress, log_path, code)
+    return progress, _metadata(metadata, bake.target)
+
+
+def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlError:
+    """The error for a build that failed: the step, its last lines, the log, and the remedy if the reason is known."""
+    step = progress.failed()
+    lines = list(step.tail) if step else []
+    # uv names every hash that it would have accepted: the reason may stand far above the last lines.
+    remedy = _remedy([*_end(log), *progress.other, step.error if step else "", *lines])
+    message = f"building {bake.target} failed"
+    if step:
+        message += f" in step {step.label}"
+        lines = lines or [step.error]
+    else:
+        lines = list(progress.other) or [f"buildx ended with exit code {code}"]
+    message += "".join(f"\n    {line}" for line in lines)
+    return RosmlError(f"{message}\n  the whole log: {log}", remedy)
+
+
+def _remedy(lines: Sequence[str]) -> str:
+    """What helps against the last line whose reason is known; empty if there is none. A build that goes on after an error,
+    such as a download that is tried again, did not fail because of it."""
+    for line in reversed(lines):
+        for pattern, remedy in _REMEDIES:
+            if re.search(pattern, line, re.IGNORECASE):
+                return remedy
+    return ""
+
+
+def _end(log: Path, lines: int = 200) -> list[str]:
+    """The last lines of a log."""
+    try:
+        return log.read_text(errors="replace").splitlines()[-lines:]
+    except OSError:
+        return []
+
+
+def _stop(process: subprocess.Popen[str]) -> None:
+    """Ends buildx, which cancels the build; the builder keeps the finished steps."""
+    if process.poll() is None:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.communicate(timeout=CANCEL_SECONDS)  # reads on: buildx must not wait for a full pipe
+        except (subprocess.TimeoutExpired, KeyboardInterrupt):
+            process.kill()
+            process.wait()
+
+
+def _metadata(path: Path, target: str) -> dict[str, str]:
+    """What buildx wrote about a target; empty where it wrote nothing."""
+    try:
+        content = json.loads(path.read_text())[target].items()
+    except (OSError, ValueError, TypeError, KeyError, AttributeError):
+        return {}
+    return {key: value for key, value in content if isinstance(value, str)}

@@ -1,0 +1,192 @@
+"""The services that builds use: a local registry and a builder, as `rosml setup` left them."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import httpx
+from pydantic import TypeAdapter
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+
+NAMESPACE = "rosml"
+"""Namespace in the local registry; tests use another one, so that they never move a user's tags."""
+
+
+REMEDY = "run 'rosml setup'"
+REGISTRY_SECONDS = 5.0
+BUILDER_SECONDS = 60.0
+
+
+@dataclass(frozen=True)
+class Services:
+    """What ``.state/services.json`` says.
+
+    Attributes:
+        root: the checkout.
+        registry: address of the local registry, ``127.0.0.1:PORT``; it speaks plain http. Empty on a client of another one.
+        buildx: the command that calls buildx, e.g. ``("docker", "buildx")``.
+        builder: the builder's name; empty where there is none.
+        builder_kind: ``buildkitd`` (our own), ``docker`` (a container of the user's Docker) or ``user`` (theirs).
+        buildx_config: buildx' configuration folder; nothing where it is the user's own.
+        regctl: path of regctl.
+        uv: path of uv.
+        ca_bundle: the user's CA bundle, absolute; empty where the system's certificates do.
+        bases: the command that is asked for base images, as `base_images` says; none where those of matrix.yaml are taken.
+    """
+
+    root: Path
+    registry: str
+    buildx: tuple[str, ...]
+    builder: str
+    builder_kind: str
+    buildx_config: Path | None
+    regctl: str
+    uv: str
+    ca_bundle: str
+    bases: tuple[str, ...]
+
+    @classmethod
+    def load(cls, root: Path, required: bool = True) -> Services:
+        """Reads the services of a checkout.
+
+        Args:
+            root: the checkout.
+            required: they have to be there. Otherwise, where they were never started: the facts of a machine without
+                any, for commands that only read another registry.
+
+        Raises:
+            RosmlError: they were not started, or the file is damaged.
+        """
+        path = root / ".state" / "services.json"
+        try:
+            return _WRITTEN.validate_python({**json.loads(path.read_text()), "root": root})
+        except FileNotFoundError:
+            if not required:
+                return cls(root, "", (), "", "", None, "", "", os.environ.get("SSL_CERT_FILE", ""), bases=())
+            raise RosmlError("the local registry and the builder are not up", REMEDY) from None
+        except OSError as error:
+            raise RosmlError(f"cannot read {path}: {error.strerror}", REMEDY) from None
+        except (TypeError, ValueError):
+            raise RosmlError(f"{path} is damaged", f"{REMEDY}, which writes it anew") from None
+
+    def save(self) -> None:
+        """Writes them down for `load`.
+
+        Raises:
+            RosmlError: the file cannot be written.
+        """
+        text = _WRITTEN.dump_json(self, indent=2, exclude={"root"}).decode() + "\n"
+        files.write(self.state / "services.json", text)
+
+    @property
+    def state(self) -> Path:
+        """The checkout's state folder."""
+        return self.root / ".state"
+
+    def environment(self, base: Mapping[str, str] | None = None) -> dict[str, str]:
+        """Environment for buildx, regctl and uv: our builder, our configuration folders, the user's certificates.
+
+        Args:
+            base: what to start from; this process' own environment by default.
+        """
+        env = dict(os.environ if base is None else base)
+        env["BUILDX_BUILDER"] = self.builder
+        if self.buildx_config is not None:
+            env["BUILDX_CONFIG"] = str(self.buildx_config)
+        env["REGCTL_CONFIG"] = str(self.state / "regctl" / "config.json")
+        if self.ca_bundle:
+            env["SSL_CERT_FILE"] = self.ca_bundle
+        # The registry is on loopback: a proxy could not reach it.
+        for name in ("no_proxy", "NO_PROXY"):
+            entries = [entry for entry in env.get(name, "").split(",") if entry]
+            env[name] = ",".join([*entries, *(host for host in ("127.0.0.1", "localhost") if host not in entries)])
+        return env
+
+    @property
+    def place(self) -> str:
+        """Where images go that are published nowhere else.
+
+        Raises:
+            RosmlError: there is no local registry.
+        """
+        if not self.registry:
+            raise RosmlError("no registry is named, and the local one is not up", REMEDY)
+        return f"{self.registry}/rosml"
+
+    def require_registry(self) -> None:
+        """Checks that the registry answers.
+
+        Raises:
+            RosmlError: there is none, or it does not.
+        """
+        if not self.registry:
+            raise RosmlError("the local registry is not up", REMEDY)
+        try:
+            self.get("/v2/")
+        except RosmlError:
+            raise RosmlError(f"the local registry at {self.registry} does not answer", REMEDY) from None
+
+    def get(self, path: str, accept: str = "*/*", method: str = "GET") -> tuple[Mapping[str, str], bytes]:
+        """Asks the registry: headers and body of its answer.
+
+        Raises:
+            RosmlError: no answer, or one that is not a success.
+        """
+        try:
+            answer = httpx.request(
+                method,
+                f"http://{self.registry}{path}",
+                headers={"Accept": accept},
+                timeout=REGISTRY_SECONDS,
+                trust_env=False,
+            )
+        except httpx.HTTPError as error:
+            raise RosmlError(f"the registry at {self.registry} does not answer: {error}", REMEDY) from None
+        if not answer.is_success:
+            text = f"the registry at {self.registry} answers {answer.status_code} to {method} {path}"
+            raise RosmlError(text, REMEDY)
+        return answer.headers, answer.content
+
+    def require_builder(self, platform: str = "") -> None:
+        """Checks that buildx reaches the builder, and that it runs programs of a platform.
+
+        Raises:
+            RosmlError: it does not.
+        """
+        remedy = REMEDY
+        if not self.builder:
+            raise RosmlError("the builder is not up", REMEDY)
+        if self.builder_kind == "user":
+            remedy = f"start your builder '{self.builder}', or unset BUILDX_BUILDER and {REMEDY}"
+        try:
+            done = subprocess.run(
+                [*self.buildx, "inspect", self.builder],
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+                timeout=BUILDER_SECONDS,
+                env=self.environment(),
+                check=False,
+            )
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise RosmlError(f"the builder '{self.builder}' does not answer: {error}", remedy) from None
+        status = [line.split(":", 1)[1].strip() for line in done.stdout.splitlines() if line.startswith("Status:")]
+        if done.returncode != 0 or "running" not in status:
+            what = f"is {status[0]}" if status else "does not answer"
+            raise RosmlError(f"the builder '{self.builder}' {what}", remedy)
+        known = [line.split(":", 1)[1] for line in done.stdout.splitlines() if line.startswith("Platforms:")]
+        if platform and platform not in {name.strip(" *") for text in known for name in text.split(",")}:
+            raise RosmlError(
+                f"the builder '{self.builder}' does not run programs for {platform}", "run 'rosml setup emulate'"
+            )
+
+
+_WRITTEN = TypeAdapter(Services)
+"""How services.json is read and written."""

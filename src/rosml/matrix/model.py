@@ -1,0 +1,479 @@
+"""The structure of matrix.yaml: what may be written where.
+
+Only structure: whether a name that is used exists somewhere is checked in `references`, which combinations exist
+follows from the facts in `rules`. The descriptions here become matrix.schema.json, which editors show.
+"""
+
+from __future__ import annotations
+
+import datetime
+import re
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
+from pydantic_core import PydanticKnownError
+
+Generation = Literal["ros", "ros2"]
+"""ROS 1 and ROS 2, as ROS's apt repositories and their packages call them."""
+
+ANY_PYTHON = "any"
+"""Stands for the Python version of a part that is the same for all of them; also a folder name in locks/."""
+
+# What a pattern asks for, in words: the message for a value that does not match it.
+NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*$"
+FILE_NAME = r"^[a-z][a-z0-9]*([.-][a-z0-9]+)*$"
+VERSION = r"^[0-9]+(\.[0-9A-Za-z]+)*$"
+GENERATION = r"^[1-9][0-9]*$"
+PYTHON = r"^3\.(0|[1-9][0-9]?)$"
+DIGEST = r"^sha256:[0-9a-f]{64}$"
+REFERENCE = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?(/[a-z0-9]+([._-]+[a-z0-9]+)*)*$"
+IMAGE = r"^[a-z0-9.-]+(:[0-9]+)?(/[a-z0-9._-]+)+:[A-Za-z0-9_][A-Za-z0-9._-]*$"
+URL = r"^https?://[^\s\"'$%{}\\]+$"
+HOST = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?$"
+FOLDER = r"^[a-z0-9{}][a-z0-9.{}_-]*(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
+APT = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
+DEB = APT.replace("http:", "https?:", 1)
+PLATFORM = r"^linux/[a-z0-9]+(/v[0-9]+)?$"
+RMW = r"^rmw_[a-z0-9]+(_[a-z0-9]+)*$"
+WORD = r"^[A-Za-z0-9_][A-Za-z0-9_.+-]*$"
+SPECIFIER = r"^(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*]*(,(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*]*)*$"
+REQUIREMENT = (
+    r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?((<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*"
+    r"(,(<=|>=|==|!=|~=|<|>)[0-9][0-9A-Za-z.*+]*)*)?$"
+)
+PINNED = r"^[A-Za-z0-9][A-Za-z0-9._-]*(\[[a-z0-9,_-]+\])?==[0-9][0-9A-Za-z.+]*$"
+PATTERN = r"^[a-z0-9*][a-z0-9*-]*$"
+CUDA_MAJOR = r"^[1-9][0-9]*$"
+SENTENCE = r"^[A-Za-z0-9][A-Za-z0-9 ,.;:()_+=<>-]*$"
+PACKAGES = r"^[a-z0-9.+{}_-]+( [a-z0-9.+{}_-]+)*$"
+MEANING = {
+    NAME: "a name of lower-case letters, digits and single hyphens, such as desktop-full",
+    FILE_NAME: "a name of lower-case letters, digits, points and hyphens, such as ubuntu-24.04",
+    VERSION: "a version, such as 2.10.0",
+    PYTHON: 'a Python version of two numbers in quotes, such as "3.11"',
+    DIGEST: "a digest: sha256: and 64 hexadecimal digits",
+    REFERENCE: "a registry without https://, such as ghcr.io/owner or localhost:5000",
+    IMAGE: "a full image name with its registry and tag, such as docker.io/library/debian:bookworm",
+    URL: "an address, such as https://example.org/images",
+    HOST: "an archive's address without a path, such as http://archive.example.org (apt compares signatures, not certificates)",
+    FOLDER: "a folder below an archive's address, such as debian/dists/{suite}",
+    APT: "the address of an apt repository, such as http://packages.example.org/{generation}/ubuntu",
+    DEB: "the address of a Debian package, such as https://packages.example.org/{generation}-source_{version}.deb",
+    PLATFORM: "a platform, such as linux/arm64",
+    RMW: "an RMW implementation, such as rmw_cyclonedds_cpp",
+    WORD: "one word",
+    SPECIFIER: 'a version range, such as "<2" or ">=2.2,<2.3"',
+    PATTERN: "a Python package, or a pattern of packages, such as nvidia-*",
+    CUDA_MAJOR: 'a generation of CUDA in quotes, such as "12"',
+    SENTENCE: "a sentence without quotes",
+    REQUIREMENT: 'a Python requirement, such as "protobuf>=5.28,<7"',
+    PINNED: "a Python package with its version, such as ros-jazzy-rclpy[fastrtps]==7.1.6",
+    PACKAGES: "Debian package names separated by single spaces; {component}, {metapackage} and {ros_distro} are filled in",
+}
+
+SLOTS = 16
+"""How many parts a matrix can have whose packages pip leaves alone: ROS images have as many empty files for that."""
+
+# The limits on length keep a tag, which joins several of them, within a registry's 128 characters.
+Name = Annotated[str, Field(pattern=NAME, max_length=24)]
+OsName = Annotated[str, Field(pattern=FILE_NAME, max_length=24)]
+Version = Annotated[str, Field(pattern=VERSION, max_length=20)]
+Python = Annotated[str, Field(pattern=PYTHON)]
+Generations = Annotated[str, Field(pattern=GENERATION)]
+Digest = Annotated[str, Field(pattern=DIGEST)]
+Word = Annotated[str, Field(pattern=WORD, max_length=64)]
+Host = Annotated[str, Field(pattern=HOST, max_length=100)]
+Folder = Annotated[str, Field(pattern=FOLDER, max_length=100)]
+AptAddress = Annotated[str, Field(pattern=APT, max_length=200)]
+DebAddress = Annotated[str, Field(pattern=DEB, max_length=200)]
+Rmw = Annotated[str, Field(pattern=RMW, max_length=64)]
+Sentence = Annotated[str, Field(pattern=SENTENCE, max_length=200)]
+Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
+Pinned = Annotated[str, Field(pattern=PINNED, max_length=120)]
+Packages = Annotated[str, Field(pattern=PACKAGES, max_length=400)]
+Pattern = Annotated[str, Field(pattern=PATTERN, max_length=64)]
+CudaMajor = Annotated[str, Field(pattern=CUDA_MAJOR, max_length=3)]
+Target = Annotated[str, Field(pattern=NAME, max_length=128)]
+Names = Annotated[tuple[Name, ...], Field(min_length=1)]
+Slot = Annotated[int, Field(ge=1, le=SLOTS)]
+Megabytes = Annotated[int, Field(ge=0, le=1_000_000)]
+Rate = Annotated[int, Field(ge=1, le=10_000)]
+
+
+def only_whole(value: Any) -> Any:
+    """`true` and `1.0` equal 1, so a literal number would accept them."""
+    if isinstance(value, (bool, float)):
+        raise PydanticKnownError("int_type")
+    return value
+
+
+def _requirement_kind(value: Any) -> str:
+    return "per-architecture" if isinstance(value, Mapping) else "same"
+
+
+# One requirement, or one for each architecture where the packages' names differ.
+Requirements = Annotated[
+    Annotated[Requirement, Tag("same")] | Annotated[dict[Name, Requirement], Tag("per-architecture")],
+    Discriminator(_requirement_kind),
+]
+
+
+def _amount(value: Any) -> str:
+    return "one" if isinstance(value, str) else "several"
+
+
+# One stack, or several of which the first that fits is taken.
+Stacks = Annotated[Annotated[Name, Tag("one")] | Annotated[Names, Tag("several")], Discriminator(_amount)]
+
+
+class Facts(BaseModel):
+    """Base of all models: unknown keys are errors, nothing is converted silently, nothing changes afterwards."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, defer_build=True)
+
+
+class Default(Facts):
+    """What is taken when nothing is named."""
+
+    target: Target = Field(description="the image that `rosml image` builds")
+    assembler: OsName = Field(
+        description="the operating system that assembles parts for any Python, tests images and lists their files"
+    )
+    group: Annotated[tuple[Target, ...], Field(min_length=1)] = Field(
+        description="images of the bake file's `default` group: small and useful"
+    )
+
+
+class Architecture(Facts):
+    """A processor architecture, under BuildKit's name (TARGETARCH)."""
+
+    platform: Annotated[str, Field(pattern=PLATFORM)] = Field(description="BuildKit's platform")
+    wheels: Word = Field(description="uv's name of the wheel platform, with the oldest glibc that is supported")
+    runner: Word | None = Field(
+        default=None, description="label of the machines that build for it in CI; a build plan needs it"
+    )
+
+
+class AptSource(Facts):
+    """A release of the package that sets ROS's live apt repository up: its address and its key."""
+
+    version: Version = Field(description="version of the release")
+    digest: Digest = Field(description="digest of the package file")
+
+
+class OperatingSystem(Facts):
+    """What a distribution stands on."""
+
+    image: Annotated[str, Field(pattern=IMAGE)] = Field(description="base image with its registry and tag")
+    digest: Digest = Field(description="digest of the base image's index")
+    python: Python = Field(description="version of the system's own Python, in quotes")
+    numpy: Annotated[str, Field(pattern=SPECIFIER)] = Field(
+        description="numpy versions with the ABI of the system's own numpy, which ROS's packages are compiled against"
+    )
+    architectures: Names = Field(description="architectures that images of it are built for")
+    tools: Packages = Field(description="Debian packages of the developers' tools: colcon, rosdep, vcs")
+    archive: Name | None = Field(
+        default=None,
+        description="a name from archives: what says whether its packages moved",
+    )
+    suite: Name | None = Field(default=None, description="name of its release in that archive, such as bookworm")
+    codename: Name | None = Field(
+        default=None, description="name of its suite in ROS's apt repositories, such as noble"
+    )
+    apt_sources: dict[Generation, AptSource] = Field(
+        default={}, description="the package <generation>-apt-source of ROS 1 (ros) and ROS 2 (ros2) for it"
+    )
+    provides: dict[Word, Version] = Field(
+        default={}, description="Python packages of the system that ROS's tools import: no part carries them"
+    )
+
+
+class Component(Facts):
+    """A part of ROS that is installed at once."""
+
+    builds_on: Name | None = Field(
+        default=None, description="the component below; where a distribution lacks it, the next one below that"
+    )
+    metapackage: Word | None = Field(default=None, description="name in package names; the component's own if left out")
+
+
+class PartEntry(Facts):
+    """What is built once from locked inputs and joined to many images."""
+
+    name: Name = Field(description="its own; also that of its folder in components/ and of its tests")
+    title: Word | None = Field(default=None, description="how descriptions call what it brings, such as PyTorch")
+    short: Name | None = Field(
+        default=None, description="how tags that spell versions out call it; its name if left out, where it has a title"
+    )
+    release: Name | None = Field(default=None, description="what it is a release of: a name from releases")
+    versions: tuple[Literal["cuda", "cudnn"], ...] = Field(
+        default=(), description="facts of its stack that labels and the environment name beside releases"
+    )
+    accelerator: Literal["cpu", "cuda"] | None = Field(
+        default=None, description="only stacks with this accelerator have it"
+    )
+    any_python: bool = Field(default=False, description="the same for every Python version")
+    needs: tuple[Name, ...] = Field(default=(), description="parts without which no image has it")
+    slot: Slot | None = Field(
+        default=None,
+        description="number of the constraints in which pip and uv find what it holds; one that no other part has",
+    )
+    shared: bool = Field(default=False, description="it holds numpy and what several releases need; one part does")
+    takes: tuple[Pattern, ...] = Field(default=(), description="packages that it holds, whatever needs them")
+    adds: dict[CudaMajor, tuple[Requirement, ...]] = Field(
+        default={},
+        description="by generation of CUDA: packages that no release asks for; without a version, of the stack's CUDA (12.8)",
+    )
+    repeats: tuple[Pattern, ...] = Field(
+        default=(), description="packages of its release that it holds beside the part of the release's own name"
+    )
+    tested: bool = Field(default=True, description="whether tests/structure has tests of its own for it")
+
+    @property
+    def brings(self) -> tuple[str, ...]:
+        """Names of the versions that labels and the environment of its images have."""
+        return (self.release,) if self.release else self.versions
+
+    def added(self, cuda: str | None) -> tuple[str, ...]:
+        """Requirements of packages that no release asks for, e.g. `nvidia-cuda-cccl-cu12==12.8.*` for CUDA 12.8.90."""
+        generation, *rest = (cuda or "").split(".")
+        release = ".".join([generation, *rest[:1], "*"])
+        wanted = self.adds.get(generation, ())
+        return tuple(item if re.search("[<=>]", item) else f"{item}=={release}" for item in wanted)
+
+
+class Framework(Facts):
+    """What is added to a ROS image."""
+
+    repository: Name = Field(description="repository of its images, without the registry")
+    parts: tuple[Name, ...] = Field(
+        default=(), description="names from parts; those of an accelerator apply to stacks that have it"
+    )
+    accelerators: tuple[Literal["cpu", "cuda"], ...] = Field(
+        default=("cpu", "cuda"), description="accelerators that it exists for; both if left out"
+    )
+    tests: tuple[Name, ...] = Field(
+        default=(), description="tests in tests/structure beside those of its parts: of what these do together"
+    )
+
+
+class Release(Facts):
+    """A release of a framework: what its wheels exist for."""
+
+    python: Annotated[tuple[Python, ...], Field(min_length=1)] = Field(description="Python versions with wheels")
+    wheels: dict[Name, Names] = Field(description="stack -> architectures with wheels for that stack's accelerator")
+    elsewhere: dict[Name, dict[Name, dict[Python, Digest]]] = Field(
+        default={},
+        description="stack -> architecture -> Python -> published digest of the wheel, where only PyTorch's own index"
+        " has wheels; a Python without a digest has no lock before `rosml locks` could ask that index",
+    )
+    beside: dict[Name, Version] = Field(
+        default={},
+        description="packages that go with it, in the same part: a name on the Python package index -> its version; on"
+        " stacks whose wheels are all on that index",
+    )
+    adapted: dict[Word, Annotated[str, Field(pattern=SPECIFIER)]] = Field(
+        default={},
+        description="package -> what the part's metadata asks of it, in the place of what the wheel's does: where a"
+        " release asks for more than it was found to need, and no part may carry it",
+    )
+    gpus: dict[Name, Annotated[tuple[Word, ...], Field(min_length=1)]] = Field(
+        default={},
+        description="architecture -> GPU architectures that its wheels with CUDA were built for, as they say it: sm_80",
+    )
+    cxx11_abi: bool = Field(
+        default=True,
+        description="whether its C++ libraries have the string ABI of ROS's, so that a program can link both",
+    )
+    requires: tuple[Requirement, ...] = Field(
+        default=(), description="requirements of the wheels that are elsewhere, as their metadata says"
+    )
+
+    def architectures(self, stack: str) -> tuple[str, ...]:
+        """Architectures with wheels for a stack, on whatever index."""
+        return tuple(dict.fromkeys([*self.wheels.get(stack, ()), *self.elsewhere.get(stack, ())]))
+
+    def company(self, stack: str) -> dict[str, str]:
+        """What goes with it on a stack: packages and their versions. None where only PyTorch's own index has wheels."""
+        return {} if stack in self.elsewhere else dict(sorted(self.beside.items()))
+
+
+class Stack(Facts):
+    """Versions that were resolved together: one CUDA and one numpy for all of them."""
+
+    accelerator: Literal["cpu", "cuda"] = Field(description="what its wheels compute on")
+    cuda: Version | None = Field(default=None, description="version of the CUDA runtime")
+    cudnn: Version | None = Field(default=None, description="version of cuDNN")
+    nccl: Version | None = Field(default=None, description="version of NCCL")
+    releases: dict[Name, Version] = Field(default={}, description="a name from releases -> its version")
+    packages: dict[Name, Requirements] = Field(
+        default={}, description="what to ask the index for: a name, or one per architecture"
+    )
+    constraints: tuple[Requirement, ...] = Field(default=(), description="further requirements on dependencies")
+    apart: Sentence | None = Field(
+        default=None,
+        description="why its releases contradict each other: each is resolved by itself, and no image carries both",
+    )
+
+    def requirement(self, family: str, architecture: str) -> str | None:
+        """What to ask the index for, e.g. `tensorflow[and-cuda]==2.20.0`; None where the stack has none."""
+        version = self.releases.get(family)
+        package = self.packages.get(family, family)
+        name = package.get(architecture) if isinstance(package, dict) else package
+        return f"{name}=={version}" if version and name else None
+
+
+class Apt(Facts):
+    """Where ROS packages come from, for distributions that are not part of the operating system."""
+
+    channel: Literal["live", "snapshot", "final"] = Field(
+        description="live repository, dated snapshot, or the last snapshot of a distribution past its end of life"
+    )
+    date: datetime.date | None = Field(default=None, description="day of the snapshot")
+
+
+class Distribution(Facts):
+    """A ROS distribution on an operating system."""
+
+    os: OsName = Field(description="a name from operating_systems")
+    ros: Annotated[Literal[1, 2], BeforeValidator(only_whole)] = Field(description="ROS 1 or ROS 2")
+    ros_distro: Word | None = Field(
+        default=None, description="value of ROS_DISTRO; the distribution's own name if left out"
+    )
+    packages: Packages | None = Field(
+        default=None, description="packages of a component; {component}, {metapackage} and {ros_distro} are filled in"
+    )
+    wheels: tuple[Pinned, ...] = Field(
+        default=(), description="Python packages that ROS 2 itself comes from, in the place of Debian packages"
+    )
+    tools: Packages | None = Field(
+        default=None, description="Debian packages that come first; the developers' tools of its system if left out"
+    )
+    architectures: tuple[Name, ...] = Field(
+        default=(), description="architectures that it exists for; those of its system if left out"
+    )
+    experimental: bool = Field(default=False, description="not what its generation's users expect; never `latest`")
+    components: Names = Field(description="components that it has")
+    default_stack: Stacks = Field(
+        description="stack of the short tags, e.g. ros-torch:jazzy; of several the first that a framework exists on"
+    )
+    eol: datetime.date | None = Field(default=None, description="end of life; leave out for a rolling distribution")
+    lts: bool = Field(default=False, description="a long-term release of ROS: the newest one gets the tag `latest`")
+    apt: Apt | None = Field(
+        default=None, description="ROS's own apt repository, for packages that are not the system's"
+    )
+    rmw: tuple[Rmw, ...] = Field(
+        default=(), description="RMW implementations of ROS 2 beside the default one; RMW_IMPLEMENTATION chooses one"
+    )
+
+    @property
+    def generation(self) -> Generation:
+        """How ROS's apt repositories call its generation of ROS."""
+        return "ros" if self.ros == 1 else "ros2"
+
+    @property
+    def default_stacks(self) -> tuple[str, ...]:
+        """The stacks of the short tags: of each framework, the first that it exists on."""
+        return (self.default_stack,) if isinstance(self.default_stack, str) else self.default_stack
+
+    @cached_property
+    def present(self) -> frozenset[str]:
+        """The components, to look one up."""
+        return frozenset(self.components)
+
+
+class RosArchive(Facts):
+    """ROS's apt repositories, as an image's apt source names them."""
+
+    live: AptAddress = Field(description="today's packages; {generation} is filled in: ros or ros2")
+    snapshot: AptAddress = Field(
+        description="a state of them; {ros_distro} and {day} are filled in: a date, or final after the end of life"
+    )
+    apt_source: DebAddress = Field(
+        description="the package that sets up the live one; {generation}, {version} and {codename} are filled in"
+    )
+
+
+class Size(Facts):
+    """Sizes in MB (10^6 bytes)."""
+
+    unpacked: Megabytes = Field(description="MB on disk")
+    compressed: Megabytes = Field(description="MB in the registry")
+
+    @classmethod
+    def total(cls, *sizes: Size) -> Size:
+        """The sum of sizes."""
+        return cls.model_construct(
+            unpacked=sum(size.unpacked for size in sizes), compressed=sum(size.compressed for size in sizes)
+        )
+
+    def __sub__(self, other: Size) -> Size:
+        return Size.model_construct(
+            unpacked=self.unpacked - other.unpacked, compressed=self.compressed - other.compressed
+        )
+
+
+class Disk(Facts):
+    """Forecast of sizes in MB, each without what it stands on."""
+
+    os: Size = Field(description="operating system with the essentials")
+    components: dict[Name, Size] = Field(description="component -> size")
+    parts: dict[Name, dict[Name, Size]] = Field(description="stack -> part -> size")
+    budgets: dict[Name, dict[Name, Megabytes]] = Field(
+        default={},
+        description="stack -> framework -> MB that its parts may have together in the registry; more fails the tests",
+    )
+
+
+class Rates(Facts):
+    """How fast a machine of CI builds, for the estimates of a build plan."""
+
+    packages: Rate = Field(description="MB unpacked per second, where apt installs packages")
+    parts: Rate = Field(description="MB unpacked per second, where parts are assembled")
+    test: Rate = Field(description="seconds for the tests of an image")
+
+
+class Matrix(Facts):
+    """The one source of truth: what exists, as positive facts. Combinations that the facts allow are built."""
+
+    version: Annotated[Literal[1], BeforeValidator(only_whole)] = Field(description="version of this file's format")
+    registry: Annotated[str, Field(pattern=REFERENCE)] = Field(
+        description="where images live, unless the variable REGISTRY says otherwise"
+    )
+    source: Annotated[str, Field(pattern=URL)] | None = Field(
+        default=None, description="the project's address, for the images' label"
+    )
+    default: Default
+    architectures: dict[Name, Architecture] = Field(min_length=1)
+    operating_systems: dict[OsName, OperatingSystem] = Field(min_length=1)
+    archives: dict[Name, dict[Host, Annotated[tuple[Folder, ...], Field(min_length=1)]]] = Field(
+        default={},
+        description="archives of operating systems -> address -> folders of the Release files that say whether packages"
+        " moved; {suite} is filled in. An image's own apt asks what its base image's sources name",
+    )
+    ros_archive: RosArchive | None = Field(default=None, description="needed by distributions with 'apt'")
+    components: dict[Name, Component] = Field(min_length=1)
+    parts: tuple[PartEntry, ...] = Field(default=(), description="in the order in which they are joined")
+    frameworks: dict[Name, Framework] = Field(min_length=1)
+    releases: dict[Name, dict[Version, Release]] = Field(
+        default={}, description="what has wheels of its own -> version -> release"
+    )
+    drivers: dict[Generations, Version] = Field(
+        default={}, description="generation of CUDA, in quotes -> the oldest NVIDIA driver that runs any CUDA of it"
+    )
+    stacks: dict[Name, Stack] = Field(min_length=1)
+    distributions: dict[Name, Distribution] = Field(min_length=1)
+    disk: Disk
+    rates: Rates | None = Field(default=None, description="how fast images are built; a build plan needs it")
+
+    @cached_property
+    def part(self) -> dict[str, PartEntry]:
+        """Parts by name."""
+        return {part.name: part for part in self.parts}
+
+    @cached_property
+    def families(self) -> tuple[str, ...]:
+        """What parts are releases of, in the order in which they are joined."""
+        return tuple(dict.fromkeys(part.release for part in self.parts if part.release))

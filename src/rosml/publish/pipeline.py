@@ -1,0 +1,553 @@
+"""The steps of a publishing run: build, join, test, scan, index, promote. Each does what the plan says is missing.
+
+A step works item by item, and records each item when it is done. If a run is interrupted, the next one completes it. A
+failed item is recorded as failed; only items that are joined from it wait for it. No tag moves before the last step, and
+then only to an index of images that passed.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from datetime import datetime
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Literal
+
+from rosml.base import progress_bar
+from rosml.base.clock import now
+from rosml.base.errors import RosmlError
+from rosml.base.problems import some
+from rosml.build import package_state as upstreams
+from rosml.build.maker import BuildKitMaker, Made, Maker
+from rosml.images import apt_source
+from rosml.images.image_set import Image, Part, repository_of
+from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title
+from rosml.machine import regctl
+from rosml.publish import provenance, same_content
+from rosml.publish.plan import ELSEWHERE, Item, Plan
+from rosml.publish.sign import PATIENCE, Signer, SignerFailed
+from rosml.records.store import DATE, INDEX, INPUTS, Entry, Records
+from rosml.registry import repositories
+from rosml.registry.oci import Registry
+from rosml.scan import judge as scanning
+from rosml.scan import sarif
+from rosml.scan.policy import Rules
+from rosml.scan.results import Kept, Results
+from rosml.scan.sbom import Shelf
+from rosml.scan.trivy import ScannerFailed, Trivy
+
+State = Literal["done", "failed", "waits"]
+
+
+SUPERSEDED = 20
+"""From so many digests on that an entry has taken the place of, those that are gone from the registry are forgotten."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a step did about an item.
+
+    Attributes:
+        step: its name. target, architecture: of the item; no architecture where it is about an index or tags.
+        state: done, failed, or waits for something that is not there.
+        reason: what was done, or why it failed or waits.
+        seconds: wall time. uploaded: bytes that the registry got.
+    """
+
+    step: str
+    target: str
+    architecture: str
+    state: State
+    reason: str = ""
+    seconds: float = 0.0
+    uploaded: int = 0
+
+    def to_json(self) -> dict[str, Any]:
+        """For `--json`."""
+        return {name: value for name, value in vars(self).items() if value != ""}
+
+
+@dataclass
+class Pipeline:
+    """A publishing run.
+
+    Attributes:
+        plan: what there is to do.
+        registry: where images go. host: its address. prefix: path of its repositories.
+        say: told what is going on, a line at a time.
+        serving: the architectures that the registry serves; all of the matrix if empty.
+        outcomes: what was done so far.
+        signer: signs indexes, without which they get no tags; None where nothing is signed.
+        started: when it began, by the monotonic clock.
+        pushed: bytes of layers that the builder added to the registry.
+        maker: builds, joins and tests; with this checkout's builder if None.
+    """
+
+    plan: Plan
+    registry: Registry
+    host: str
+    prefix: str
+    say: Callable[[str], None]
+    serving: tuple[str, ...] = ()
+    outcomes: list[Outcome] = field(default_factory=list)
+    signer: Signer | None = None
+    started: float = field(default_factory=time.monotonic)
+    pushed: int = 0
+    refused: int = 0
+    """How often the signer failed, one time after the other."""
+    maker: Maker | None = None
+    _may_push: bool = False
+
+    @cached_property
+    def _maker(self) -> Maker:
+        plan = self.plan
+        services, image_set = plan.services, plan.image_set
+        return self.maker or BuildKitMaker(
+            services, image_set, self.registry, self.host, self.prefix, self.say, plan.force
+        )
+
+    @property
+    def records(self) -> Records:
+        """The records of the registry."""
+        return Records(self.registry, self.prefix)
+
+    def repository(self, name: str) -> str:
+        """Path of a repository in the registry."""
+        return repositories.repository_path(self.prefix, name)
+
+    def reference(self, name: str) -> str:
+        """A repository with the registry before it."""
+        return f"{self.host}/{self.repository(name)}"
+
+    @property
+    def failed(self) -> bool:
+        """Whether something failed."""
+        return any(outcome.state == "failed" for outcome in self.outcomes)
+
+    @property
+    def uploaded(self) -> int:
+        """Bytes that the registry got since its client was made: layers that it did not have, configs, manifests, what is
+        attached, the records. Without what regctl and cosign send: indexes and signatures, of about 1 kB each.
+        """
+        return self.pushed + self.registry.uploaded
+
+    # ---- Items -------------------------------------------------------------------------------------------------------
+
+    def build(self) -> None:
+        """Builds ROS images and parts that are not as they should be, and pushes them by digest."""
+        self._each("build", [item for item in self.plan.items if item.kind != "joined"], self._build)
+
+    def join(self) -> None:
+        """Puts images with frameworks together, in the registry."""
+        self._each("join", [item for item in self.plan.items if item.kind == "joined"], self._join)
+
+    def test(self, targets: Sequence[str] = ()) -> None:
+        """Runs the structure tests of images that have not passed them.
+
+        Args:
+            targets: of these alone; all if empty.
+        """
+        wanted = [i for i in self.plan.items if i.kind != "part" and (not targets or i.target in targets)]
+        self._each("test", wanted, self._test)
+
+    def _each(self, step: str, items: Sequence[Item], work: Callable[[Item, Entry], Entry]) -> None:
+        """Does a step's work on those items whose turn it is."""
+        expected = sum(step in self.plan.task(item).steps for item in items)
+        number = 0
+        for item in progress_bar.over(items, step, len(items)):
+            task = self.plan.task(item, ahead=False)
+            if task.hindered:
+                if task.hindered != ELSEWHERE:
+                    self.outcomes.append(Outcome(step, *item.key, "waits", task.hindered))
+                continue
+            if step not in task.steps[:1]:
+                if step in task.steps:  # an earlier step is still to be done
+                    self.outcomes.append(Outcome(step, *item.key, "waits", f"{task.steps[0]} comes first"))
+                continue
+            number += 1
+            self._do(step, item, f"({number} of {expected})", task.why, work)
+
+    def _do(self, step: str, item: Item, place: str, why: Sequence[str], work: Callable[[Item, Entry], Entry]) -> None:
+        """Does a step's work on an item, and writes down what came of it."""
+        if not self._may_push:  # asked before the first work is done, which may take hours
+            self.registry.may_push(self.records.repository)
+            self._may_push = True
+        self.say(f"{step} {item.target} for {item.architecture} {place}: {'; '.join(why)}")
+        entry = self.plan.known.get(item.key) or Entry(*item.key)
+        started, before = time.monotonic(), self.uploaded
+        try:
+            entry = work(item, entry)
+            state: State = "failed" if entry.failed else "done"
+        except RosmlError as error:
+            entry = replace(entry, failed={"step": step, "reason": _short(error), "remedy": error.remedy})
+            state = "failed"
+            self.say(f"failed: {error.message}" + (f"; {error.remedy}" if error.remedy else ""))
+        seconds = time.monotonic() - started
+        entry = replace(entry, changed=self.plan.date, seconds={**entry.seconds, step: round(seconds, 2)})
+        self._write(item, entry)
+        reason = entry.failed.get("reason", "") if state == "failed" else "; ".join(why)
+        self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before))
+
+    def _write(self, item: Item, entry: Entry) -> None:
+        entry = self._remembered(entry)
+        self.records.write(entry, self.plan.inputs.of(*item.key))
+        self.plan.known[item.key] = entry
+        if entry.digest:
+            self.plan.present.add(item.key)
+
+    def _remembered(self, entry: Entry) -> Entry:
+        """An entry without the digests that were in its place and are gone, where it has many: it would grow for ever."""
+        if len(entry.superseded) <= SUPERSEDED:
+            return entry
+        where = self.repository(entry.repository)
+        return replace(entry, superseded=tuple(x for x in entry.superseded if self.registry.head(where, x)))
+
+    def _build(self, item: Item, entry: Entry) -> Entry:
+        started = now()
+        if isinstance(item.thing, Part):
+            made = self._maker.build_part(item.thing, item.architecture)
+        else:  # packages whose repository did not answer are taken for those of the last build
+            moment = self.plan.upstream.get(item.thing.distribution, entry.upstream)
+            made = self._maker.build_image(item.thing, item.architecture, self._parts(item), moment)
+        self.pushed += self._new_bytes(item, entry, made)
+        self._attest(item, made, started)
+        self.plan.forced.add(item.key)
+        return entry.made(made.digest, **self._facts(item, made.digest, made.parts), upstream=made.upstream)
+
+    def _new_bytes(self, item: Item, before: Entry, made: Made) -> int:
+        """Bytes of the layers of what was built, without those of what it stands on and of what was in its place."""
+        own = self._sizes(item, made.digest)
+        there = self._sizes(item, before.digest)
+        for target, digest in made.parts.items():
+            there |= self._sizes(self.plan.by_key[target, item.architecture], digest)
+        return sum(size for layer, size in own.items() if layer not in there)
+
+    def _sizes(self, item: Item, digest: str) -> dict[str, int]:
+        """Bytes of the layers of a manifest by their digests; none where it is not in the registry."""
+        found = self.registry.manifest(self.repository(item.repository), digest) if digest else None
+        return {str(x["digest"]): int(x["size"]) for x in found.content["layers"]} if found else {}
+
+    # ---- Where an image came from ------------------------------------------------------------------------------------
+
+    def _attest(self, item: Item, made: Made, started: str) -> None:
+        """Attaches to what was made, or joined, what it was made from; what is attached already is not said again."""
+        place = self.repository(item.repository)
+        inputs = self.plan.inputs.digest(*item.key)
+        definition = provenance.definition(self._parameters(item), inputs, self._dependencies(item, made))
+        provenance.attach(self.registry, place, made.digest, definition, self.machine, started, now())
+
+    @cached_property
+    def machine(self) -> provenance.Machine:
+        """Who makes the images of this run."""
+        return provenance.Machine.here(self.plan.date)
+
+    @cached_property
+    def _source(self) -> list[dict[str, Any]]:
+        return provenance.source(self.plan.services.root)
+
+    def _parameters(self, item: Item) -> dict[str, str]:
+        """What was asked for."""
+        asked = {"target": item.target, "platform": self._platform(item.architecture)}
+        if isinstance(item.thing, Part):
+            return asked
+        image = item.thing
+        found = {"distribution": image.distribution, "component": image.component, "framework": image.framework}
+        repository = apt_source.source(self.plan.image_set.matrix, image.distribution)
+        channel = {"channel": repository.channel, "snapshot": repository.day} if repository else {}
+        return asked | found | {"stack": image.stack or ""} | channel
+
+    def _dependencies(self, item: Item, made: Made) -> Iterator[dict[str, Any]]:
+        """What it was made from: base image or parts, locks, packages, the checkout."""
+        services = self.plan.services
+        if made.base:
+            system = self.plan.image_set.matrix.operating_systems[item.thing.os]
+            yield provenance.base(made.base, system.digest)
+        for target, digest in made.parts.items():
+            part = self.plan.by_key[target, item.architecture]
+            yield provenance.image(target, self.reference(part.repository), digest)
+        if item.kind != "joined":  # those of a joined image are its parts'
+            used = self.plan.inputs.of(*item.key)
+            yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
+        if isinstance(item.thing, Image) and item.kind == "ros":
+            matrix, distribution = self.plan.image_set.matrix, item.thing.distribution
+            for address, moment in upstreams.repositories(matrix, distribution, made.upstream):
+                yield provenance.packages(address, moment)
+        yield from self._source
+
+    def _facts(self, item: Item, digest: str, parts: Mapping[str, str]) -> dict[str, Any]:
+        manifest = self.registry.manifest(self.repository(item.repository), digest)
+        if manifest is None:
+            raise RosmlError(f"{item.target} is not in the registry after it was pushed", "run it again")
+        return {
+            "inputs": self.plan.inputs.digest(*item.key),
+            "repository": item.repository,
+            "parts": dict(parts),
+            "size": sum(int(layer["size"]) for layer in manifest.content["layers"]),
+            "date": self.plan.date,
+        }
+
+    def _parts(self, item: Item) -> dict[str, str]:
+        """Digests of what an item is put together from."""
+        return {target: self.plan.known[target, item.architecture].digest for target in item.needs}
+
+    def _platform(self, architecture: str) -> str:
+        return self.plan.image_set.matrix.architectures[architecture].platform
+
+    def _join(self, item: Item, entry: Entry) -> Entry:
+        started, parts = now(), self._parts(item)
+        assert isinstance(item.thing, Image)
+        digest = self._maker.join(item.thing, item.architecture, parts)
+        self._attest(item, Made(digest, parts), started)
+        self.plan.forced.add(item.key)
+        return entry.made(digest, **self._facts(item, digest, parts))
+
+    def _test(self, item: Item, entry: Entry) -> Entry:
+        """Runs an image's structure tests."""
+        assert isinstance(item.thing, Image)
+        found = self._maker.test(item.thing, item.architecture, entry.digest, self._parts(item))
+        reason = f"tests failed: {some(list(found.failures))}"
+        return replace(
+            entry,
+            tested=self.plan.tests(item),
+            passed=found.passed,
+            failures=found.failures,
+            unpacked=found.unpacked,
+            versions=found.versions,
+            failed={"step": "test", "reason": reason} if found.failures else {},
+        )
+
+    # ---- Scans -------------------------------------------------------------------------------------------------------
+
+    def scan(
+        self,
+        rules: Rules,
+        trivy: Trivy | ScannerFailed,
+        reports: Path | None = None,
+        results: Results | None = None,
+    ) -> scanning.Run:
+        """Scans all images that are there, on whatever architecture: what a scan reads is in the registry.
+
+        An image that was held against the same database by the same policy before is left alone.
+
+        Args:
+            rules: the policy.
+            trivy: the scanner, with its database; or why there is none.
+            reports: a folder for a SARIF file of each image.
+            results: get what was found; then nothing is written into the registry.
+        """
+        policy = policy_digest(rules)
+        state = _database(trivy)
+        images: dict[tuple[str, str], scanning.Image] = {}
+        for item in self.plan.items:
+            entry = self.plan.known.get(item.key)
+            if item.kind == "part" or entry is None or not entry.digest or item.key not in self.plan.present:
+                continue
+            same = state and entry.scan.get("policy") == policy and entry.scan.get("database") == state
+            if not same or entry.scanned == scanning.Outcome.SCANNER_FAILED.value:
+                images[item.key] = scanning.Image(item.target, item.architecture, tuple(self._scanned_parts(item)))
+        moment = datetime.fromisoformat(self.plan.date.replace("Z", "+00:00"))
+        # Of those that are not there nothing can be known: they may lack a lock.
+        there = {item.key for item in self.plan.items if item.kind != "part"} & self.plan.present
+        whole = images.keys() == there and len(self.plan.images) == len(self.plan.image_set.images)
+        started = time.monotonic()
+        run = self._scan(list(images.values()), rules, trivy, moment, whole, results)
+        seconds = (time.monotonic() - started) / max(1, len(run.images))
+        for found in run.images:
+            key = found.target, found.architecture
+            facts = {
+                "policy": policy,
+                "database": found.database.digest if found.database else "",
+                "updated": found.database.updated if found.database else "",
+                "packages": found.packages,
+                "findings": dict(Counter(finding.severity for finding in found.findings)),
+                "failing": sorted({finding.id for finding in found.failing}),
+            }
+            entry = replace(self.plan.known[key], scanned=found.outcome.value, scan=facts, changed=self.plan.date)
+            if results is None:
+                self._write(self.plan.by_key[key], entry)
+            else:
+                results.add(entry)
+            clean = found.outcome is scanning.Outcome.CLEAN
+            reason = found.reason if clean else f"{found.outcome.value}: {found.reason}"
+            self.outcomes.append(Outcome("scan", *key, "done" if clean else "failed", reason, seconds))
+        if reports:
+            sarif.write(reports, run)
+        for problem in run.problems:
+            self.outcomes.append(Outcome("scan", "policy", "", "failed", problem))
+        return run
+
+    def _scan(
+        self,
+        images: list[scanning.Image],
+        rules: Rules,
+        trivy: Trivy | ScannerFailed,
+        moment: datetime,
+        whole: bool,
+        results: Results | None,
+    ) -> scanning.Run:
+        targets = self.plan.image_set.by_target
+        if isinstance(trivy, ScannerFailed):
+            return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole, targets)
+        scanner = f"trivy {trivy.version}"
+        shelf = Kept(self.registry, scanner, results) if results else Shelf(self.registry, scanner)
+        return scanning.scan_images(images, rules, trivy, shelf, now=moment, whole=whole, targets=targets, say=self.say)
+
+    def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
+        """The ROS image and the parts that an image is the sum of."""
+        for target in item.needs if item.kind == "joined" else (item.target,):
+            part = self.plan.by_key[target, item.architecture]
+            digest = self.plan.known[part.key].digest
+            yield scanning.Part(target, self.host, self.repository(part.repository), digest, part.kind == "ros")
+
+    # ---- Indexes and tags --------------------------------------------------------------------------------------------
+
+    def index(self) -> None:
+        """Makes an index of every image whose architectures are all there, tested and alike; nobody sees it yet."""
+        for thing in self.plan.things():
+            if reason := self.plan.unready(thing, self.serving):
+                self.outcomes.append(Outcome("index", thing.target, "", "waits", reason))
+                continue
+            started = time.monotonic()
+            entries = [self.plan.known[key] for key in self.members(thing)]
+            digests = {entry.architecture: entry.digest for entry in entries}
+            inputs = self.plan.inputs.together(thing)
+            entry = self.plan.known.get((thing.target, INDEX)) or Entry(thing.target, INDEX)
+            if self._indexed(entry, digests, inputs):
+                continue
+            try:
+                digest = self._index(thing, entries, inputs)
+                facts = {
+                    "inputs": inputs,
+                    "repository": repository_of(thing),
+                    "parts": digests,
+                    "date": self.plan.date,
+                }
+                entry = entry.made(digest, **facts)
+                state: State = "done"
+                reason = f"{len(entries)} architecture{'s'[: len(entries) != 1]}"
+            except RosmlError as error:
+                entry = replace(entry, failed={"step": "index", "reason": _short(error), "remedy": error.remedy})
+                state, reason = "failed", error.message
+            entry = self._remembered(replace(entry, changed=self.plan.date))
+            self.records.write(entry, {})
+            self.plan.known[thing.target, INDEX] = entry
+            self.plan.present.add((thing.target, INDEX))
+            self.outcomes.append(Outcome("index", thing.target, "", state, reason, time.monotonic() - started))
+            if state == "done":
+                self.signed(thing)
+
+    def _indexed(self, entry: Entry, digests: Mapping[str, str], inputs: str) -> bool:
+        """Whether an index's entry is of these very images, and the index is there."""
+        key = entry.target, INDEX
+        if key not in self.plan.present or (self.plan.force and entry.date != self.plan.date):
+            return False
+        return entry.parts == digests and entry.inputs == inputs and not entry.failed
+
+    def signed(self, thing: Image | Part, moving: bool = False) -> bool:
+        """Whether an image's index has the signature that it needs, which is made if it lacks it.
+
+        Args:
+            thing: the image or part.
+            moving: whether a tag is about to move to it: then the records' word is not enough, and cosign is asked.
+        """
+        entry = self.plan.known[thing.target, INDEX]
+        if self.signer is None or (self.signer.identity in entry.signed and not moving):
+            return True
+        if self.refused >= PATIENCE:
+            self.outcomes.append(Outcome("sign", thing.target, "", "waits", f"the signer failed {PATIENCE} times"))
+            return False
+        started = time.monotonic()
+        try:
+            made = self.signer.ensure(f"{self.reference(entry.repository)}@{entry.digest}")
+        except SignerFailed as error:
+            self.refused += 1
+            self.say(f"failed: {error.message}; {error.remedy}")
+            self.outcomes.append(Outcome("sign", thing.target, "", "failed", error.message, time.monotonic() - started))
+            return False
+        self.refused = 0
+        if self.signer.identity not in entry.signed:
+            signed = {**entry.signed, self.signer.identity: self.plan.date}
+            self.plan.known[thing.target, INDEX] = replace(entry, signed=signed)
+            self.records.write(self.plan.known[thing.target, INDEX], {})
+        if made:
+            text = f"by {self.signer.identity}"
+            self.outcomes.append(Outcome("sign", thing.target, "", "done", text, time.monotonic() - started))
+        return True
+
+    def members(self, thing: Image | Part) -> Iterator[tuple[str, str]]:
+        """Target and architecture of what an index of an image is made of."""
+        return (key for key in self.plan.members(thing) if not self.serving or key[1] in self.serving)
+
+    def _index(self, thing: Image | Part, entries: Sequence[Entry], inputs: str) -> str:
+        """Makes an index; gives its digest. Nothing is pulled.
+
+        Raises:
+            RosmlError: its architectures do not hold the same; or the records name another image's manifest.
+        """
+        repository = self.repository(repository_of(thing))
+        configs = {entry.architecture: self._config(repository, entry.digest) for entry in entries}
+        for entry in entries:
+            _require_own(thing, entry, configs[entry.architecture])
+        versions = {entry.architecture: entry.versions for entry in entries}
+        released = [item.name for item in thing.brought if item.released] if isinstance(thing, Image) else []
+        same_content.require(thing.target, configs, versions, released)
+        labels = (configs[entries[0].architecture].get("config") or {}).get("Labels") or {}
+        annotations = self._checkout | {name: text for name, text in labels.items() if name.startswith(OCI)}
+        annotations |= {INPUTS: inputs, DATE: self.plan.date}
+        services = self.plan.services
+        return regctl.create_index(services, f"{self.host}/{repository}", [e.digest for e in entries], annotations)
+
+    @property
+    def _checkout(self) -> dict[str, str]:
+        """What an index says of the checkout that it was made in: its address, and its revision unless files differ from it.
+        Images say no revision: every commit would change all of them."""
+        found = next(iter(self._source), {})
+        address, revision = found.get("uri", "").removeprefix("git+"), found.get("digest", {}).get("gitCommit", "")
+        said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}
+        return {name: text for name, text in said.items() if text}
+
+    def _config(self, repository: str, digest: str) -> dict[str, Any]:
+        manifest = self.registry.manifest(repository, digest)
+        if manifest is None:
+            raise RosmlError(f"{repository}@{digest} is not in the registry any more", "run 'build' and 'join' again")
+        content = json.loads(self.registry.blob(repository, manifest.content["config"]["digest"]))
+        return content if isinstance(content, dict) else {}
+
+
+def _require_own(thing: Image | Part, entry: Entry, config: Mapping[str, Any]) -> None:
+    """Checks that a manifest is that of the image which the records say it is.
+
+    Raises:
+        RosmlError: it is not.
+    """
+    labels = (config.get("config") or {}).get("Labels") or {}
+    found = str(labels.get(TITLE, "")), str(config.get("architecture", ""))
+    if found != (title(thing), entry.architecture):
+        raise RosmlError(
+            f"the records' entry {entry.tag} names {entry.digest},"
+            f" which is {found[0] or 'an image without a title'} for {found[1] or 'no architecture'}",
+            "publish it again with --force",
+        )
+
+
+def _database(trivy: Trivy | ScannerFailed) -> str:
+    """The digest of the scanner's database; empty where there is none, of which the scan tells."""
+    try:
+        return "" if isinstance(trivy, ScannerFailed) else trivy.database().digest
+    except ScannerFailed:
+        return ""
+
+
+def policy_digest(rules: Rules) -> str:
+    """Stands for a scan's policy: what it says, not how it is written."""
+    return hashlib.sha256(rules.policy.model_dump_json().encode()).hexdigest()
+
+
+def _short(error: RosmlError, lines: int = 12) -> str:
+    """A message's beginning: the records are no place for logs."""
+    return "\n".join(error.message.splitlines()[:lines])[:2000]

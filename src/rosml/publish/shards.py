@@ -1,0 +1,312 @@
+"""The build plan for CI: which machine builds which images, so that all of them are ready soon, at the same time.
+
+What is dealt out are units, a distribution on an architecture: its ROS images stand on one another, and all its other
+images on one of those, so that no unit builds what another one has to wait for. Parts and operating systems are
+shared between units: a shard assembles them once, however many of its units need them.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.images.image_set import Image, ImageSet
+from rosml.machine import disk
+from rosml.matrix import names
+from rosml.matrix.model import Rates, Size
+
+FORMAT = 1
+"""Version of plan.json's format."""
+
+Costs = dict[tuple[str, str], int]
+"""Seconds by what is built: its kind and its name. What two units both have, they share."""
+
+
+@dataclass(frozen=True)
+class Work:
+    """What is to be done, by target and architecture.
+
+    Attributes:
+        made: images and parts that are built or joined. tested: images whose tests run.
+    """
+
+    made: frozenset[tuple[str, str]]
+    tested: frozenset[tuple[str, str]]
+
+
+@dataclass(frozen=True)
+class Unit:
+    """What one machine has to build: a distribution's images on an architecture, in build order."""
+
+    distribution: str
+    images: tuple[Image, ...]
+    costs: Costs
+
+
+@dataclass(frozen=True)
+class Shard:
+    """What one machine builds.
+
+    Attributes:
+        name: `amd64-1`; an architecture's longest shard has the number 1.
+        architecture: under BuildKit's name. platform: the same as BuildKit calls it.
+        runner: label of the machines in CI.
+        distributions: what it builds, in the order of the matrix.
+        targets: bake targets in build order: of each distribution the ROS images from the lowest up, then the others.
+        parts: names of the parts that it assembles.
+        download_mb: what the network brings: base images, Debian packages and wheels, compressed.
+        disk_mb: room that it needs at its peak, which is its end, with the reserve; counted as `machine/disk.py` counts.
+        seconds: time of building and testing, by the matrix' rates.
+    """
+
+    name: str
+    architecture: str
+    platform: str
+    runner: str
+    distributions: tuple[str, ...]
+    targets: tuple[str, ...]
+    parts: tuple[str, ...]
+    download_mb: int
+    disk_mb: int
+    seconds: int
+
+
+@dataclass(frozen=True)
+class Dealt:
+    """The shards by architecture, the longest first, and how many there might have been."""
+
+    allowed: int
+    shards: tuple[Shard, ...]
+
+
+def deal(
+    image_set: ImageSet, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
+) -> Dealt:
+    """Deals the images of a set out to machines.
+
+    Args:
+        image_set: all that the matrix describes.
+        shards: how many machines there are, at most.
+        include: whether an image is built. The ROS images that it stands on are built with it.
+        work: what is to be done; images and architectures without any get no machine, and times count nothing else. All that
+            is included if None. What a machine fetches and keeps is counted whole: tests need all of an image.
+
+    Raises:
+        RosmlError: there is no shard, there are fewer shards than architectures, there is nothing to build, or the matrix does not say
+            how fast or where (exit code 2).
+    """
+    if shards < 1:
+        text = f"{shards} machines can build nothing"
+        raise RosmlError(text, "say how many there are, one or more: rosml generate --shards 8", exit_code=2)
+    units = _units(image_set, _rates(image_set), include, work)
+    if not units:
+        raise RosmlError("no image can be built, so there is nothing to plan", "see why: rosml locks", exit_code=2)
+    if shards < len(units):
+        raise RosmlError(
+            f"{len(units)} architectures ({', '.join(units)}) do not fit in {shards} shard{'s'[: shards != 1]}:"
+            " a shard builds for one",
+            f"allow more: --shards {len(units)}",
+            exit_code=2,
+        )
+    dealt = [
+        _shard(image_set, architecture, number, content)
+        for architecture, share in _shares(units, shards).items()
+        for number, content in enumerate(_dealt(units[architecture], share), 1)
+    ]
+    return Dealt(shards, tuple(dealt))
+
+
+def _rates(image_set: ImageSet) -> Rates:
+    if image_set.matrix.rates:
+        return image_set.matrix.rates
+    raise RosmlError(
+        "matrix.yaml: 'rates' is missing: how fast images are built",
+        "add it, such as 'rates: {packages: 25, parts: 60, test: 15}'",
+        exit_code=2,
+    )
+
+
+def _runner(image_set: ImageSet, architecture: str) -> str:
+    if runner := image_set.matrix.architectures[architecture].runner:
+        return runner
+    raise RosmlError(
+        f"matrix.yaml: architectures.{architecture}: 'runner' is missing: the label of CI's machines",
+        "add it, such as 'runner: ubuntu-24.04'",
+        exit_code=2,
+    )
+
+
+# ---- Units -----------------------------------------------------------------------------------------------------------
+
+
+def _units(
+    image_set: ImageSet, rates: Rates, include: Callable[[Image], bool], work: Work | None
+) -> dict[str, list[Unit]]:
+    """Units by architecture, both in the order of the matrix; architectures without any are left out."""
+    members: dict[str, dict[str, list[Image]]] = {name: {} for name in image_set.matrix.architectures}
+    for image in filter(include, image_set.images):
+        for architecture in image.architectures:
+            if work is None or (image.target, architecture) in work.made | work.tested:
+                members[architecture].setdefault(image.distribution, []).append(image)
+    return {
+        architecture: [
+            _unit(image_set, rates, name, images, architecture, work) for name, images in distributions.items()
+        ]
+        for architecture, distributions in members.items()
+        if distributions
+    }
+
+
+def _unit(
+    image_set: ImageSet, rates: Rates, distribution: str, images: list[Image], architecture: str, work: Work | None
+) -> Unit:
+    ordered = _ordered(image_set, images)
+
+    def made(target: str) -> bool:
+        return work is None or (target, architecture) in work.made
+
+    ros = [image for image in ordered if image.stack is None and made(image.target)]
+    tests = sum(work is None or (image.target, architecture) in work.tested for image in ordered)
+    packages = sum(_own(image_set, image).unpacked for image in ros)
+    costs: Costs = {("distribution", distribution): _divided(packages, rates.packages) + rates.test * tests}
+    if any(image.parent not in image_set.by_target for image in ros):
+        costs["os", ordered[0].os] = _divided(image_set.matrix.disk.os.unpacked, rates.packages)
+    for part in (image_set.part_by_name[name] for name in _parts(ordered)):
+        if made(part.target):
+            costs["part", part.name] = _divided(part.disk.unpacked, rates.parts)
+    return Unit(distribution, ordered, costs)
+
+
+def _ordered(image_set: ImageSet, images: Iterable[Image]) -> tuple[Image, ...]:
+    """Images in build order, with the ROS images that they stand on, which come first."""
+    images = list(images)
+    chains = [link for image in images for link in _chain(image_set, image)]
+    return tuple({image.target: image for image in [*chains, *images]}.values())
+
+
+def _chain(image_set: ImageSet, image: Image) -> list[Image]:
+    """The ROS images that an image stands on, lowest first, and the image itself if it is one."""
+    chain = [] if image.stack else [image]
+    while below := image_set.by_target.get(image.parent):
+        chain.append(below)
+        image = below
+    return chain[::-1]
+
+
+def _own(image_set: ImageSet, image: Image) -> Size:
+    """Size of a ROS image without what it stands on."""
+    below = image_set.by_target.get(image.parent)
+    return image.disk - (below.disk if below else image_set.matrix.disk.os)
+
+
+def _parts(images: Iterable[Image]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(part for image in images for part in image.parts))
+
+
+def _divided(megabytes: int, rate: int) -> int:
+    """Seconds, rounded up: whole numbers compare the same everywhere."""
+    return math.ceil(megabytes / rate)
+
+
+# ---- Shards ----------------------------------------------------------------------------------------------------------
+
+
+def _seconds(units: Iterable[Unit]) -> int:
+    """Time of units on one machine: what they share is built once."""
+    costs: Costs = {}
+    for unit in units:
+        costs |= unit.costs
+    return sum(costs.values())
+
+
+def _shares(units: dict[str, list[Unit]], shards: int) -> dict[str, int]:
+    """How many shards each architecture gets: one, and every further one goes to that which takes longest."""
+    shares = dict.fromkeys(units, 1)
+    longest = {name: _seconds(members) for name, members in units.items()}
+    while sum(shares.values()) < shards:
+        growing = [name for name, members in units.items() if shares[name] < len(members)]
+        if not growing:
+            break
+        name = max(growing, key=lambda name: longest[name])
+        shares[name] += 1
+        longest[name] = max(map(_seconds, _spread(units[name], shares[name])))
+    return shares
+
+
+def _dealt(units: list[Unit], share: int) -> list[list[Unit]]:
+    """The contents of an architecture's shards, longest first; within a shard in the order of the matrix."""
+    shards = _spread(units, share)
+    position = {unit.distribution: index for index, unit in enumerate(units)}
+    sort = [sorted(shard, key=lambda unit: position[unit.distribution]) for shard in shards]
+    return sorted(sort, key=lambda shard: (-_seconds(shard), position[shard[0].distribution]))
+
+
+def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
+    """Longest unit first, each to the shard that is done soonest with it, and of those to where it adds least."""
+    shards: list[list[Unit]] = [[] for _ in range(share)]
+    known: list[Costs] = [{} for _ in range(share)]
+    loads = [0] * share
+    for unit in sorted(units, key=lambda unit: -sum(unit.costs.values())):
+        growths = [sum(cost for key, cost in unit.costs.items() if key not in costs) for costs in known]
+        best = min(range(share), key=lambda index: (loads[index] + growths[index], growths[index]))
+        shards[best].append(unit)
+        known[best] |= unit.costs
+        loads[best] += growths[best]
+    return shards
+
+
+def _shard(image_set: ImageSet, architecture: str, number: int, units: list[Unit]) -> Shard:
+    images = [image for unit in units for image in unit.images]
+    parts = _parts(images)
+    systems = {image.os for image in images}
+    sizes = [
+        *(image_set.matrix.disk.os for _ in systems),
+        *(_own(image_set, image) for image in images if image.stack is None),
+        *(image_set.part_by_name[name].disk for name in parts),
+    ]
+    return Shard(
+        name=f"{architecture}-{number}",
+        architecture=architecture,
+        platform=image_set.matrix.architectures[architecture].platform,
+        runner=_runner(image_set, architecture),
+        distributions=tuple(unit.distribution for unit in units),
+        targets=tuple(image.target for image in images),
+        parts=parts,
+        download_mb=sum(size.compressed for size in sizes),
+        disk_mb=_disk_mb(image_set, images),
+        seconds=_seconds(units),
+    )
+
+
+def _disk_mb(image_set: ImageSet, images: list[Image]) -> int:
+    total, built = disk.RESERVE_MB, set[str]()
+    for image in images:
+        total += disk.needed_mb(image_set, image, built)
+        built.update((names.os_target(image.os), image.target, *image.parts))
+    return total
+
+
+# ---- For machines and for people -------------------------------------------------------------------------------------
+
+
+def facts(shard: Shard) -> dict[str, Any]:
+    """A shard as plain data."""
+    return {
+        "name": shard.name,
+        "architecture": shard.architecture,
+        "platform": shard.platform,
+        "runner": shard.runner,
+        "distributions": list(shard.distributions),
+        "targets": list(shard.targets),
+        "parts": list(shard.parts),
+        "estimates": {"download_mb": shard.download_mb, "disk_mb": shard.disk_mb, "seconds": shard.seconds},
+    }
+
+
+def as_json(plan: Dealt) -> str:
+    """plan.json: depends on nothing but the image set and the number of shards."""
+    return json.dumps({"version": FORMAT, "shards": [facts(shard) for shard in plan.shards]}, indent=2) + "\n"

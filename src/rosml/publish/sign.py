@@ -1,0 +1,184 @@
+"""Signs indexes with cosign: by a key, or keyless by the workflow that runs on GitHub.
+
+An index is signed by its digest, before a tag points at it; since it names its images by their digests, they are vouched
+for as well. A signature is an artifact beside the index. One that is there is not made again: cosign itself is asked.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.programs import pinned_version
+from rosml.machine.regctl import LOOPBACK
+
+INSTALL = "run 'rosml setup signer'"
+SECONDS = 180.0
+"""Longest that one call may take: keyless ones ask three services."""
+
+PATIENCE = 3
+"""So many failures one after the other, and the signer is not asked again in this run."""
+
+ISSUER = "https://token.actions.githubusercontent.com"
+"""Who says that a workflow is what it says it is."""
+
+WITHOUT_LOG = ("--use-signing-config=false", "--tlog-upload=false")
+"""For keys: no service is asked, and nothing is written into a public log."""
+
+
+class SignerFailed(RosmlError):
+    """Nothing was signed."""
+
+
+@dataclass(frozen=True)
+class Signer:
+    """The program, and whose signature it makes.
+
+    Attributes:
+        program: path of cosign.
+        identity: what a signature is known by: a digest of the public key, or the workflow.
+        signing, verifying: options that say with what.
+        environment: what calls of it inherit; a key's password may be in it.
+    """
+
+    program: str
+    identity: str
+    signing: tuple[str, ...]
+    verifying: tuple[str, ...]
+    environment: Mapping[str, str] = field(default_factory=dict, repr=False)
+
+    @classmethod
+    def find(cls, root: Path, environment: Mapping[str, str] = os.environ) -> Signer:
+        """The signer of a checkout: what `rosml setup signer` left, or a cosign of that version on PATH.
+
+        Args:
+            root: the checkout.
+            environment: `COSIGN_KEY` names a key, a file's or a service's; without it, signing is keyless.
+
+        Raises:
+            SignerFailed: there is none of the pinned version, no key and no identity, or the key cannot be read.
+        """
+        program = _program(root, environment)
+        key = environment.get("COSIGN_KEY", "")
+        if key:
+            return cls._with_key(program, key, root, environment)
+        workflow, server = environment.get("GITHUB_WORKFLOW_REF", ""), environment.get("GITHUB_SERVER_URL", "")
+        if not (environment.get("ACTIONS_ID_TOKEN_REQUEST_URL") and workflow and server):
+            text = "nothing says with what to sign: there is no key, and this is no workflow that may show who it is"
+            remedy = "let COSIGN_KEY name a key (cosign generate-key-pair), or give the job the right 'id-token: write'"
+            raise SignerFailed(text, remedy, exit_code=2)
+        identity = f"{server}/{workflow}"
+        verifying = ("--certificate-identity", identity, "--certificate-oidc-issuer", ISSUER)
+        return cls(program, identity, (), verifying, environment)
+
+    @classmethod
+    def _with_key(cls, program: str, key: str, root: Path, environment: Mapping[str, str]) -> Signer:
+        remedy = (
+            "let COSIGN_KEY name a file with a private key or a key service, and COSIGN_PASSWORD be the file's password"
+        )
+        public = _call(program, ("public-key", "--key", key), environment, "the signing key cannot be read", remedy)
+        identity = f"sha256:{hashlib.sha256(public.strip().encode()).hexdigest()}"
+        folder = root / ".state" / "signer"
+        folder.mkdir(parents=True, exist_ok=True)
+        file = folder / f"{identity.partition(':')[2][:16]}.pub"
+        files.write(file, public)
+        verifying = ("--key", str(file), "--insecure-ignore-tlog=true")
+        return cls(program, identity, ("--key", key, *WITHOUT_LOG), verifying, environment)
+
+    def signed(self, reference: str) -> bool:
+        """Whether an index has a signature of ours, as far as cosign can say."""
+        with contextlib.suppress(SignerFailed):
+            self.verify(reference)
+            return True
+        return False
+
+    def verify(self, reference: str) -> None:
+        """Checks that an index has a signature of ours.
+
+        Args:
+            reference: repository and digest.
+
+        Raises:
+            SignerFailed: it has none, or cosign cannot say.
+        """
+        text = f"{reference} has no signature of {self.identity}"
+        arguments = ("verify", *self.verifying, *_plain(reference), reference)
+        _call(self.program, arguments, self.environment, text, "sign it: rosml publish promote --sign")
+
+    def ensure(self, reference: str) -> bool:
+        """Signs an index, unless it has a signature of ours; gives whether one was made.
+
+        Args:
+            reference: repository and digest.
+
+        Raises:
+            SignerFailed: it could not be signed.
+        """
+        if self.signed(reference):
+            return False
+        remedy = "see what cosign says; the next run signs what is not signed yet"
+        arguments = ("sign", "--yes", *self.signing, *_plain(reference), reference)
+        _call(self.program, arguments, self.environment, f"{reference} could not be signed", remedy)
+        self.verify(reference)
+        return True
+
+
+def _program(root: Path, environment: Mapping[str, str]) -> str:
+    """Path of the pinned cosign."""
+    file = root / ".state" / "signer.json"
+    try:
+        program = str(json.loads(file.read_text())["cosign"])
+    except FileNotFoundError:
+        program = shutil.which("cosign", path=environment.get("PATH")) or ""
+    except (OSError, ValueError, KeyError, TypeError):
+        raise SignerFailed(f"{file} is damaged", INSTALL) from None
+    if not program:
+        raise SignerFailed("the signer, cosign, is not installed", INSTALL)
+    said = _call(program, ("version", "--json"), environment, f"{program} does not say its version", INSTALL)
+    found = re.search(r'"gitVersion":\s*"v?([^"]*)"', said)
+    version, pinned = found[1] if found else "", pinned_version(root, "cosign", SignerFailed)
+    if version != pinned:
+        raise SignerFailed(f"{program} is cosign {version or 'of unknown version'}, and {pinned} is pinned", INSTALL)
+    return program
+
+
+def _plain(reference: str) -> tuple[str, ...]:
+    """Registries on loopback speak plain http."""
+    return ("--allow-http-registry",) if LOOPBACK.match(reference) else ()
+
+
+def _call(program: str, arguments: tuple[str, ...], environment: Mapping[str, str], text: str, remedy: str) -> str:
+    """Calls cosign; gives what it prints. It asks nobody anything: there may be nobody.
+
+    Raises:
+        SignerFailed: it cannot be run, hangs, or ends with anything but 0.
+    """
+    try:
+        done = subprocess.run(
+            [program, *arguments],
+            env=dict(environment),
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=SECONDS,
+            check=False,
+        )
+    except OSError as error:
+        raise SignerFailed(f"cannot run {program}: {error.strerror}", INSTALL) from None
+    except subprocess.TimeoutExpired:
+        raise SignerFailed(f"{text}: cosign did not end within {SECONDS:.0f} s", remedy) from None
+    if done.returncode != 0:
+        lines = [line for line in done.stderr.strip().splitlines() if not line.startswith("WARNING:")]
+        reason = lines[-1].removeprefix("error during command execution: ")[:500] if lines else ""
+        raise SignerFailed(f"{text}: {reason or f'exit code {done.returncode}'}", remedy)
+    return done.stdout

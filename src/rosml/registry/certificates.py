@@ -1,0 +1,80 @@
+"""Certificates of registries that no public authority vouches for, where Docker looks for them: `certs.d/<host>/*.crt`.
+
+`rosml setup` tells the builder and regctl of the same ones.
+buildx, which asks for tokens, and trivy do not look there: they get a bundle with all of them.
+"""
+
+from __future__ import annotations
+
+import os
+import ssl
+from pathlib import Path
+
+import httpx
+
+from rosml.base.errors import RosmlError
+from rosml.registry import credentials
+
+SYSTEM = Path("/etc/docker/certs.d")
+
+
+def folders() -> list[Path]:
+    """Where they may be: for the whole machine, and beside the user's config file of Docker."""
+    own = credentials.folder()
+    return [SYSTEM, *([own / "certs.d"] if own else [])]
+
+
+def of(host: str) -> list[Path]:
+    """The files with the authorities that are trusted for a registry; none for most."""
+    found: list[Path] = []
+    for folder in folders():
+        try:
+            found += sorted(file for file in (folder / host).iterdir() if file.suffix == ".crt")
+        except OSError:  # not there, or not this user's to read
+            continue
+    return found
+
+
+def by_host() -> dict[str, list[Path]]:
+    """Those of all registries that this user may read."""
+    found: dict[str, list[Path]] = {}
+    for file in [file for folder in folders() for file in sorted(folder.glob("*/*.crt"))]:
+        if os.access(file, os.R_OK):
+            found.setdefault(file.parent.name, []).append(file)
+    return found
+
+
+def context(ca_bundle: str, authorities: list[Path]) -> ssl.SSLContext:
+    """What TLS trusts: a bundle, by default what SSL_CERT_FILE says or the usual one, and further authorities.
+
+    Raises:
+        RosmlError: one of the files cannot be read (exit code 2).
+    """
+    name = ca_bundle or "the file that SSL_CERT_FILE names"
+    try:
+        made = ssl.create_default_context(cafile=ca_bundle) if ca_bundle else httpx.create_ssl_context()
+        for file in authorities:
+            name = str(file)
+            made.load_verify_locations(file)
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else "it has no certificate"
+        if isinstance(error, ssl.SSLError):
+            reason = "it has no certificate in PEM"
+        raise RosmlError(f"{name}: {reason}", "let it hold certificates in PEM", exit_code=2) from None
+    return made
+
+
+def remedy(host: str, reason: str) -> str:
+    """What to do about a certificate that is not trusted.
+
+    Args:
+        reason: in OpenSSL's words, or Go's.
+    """
+    if "expired" in reason:
+        return "its operator has to renew it; if it is new, check this machine's clock"
+    if "not yet valid" in reason:
+        return "check this machine's clock"
+    if "mismatch" in reason or "not valid for" in reason or "is valid for" in reason or "IP SANs" in reason:
+        return "call the registry by a name that its certificate has"
+    place = folders()[-1] / host / "ca.crt"
+    return f"put its authority's certificate into {place}, then run 'rosml setup', which tells the builder and regctl of it"
