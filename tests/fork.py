@@ -40,7 +40,6 @@ OURS = frozenset(
         "unit/test_documented.py::test_parsers_accept_what_a_page_shows",
         "unit/test_expand.py::test_a_live_repository_that_is_not_pinned",
         "unit/test_expand.py::test_what_no_channel_can_change",
-        "unit/test_extend.py::test_a_fork_is_green",
         "unit/test_extend.py::test_a_release_and_a_stack",
         "unit/test_extend.py::test_a_set_of_ones_own",
         "unit/test_docs.py::test_the_readme_says_which_images_of_its_table_lack_a_lock",

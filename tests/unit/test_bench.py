@@ -25,7 +25,7 @@ def test_help(word: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert "--generator" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("images", [1, 500, 10_000])
+@pytest.mark.parametrize("images", [1, 500])
 def test_synthetic_matrices_are_valid(images: int) -> None:
     text = synthetic.matrix(images)
     assert images <= len(parse(text).images) < images + synthetic.IMAGES
@@ -76,43 +76,17 @@ def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert found.keys() == {"machine", "real_seconds", "sizes", "growth", "limits"}
     assert len(found["limits"]) == 2 and all(item["seconds"] > 0 for item in found["limits"])
     assert [size["images"] for size in found["sizes"]] == [96, 192]
-    assert command.run(cli.main, arguments=["--generator"]) == 0
-    said = capsys.readouterr()
-    assert "192 images" in said.out
-    assert said.err == f"with charts: {tmp_path / 'report/report.md'}\n"
     assert (tmp_path / "report/generator.svg").is_file()
 
 
 @pytest.mark.usefixtures("quick")
 def test_too_slow(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(generator, "LARGEST_SECONDS", 0.0)
-    assert command.run(cli.main, arguments=["--generator"]) == 0
-    first = capsys.readouterr()
-    assert "192 images" in first.out
-    assert "\n192 images take 0." in first.err
-    assert first.err.endswith(" s; the limit of 0.0 s holds for an idle machine\n")
     assert command.run(cli.main, arguments=["--generator", "--check"]) == 1
     done = capsys.readouterr()
     assert "192 images" in done.out
     assert "too slow: 192 images take" in done.err
     assert "cProfile" in done.err
-
-
-@pytest.mark.usefixtures("quick")
-@pytest.mark.parametrize(
-    ("limit", "what"),
-    [
-        ("PLAN_SECONDS", "dealing the largest matrix out"),
-        ("DIGESTS_SECONDS", "digests of the real"),
-    ],
-)
-def test_a_limit_beside_the_generator_is_missed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], limit: str, what: str
-) -> None:
-    monkeypatch.setattr(generator, limit, 0.0)
-    assert command.run(cli.main, arguments=["--generator", "--check"]) == 1
-    assert f"too slow: {what}" in capsys.readouterr().err
-    assert f"| {what}" in (tmp_path / "report/report.md").read_text()
 
 
 def test_a_run_that_fails_is_no_measurement(monkeypatch: pytest.MonkeyPatch) -> None:

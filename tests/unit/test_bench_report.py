@@ -62,13 +62,6 @@ def test_the_generator_alone(tmp_path: Path) -> None:
     assert "the usual way" not in page.read_text()
 
 
-def test_the_same_numbers_make_the_same_files(tmp_path: Path) -> None:
-    for folder in ("one", "two"):
-        report.write(WHOLE, tmp_path / folder, LIMITS)
-    for file in (tmp_path / "one").iterdir():
-        assert file.read_bytes() == (tmp_path / "two" / file.name).read_bytes()
-
-
 def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     with pytest.raises(RosmlError, match="cannot write") as caught:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -73,15 +72,6 @@ def test_a_set_of_ones_own(project: Path) -> None:
     assert made.matrix.source == "https://github.com/robots/rosml"
     check = [sys.executable, "scripts/generate_bake.py", "--check"]
     assert subprocess.run(check, cwd=project, check=False).returncode == 0
-
-
-def test_a_fork_is_green(tmp_path: Path) -> None:
-    """The files of unit tests that the documented steps of a fork turned red once. tests/e2e/test_fork.py runs them all."""
-    fork = walk.clone(tmp_path)
-    walk.own_set(fork)
-    done = walk.unit_tests(fork, *(f"tests/unit/test_{name}.py" for name in ("design", "workflows")))
-    assert done.returncode == 0, done.stdout
-    assert re.search(r"\b[1-9]\d+ passed", done.stdout), done.stdout
 
 
 def test_a_part(project: Path, real: ImageSet) -> None:

@@ -167,7 +167,7 @@ def test_frameworks(place: Place, wanted: tuple[str, ...], stack: str, framework
 
 
 @given(data=st.data())
-@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_same_parts_same_bytes(place: Place, data: st.DataObject) -> None:
     """In any order, by whatever names, from another repository, in another registry: the same digest."""
     wanted = data.draw(st.sampled_from([TORCH, PARTS, ("cuda",)]))

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
-
 from tests.act import Played, play, workflow
 
 SHARDS = '[{"name":"amd64-1","runner":"ubuntu-24.04"},{"name":"arm64-1","runner":"ubuntu-24.04-arm"}]'
@@ -52,23 +50,25 @@ def test_a_night_in_which_nothing_fails(tmp_path: Path) -> None:
         assert f"rosml publish test --plan plan.json --shard {shard}" in played.commands["images"]
     assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
     assert "signer" not in steps(played, "promote")
+    assert not any("promote" in key for key in played.caches)
     assert steps(played, "scan") == ["client", "scanner", "test-scanner", "scan"]
     place = "--registry ghcr.io/somebody/images"
     assert place in played.commands["plan"][-1] and place in played.commands["prune"][-1]
     assert "--serve  --only  " in played.commands["plan"][-1] and "--shards 24 " in played.commands["plan"][-1]
 
 
-@pytest.mark.parametrize("failing", ["build", "join-images test"])
-def test_one_image_blocks_only_itself(tmp_path: Path, failing: str) -> None:
-    """The steps after it go on with what is there, and so do the other jobs; the run is red."""
-    played = night(tmp_path, failing)
-    assert played.results == {**dict.fromkeys(ALL, "success"), "images": "failure", "pages": "skipped"}
+def test_one_failure_blocks_only_itself(tmp_path: Path) -> None:
+    """The steps after it go on with what is there, and so do the other jobs; the run is red. A scan ends with a code of its own
+    where the policy stops an image, and its results are there all the same."""
+    played = night(tmp_path, "build join-images scan record index")
+    red = dict.fromkeys(("images", "scan", "promote"), "failure")
+    assert played.results == {**dict.fromkeys(ALL, "success"), **red, "pages": "skipped"}
     assert [steps(played, "images").count(step) for step in ("build", "join-images", "test")] == [2, 2, 2]
     assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
 
 
 def test_no_plan_no_night(tmp_path: Path) -> None:
-    played = night(tmp_path, "plan")
+    played = night(tmp_path, "plan", ROSML_PAGES="true")
     assert played.results == {"plan": "failure", **dict.fromkeys((*ALL[1:], "pages"), "skipped")}
     assert played.commands.keys() == {"plan"}
 
@@ -77,13 +77,6 @@ def test_nothing_to_build(tmp_path: Path) -> None:
     """No machine starts for images; scans, indexes and tags are looked at all the same."""
     played = night(tmp_path, shards="[]")
     assert played.results == {**dict.fromkeys(ALL, "success"), "images": "skipped", "pages": "skipped"}
-
-
-def test_a_scan_that_fails_is_recorded(tmp_path: Path) -> None:
-    """It ends with a code of its own where the policy stops an image, and its results are there all the same."""
-    played = night(tmp_path, "scan")
-    assert played.results == {**dict.fromkeys(ALL, "success"), "scan": "failure", "pages": "skipped"}
-    assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
 
 
 def test_a_scanner_that_does_not_find_what_it_must(tmp_path: Path) -> None:
@@ -112,42 +105,20 @@ def test_results_of_a_scan_that_never_arrive(tmp_path: Path) -> None:
     assert "record" not in steps(played, "promote")
 
 
-@pytest.mark.parametrize("failing", ["record", "index promote"])
-def test_promotion_that_fails(tmp_path: Path, failing: str) -> None:
-    """What follows is still said: how images stand, what could go, what is published."""
-    played = night(tmp_path, failing)
-    assert played.results == {**dict.fromkeys(ALL, "success"), "promote": "failure", "pages": "skipped"}
-    assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
-
-
-@pytest.mark.parametrize(("value", "signed"), [("true", True), ("false", False)])
-def test_signing_is_a_variable_of_the_repository(tmp_path: Path, value: str, signed: bool) -> None:
-    """The signer is built and tested only where it is used; the publisher reads the same variable."""
-    rosml = f"FAILING='' SHARDS_PLANNED='[]'\n[ \"${{2:-}}\" != promote ] || [ \"$ROSML_SIGN\" = '{value}' ]\n{ROSML}"
-    played = play(workflow("nightly"), tmp_path, {"make": ":", "rosml": rosml}, variables={"ROSML_SIGN": value})
-    assert ("signer" in steps(played, "promote")) is signed
-    assert ("test-signer" in steps(played, "promote")) is signed
-    assert len(played.caches) == 1 + signed, "of the scan, and of the signer"
+def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
+    """Variables of the repository and inputs of a run by hand. The signer is built and tested only where it is used."""
+    seen = '[ "$1" != plan ] || echo "$ROSML_FORCE|$ONLY" >"$CALLS.plan"\n[ "${2:-}" != promote ] || [ "$ROSML_SIGN" = true ]'
+    played = play(
+        workflow("nightly"),
+        tmp_path,
+        {"make": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{seen}\n{ROSML}"},
+        variables={"ROSML_SIGN": "true", "ROSML_PAGES": "true", "ROSML_SERVE": "amd64", "ROSML_SHARDS": "3"},
+        inputs={"only": "bookworm-* jazzy-core", "force": "true"},
+    )
+    assert played.results == {**dict.fromkeys(ALL, "success"), "images": "skipped", "pages": "success"}
+    assert {"signer", "test-signer"} <= set(steps(played, "promote"))
+    assert len(played.caches) == 2, "of the scan, and of the signer"
     assert all(line.endswith(" .state/bin") for line in played.caches)
-    assert played.results["promote"] == "success"
-
-
-@pytest.mark.parametrize(
-    ("value", "failing", "result"), [("true", "", "success"), ("", "", "skipped"), ("true", "plan", "skipped")]
-)
-def test_the_site_is_a_variable_of_the_repository(tmp_path: Path, value: str, failing: str, result: str) -> None:
-    assert night(tmp_path, failing, ROSML_PAGES=value).results["pages"] == result
-
-
-def test_other_variables_of_the_repository(tmp_path: Path) -> None:
-    played = night(tmp_path, ROSML_SERVE="amd64", ROSML_SHARDS="3")
-    assert "--serve amd64 --only  " in played.commands["plan"][-1]
+    assert "--serve amd64 --only bookworm-* jazzy-core " in played.commands["plan"][-1]
     assert "--shards 3 " in played.commands["plan"][-1]
-
-
-def test_inputs_of_a_run_by_hand(tmp_path: Path) -> None:
-    rosml = f'FAILING=\'\' SHARDS_PLANNED=\'[]\'\n[ "$1" != plan ] || echo "$ROSML_FORCE|$ONLY" >"$CALLS.plan"\n{ROSML}'
-    inputs = {"only": "bookworm-* jazzy-core", "force": "true"}
-    played = play(workflow("nightly"), tmp_path, {"make": ":", "rosml": rosml}, inputs=inputs)
-    assert played.results["plan"] == "success"
     assert (tmp_path / "calls.plan").read_text() == "true|bookworm-* jazzy-core\n"

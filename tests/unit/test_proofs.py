@@ -107,14 +107,6 @@ def test_a_proof_whose_set_up_fails_is_not_run(monkeypatch: pytest.MonkeyPatch) 
     assert "signer failed, which these need: not run: signer" in done.output
 
 
-def test_nothing_of_the_environment_chooses_tests(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("PYTEST_ADDOPTS", "--collect-only")
-    monkeypatch.setattr(suite, "LOGS", tmp_path)
-    (tmp_path / "test_one.py").write_text("def test_one() -> None:\n    pass\n")
-    outcome = suite.run(suite.Phase("one", suite.pytest("--rootdir", str(tmp_path), "-c", "/dev/null", str(tmp_path))))
-    assert (outcome.code, outcome.passed) == (0, 1)
-
-
 def test_a_run_without_tests_fails(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(suite, "run", lambda phase: Outcome(phase.name, 1, 0, log=tmp_path / "log"))
     done = CliRunner().invoke(suite.main, ["--phase", "page"])

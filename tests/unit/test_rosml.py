@@ -342,18 +342,6 @@ def test_a_proxy_of_another_kind(wheel: Path, tmp_path: Path, name: str, value: 
     assert name in json.loads(done.stdout)["error"]
 
 
-def test_remedies_are_in_its_own_words(wheel: Path, tmp_path: Path) -> None:
-    for given in (
-        ["explain", "nope"],
-        ["explain", DISTRIBUTIONS[0]],
-        ["status"],
-        ["catalogue"],
-        ["list", *DISTRIBUTIONS[:2]],
-    ):
-        done = installed(wheel, tmp_path, *given)
-        assert not re.search(r"\bmake |scripts/", done.stdout + done.stderr), given
-
-
 TARGETS = "|".join(re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(), re.MULTILINE))
 MAKES = re.compile(rf"\bmake ({TARGETS})\b|publish\.py [a-z]")
 """A command in other words than its own."""

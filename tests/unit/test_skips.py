@@ -39,12 +39,6 @@ def test_a_run_with_a_skip_fails(tmp_path: Path) -> None:
     assert "1 passed, 1 skipped, 1 error" in done.stdout
 
 
-def test_a_run_with_a_file_that_skips_fails(tmp_path: Path) -> None:
-    done = run(tmp_path, 'import pytest\npytest.importorskip("no_such_module")\n')
-    assert done.returncode not in (0, 5)
-    assert "test_one.py was skipped: could not import 'no_such_module'" in done.stdout
-
-
 @pytest.mark.parametrize(
     ("test", "reason", "refused"),
     [
