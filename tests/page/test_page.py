@@ -241,7 +241,7 @@ def test_history_tells_what_changed_between_two_nights(window: Windows) -> None:
     nights = page.locator(".history > li")
     assert [text[:10] for text in texts(page, ".history .when")] == ["2026-11-22", "2026-11-21", "2026-11-20"]
     last, middle = (nights.nth(number).text_content() or "" for number in (0, 1))
-    assert "torch-cu128-py311 is new; an update pulls 802 MB and keeps 6 of 7 layers" in last
+    assert "torch-cu128-py311 is new; an update pulls 813 MB and keeps 6 of 7 layers" in last
     assert "numpy 1.26.4 → 1.26.5" in last
     assert "bookworm-core, bookworm-base are new" in middle
     assert "ROS's packages moved from lists-1 to lists-2" in middle
@@ -253,7 +253,7 @@ def test_a_build_is_compared_with_the_one_before(window: Windows) -> None:
     page = window().open(f"#/image/{TORCH}")
     page.get_by_role("link", name="Compare the build of 2026-11-22 with the one before").click()
     verdict = page.locator("#verdict").text_content() or ""
-    assert verdict == ("They share 6 of 7 layers, 2.31 GB. Whoever has the first pulls 802 MB for the second.")
+    assert verdict == ("They share 6 of 7 layers, 2.32 GB. Whoever has the first pulls 813 MB for the second.")
     assert page.get_by_role("combobox", name="First").input_value() == "ros-torch:bookworm-base-cu128-20261121"
 
 
