@@ -208,7 +208,7 @@ def test_what_is_looked_for_is_what_the_project_asks_for() -> None:
 def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
     script = tmp_path / "x.py"
     script.write_text(
-        f"import sys; sys.path.insert(0, {str(ROOT)!r})\n"
+        f"import sys; sys.path.insert(0, {str(ROOT / 'src')!r})\n"
         "import click; from rosml.cli import command\n"
         "@click.command()\n"
         "def main() -> None:\n"
@@ -243,7 +243,7 @@ def test_output_that_is_closed(more: str) -> None:
 def test_output_that_knows_few_letters(shell: str, tmp_path: Path) -> None:
     script = tmp_path / "x.py"
     script.write_text(
-        f"import sys; sys.path.insert(0, {str(ROOT)!r})\n"
+        f"import sys; sys.path.insert(0, {str(ROOT / 'src')!r})\n"
         "import click; from rosml.cli import command\n"
         "@click.command()\n"
         "def main() -> None: click.echo('a → b')\n"
