@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import time
@@ -28,6 +29,8 @@ LOGS = ROOT / ".state" / "log"
 LANES = ("--numprocesses=2", "--dist=loadfile", "--no-loadscope-reorder", "--verbose")
 QUIET = ("--quiet", "--override-ini=log_cli=false")
 """For thousands of tests that take no time: a point for each of them."""
+MEMORY_BYTES = 2 << 30
+"""More than the files of unit tests at any time."""
 CLEANING_SECONDS = 60.0
 """How long pytest may take to clean up after Ctrl-C."""
 QUICK_MINUTES = 30.0
@@ -56,18 +59,30 @@ class Outcome:
     log: Path = Path()
 
 
+def in_memory() -> dict[str, str]:
+    """Has thousands of small files written to memory instead of a disk, which is waited for at each; where there is room."""
+    memory = Path("/dev/shm")
+    roomy = memory.is_dir() and os.access(memory, os.W_OK) and shutil.disk_usage(memory).free > MEMORY_BYTES
+    return {"TMPDIR": str(memory)} if roomy else {}
+
+
 def pytest(*arguments: str) -> list[str]:
     """A call of pytest in this environment."""
     return [sys.executable, "-m", "pytest", *arguments]
 
 
-BESIDE = (*QUIET, "--numprocesses=auto", "--dist=worksteal")
-"""As many at a time as there are processors, which take tests from one another in the end."""
+BESIDE = (
+    *QUIET,
+    f"--numprocesses={(os.cpu_count() or 1) + 1}",
+    "--dist=worksteal",
+    "--override-ini=tmp_path_retention_policy=failed",
+)
+"""One more at a time than there are processors, since some wait, which take tests from one another in the end."""
 BROWSERS = (*QUIET, "--numprocesses=2", "--dist=worksteal")
 """A browser for each of two processors."""
 
 QUICK = {
-    "unit": Phase("linters and unit tests", pytest(*BESIDE, "tests/lint", "tests/unit")),
+    "unit": Phase("linters and unit tests", pytest(*BESIDE, "-m", "not full", "tests/lint", "tests/unit"), in_memory()),
     "page": Phase("the catalogue's page", pytest(*BROWSERS, "tests/page")),
     "images": Phase("real images", pytest(*LANES, "-m", "not full", "tests/e2e")),
 }
@@ -80,8 +95,10 @@ def proof_phase(proof: Proof) -> Phase:
 
 
 def environment() -> dict[str, str]:
-    """This process' own, without what would have pytest run other tests, or other plugins."""
-    return {name: value for name, value in os.environ.items() if name not in ("PYTEST_ADDOPTS", "PYTEST_PLUGINS")}
+    """This process' own, without what would have pytest run other tests or other plugins, or Python compile the same modules
+    in each of hundreds of processes."""
+    left_out = ("PYTEST_ADDOPTS", "PYTEST_PLUGINS", "PYTHONDONTWRITEBYTECODE")
+    return {name: value for name, value in os.environ.items() if name not in left_out}
 
 
 def run(phase: Phase) -> Outcome:

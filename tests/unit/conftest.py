@@ -217,6 +217,11 @@ def project(tmp_path: Path, sources: Path) -> Path:
 @pytest.fixture
 def image_set(project: Path) -> sets.ImageSet:
     """The catalogue of the smaller matrix, with all locks in the project."""
+    return smaller(project)
+
+
+def smaller(project: Path) -> sets.ImageSet:
+    """The catalogue of the smaller matrix, whose locks are written into a project."""
     found = parse(SMALLER)
     write_locks(project, found)
     return locked.with_locks(found, locked.current_locks(found, project))

@@ -70,6 +70,13 @@ class MemoryRegistry(Registry):
     refuses: set[str] = field(default_factory=set)
     lock: Any = field(default_factory=threading.RLock)
 
+    def copy(self) -> MemoryRegistry:
+        """A registry with the same content; what is written into one is not in the other."""
+        manifests = {repository: dict(found) for repository, found in self.manifests.items()}
+        blobs = {repository: dict(found) for repository, found in self.blobs.items()}
+        names = {repository: dict(found) for repository, found in self.names.items()}
+        return MemoryRegistry(manifests, blobs, names, self.writes, self.reads, self.uploaded)
+
     @contextmanager
     def writing(self, what: str) -> Iterator[None]:
         with self.lock:

@@ -16,8 +16,8 @@ BASE = "alpha-base-torch-cu1"
 
 
 def copy(folder: Path) -> Path:
-    """All that images are built from, without the matrix; files have the time of the copy."""
-    for name in ("components", "locks", "tests/structure"):
+    """All that images are built from, without the matrix and its locks; files have the time of the copy."""
+    for name in ("components", "tests/structure"):
         shutil.copytree(ROOT / name, folder / name, copy_function=shutil.copy)
     (folder / "tools").mkdir()
     for name in ("Dockerfile", "README.md", "tools/requirements.txt", "tools/structure-test.txt"):
@@ -31,7 +31,7 @@ def copy(folder: Path) -> Path:
 def copy_for_generator(folder: Path) -> Path:
     """A copy of all that the generator reads and writes."""
     for name in ("components", "locks", "src", "scripts", "tests/structure", "tools"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(ROOT / name, folder / name)
     for name in (
         "matrix.yaml",
         "matrix.schema.json",
@@ -50,7 +50,7 @@ def copy_with_commands(folder: Path, matrix: str) -> Path:
     """The project with another matrix and the commands that compare, committed."""
     copy(folder)
     for name in ("src", "scripts"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(ROOT / name, folder / name)  # with its bytecode, which Python would make anew
     (folder / ".gitignore").write_text("__pycache__\n")
     (folder / "matrix.yaml").write_text(matrix)
     git(folder, "init", "--quiet")

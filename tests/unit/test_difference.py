@@ -51,7 +51,7 @@ def test_nothing_differs(repository: Path) -> None:
     (repository / "matrix.yaml").write_text(f"# A comment.\n{SMALL}")
     (repository / "README.md").write_text("")
     cache = repository / "components/part/__pycache__"
-    cache.mkdir()
+    cache.mkdir(exist_ok=True)
     (cache / "x.pyc").touch()
     done = diff(repository, "HEAD")
     assert (done.returncode, done.stdout) == (0, f"0 added, 0 removed, 0 changed, {count} same\n")

@@ -32,12 +32,12 @@ Strategy = st.SearchStrategy[Any]
 
 REAL = (ROOT / "matrix.yaml").read_text(encoding="utf-8")
 
-# `quick` runs with every change: the same 125 examples of each property, about 25 of them on the real matrix, which has
-# hundreds of images to expand and render, the others on the small one. `thorough` looks for what nobody thought of, 1,250
-# other ones each time:
+# `quick` runs with every change: the same 20 or 30 examples of each property, a fifth of them on the real matrix, which has
+# hundreds of images to expand and render, the others on the small one. `thorough` looks for what nobody thought of, 1,000
+# or 1,500 other ones each time:
 #   HYPOTHESIS_PROFILE=thorough uv run pytest tests/unit/test_matrix.py
 settings.register_profile(
-    "quick", max_examples=50, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
+    "quick", max_examples=20, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
 )
 settings.register_profile("thorough", settings.get_profile("quick"), max_examples=1_000, derandomize=False)
 NAME = os.environ.get("HYPOTHESIS_PROFILE", "quick")

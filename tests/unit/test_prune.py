@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import shutil
 import threading
 from collections.abc import Callable
 from datetime import date, timedelta
 from pathlib import Path
 
 import pytest
+from conftest import smaller
 from memory_registry import DAY, PREFIX, Place, place
 from projects import BASE
 from stubs import OFFLINE, services
@@ -26,12 +28,22 @@ from rosml.registry.oci import Manifest
 FIRST = date(2026, 9, 1)
 
 
+@pytest.fixture(scope="module")
+def published(sources: Path, tmp_path_factory: pytest.TempPathFactory) -> Place:
+    """Six nights a week apart, each with other packages: published once for all tests here."""
+    folder = shutil.copytree(sources, tmp_path_factory.mktemp("nights") / "project")
+    with pytest.MonkeyPatch.context() as patch:
+        found = place(folder, services(folder), patch)
+        for number in range(6):
+            night(found, smaller(folder), number)
+        return found
+
+
 @pytest.fixture
-def nights(project: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch) -> Place:
-    """Six nights a week apart, each with other packages."""
+def nights(published: Place, project: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
+    """Those nights in a registry of the test's own."""
     found = place(project, services(project), monkeypatch)
-    for number in range(6):
-        night(found, image_set, number)
+    found.registry, found.upstream = published.registry.copy(), dict(published.upstream)
     return found
 
 

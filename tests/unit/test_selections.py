@@ -255,7 +255,7 @@ def ended(shop: Shop, name: str, words: list[str], capsys: pytest.CaptureFixture
 
 
 PROFILE = settings(
-    max_examples=5,
+    max_examples=3,
     phases=(Phase.explicit, Phase.reuse, Phase.generate),  # each call takes a moment: what failed is not made shorter
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],

@@ -146,6 +146,7 @@ class Services:
                 headers={"Accept": accept},
                 timeout=REGISTRY_SECONDS,
                 trust_env=False,
+                verify=False,
             )
         except httpx.HTTPError as error:
             raise RosmlError(f"the registry at {self.registry} does not answer: {error}", REMEDY) from None

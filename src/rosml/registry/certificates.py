@@ -12,6 +12,7 @@ from pathlib import Path
 
 import httpx
 
+from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.registry import credentials
 
@@ -52,6 +53,8 @@ def context(ca_bundle: str, authorities: list[Path]) -> ssl.SSLContext:
     """
     name = ca_bundle or "the file that SSL_CERT_FILE names"
     try:
+        if not (ca_bundle or authorities):
+            return web.trusted()
         made = ssl.create_default_context(cafile=ca_bundle) if ca_bundle else httpx.create_ssl_context()
         for file in authorities:
             name = str(file)

@@ -55,7 +55,7 @@ def _is_registry(answer: httpx.Response) -> bool:
 def registry_answers(address: str) -> bool:
     """Whether a registry answers on a loopback address; never through a proxy."""
     try:
-        return _is_registry(httpx.get(f"http://{address}/v2/", timeout=3.0, trust_env=False))
+        return _is_registry(httpx.get(f"http://{address}/v2/", timeout=3.0, trust_env=False, verify=False))
     except httpx.HTTPError:
         return False
 
