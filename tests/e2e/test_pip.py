@@ -10,7 +10,7 @@ import pytest
 from rosml.machine.services import Services
 from tests.e2e.images import Publish, build_on
 
-FEW = "opencv-python scikit-learn tf-keras tensorflow-hub"
+FEW = "opencv-python tf-keras"
 ANY = "onnxruntime opencv-python pandas scikit-learn open3d"
 OF_TORCH = "torchvision torchaudio ultralytics transformers timm lightning accelerate diffusers torchmetrics kornia"
 OF_TENSORFLOW = "tensorboard tf-keras tensorflow-hub tf2onnx"

@@ -85,6 +85,7 @@ def test_ros_2_from_wheels_is_a_row_of_its_own(published: Publish) -> None:
     assert [outcome.name for outcome in report.outcomes if outcome.passed and "talk" in outcome.name]
 
 
+@pytest.mark.full(proof="rebuild")
 def test_a_base_image_is_the_same_wherever_it_is_made(services: Services, tmp_path: Path) -> None:
     """Also in a folder that no other user may enter, where mmdebstrap gives apt's user nothing."""
     if not services.bases:
