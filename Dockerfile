@@ -35,7 +35,7 @@ RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/base,target=/run/components/base \
     /run/components/base/contract.sh
-ENV LANG=C.utf8 \
+ENV LANG=C.UTF-8 \
     PYTHONIOENCODING=utf-8 \
     WORKSPACE=/docker-ros/ws \
     DOCKER_USER=dockeruser \

@@ -406,7 +406,7 @@ class Image:
         enter = ["bash", "-c", ENTER, "enter", str(self.folder), str(self.components)]
         done = subprocess.run(
             [*namespaces, *enter, *command],
-            env={"PATH": PATH, "ROOT": str(self.folder / "root"), "LANG": "C.utf8", "HOME": "/root", **(env or {})},
+            env={"PATH": PATH, "ROOT": str(self.folder / "root"), "LANG": "C.UTF-8", "HOME": "/root", **(env or {})},
             cwd="/",
             stdin=subprocess.DEVNULL,
             capture_output=True,

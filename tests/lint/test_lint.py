@@ -17,6 +17,13 @@ PROGRAMS = Path(sys.executable).parent
 """Where the linters' Python packages put their commands."""
 
 
+def shellcheck() -> str:
+    """Its package has wheels for x86-64 alone; elsewhere it is the machine's own."""
+    program = shutil.which("shellcheck", path=f"{PROGRAMS}:{os.environ['PATH']}")
+    assert program, "shellcheck is not there: apt-get install shellcheck"
+    return program
+
+
 def check(program: str, *arguments: str | Path) -> None:
     """Runs a linter in the checkout; fails with all that it says."""
     argv = [str(PROGRAMS / program), *map(str, arguments)]
@@ -51,14 +58,14 @@ def test_mypy() -> None:
 def test_shellcheck() -> None:
     scripts = shell_scripts()
     assert len(scripts) > 1
-    check("shellcheck", "--external-sources", *scripts)
+    check(shellcheck(), "--external-sources", *scripts)
 
 
 def actionlint(*files: Path) -> None:
     """Checks workflows; all of the project's own if none is named."""
     program = shutil.which("actionlint", path=f"{ROOT / '.state/bin'}:{os.environ['PATH']}")
     assert program, "actionlint is not there: make lint builds it"
-    check(program, "-no-color", "-shellcheck", PROGRAMS / "shellcheck", "-pyflakes", "", *files)
+    check(program, "-no-color", "-shellcheck", shellcheck(), "-pyflakes", "", *files)
 
 
 def test_actionlint() -> None:

@@ -86,7 +86,7 @@ def loader(root: Root) -> None:
 
 
 def language(root: Root) -> None:
-    root.env["LANG"] = "C.utf8"
+    root.env["LANG"] = "C.UTF-8"
 
 
 def links(root: Root) -> None:

@@ -89,7 +89,7 @@ def expected_labels(image: Image) -> dict[str, str]:
 def expected_environment(image: Image) -> dict[str, str]:
     """Environment that the runtime contract promises, from the matrix."""
     promised = {
-        "LANG": "C.utf8",
+        "LANG": "C.UTF-8",
         "WORKSPACE": "/docker-ros/ws",
         "DOCKER_USER": "dockeruser",
         "DOCKER_UID": "",

@@ -3,4 +3,4 @@
 set -euo pipefail
 [[ -z ${LC_ALL+set} ]] || { echo "LC_ALL is set: $LC_ALL" >&2; exit 1; }
 said=$(locale 2>&1)
-[[ $(locale charmap) == UTF-8 && $said == *LC_CTYPE=\"C.utf8\"* && $said != *"Cannot set"* ]] || { echo "$said" >&2; exit 1; }
+[[ $(locale charmap) == UTF-8 && $said == *LC_CTYPE=\"C.UTF-8\"* && $said != *"Cannot set"* ]] || { echo "$said" >&2; exit 1; }
