@@ -31,7 +31,8 @@ ACTIONS = {
     "actions/checkout": 'cp -a "$CHECKOUT/." . && cp -a "$FRONT/." .',
     "actions/upload-artifact": UPLOAD,
     "actions/download-artifact": DOWNLOAD,
-    "actions/cache": 'echo "$KEY $PATHS" >>"$CACHES"',
+    "actions/cache/restore": 'echo "$KEY $PATHS" >>"$CACHES"',
+    "actions/cache/save": 'echo "$KEY $PATHS" >>"$CACHES"',
     "docker/login-action": '[ "$PASSED" = "$RIGHT" ]; [ -n "$USER_NAME" ]',
     "actions/upload-pages-artifact": '[ -d "$PATHS" ]',
     "actions/deploy-pages": ":",
@@ -57,7 +58,7 @@ class Played:
         matrix: the members of each job's matrix that ran, in no order; one without any of a job that has none.
         steps: results of steps by name, by job; of those that ran.
         commands: calls of make and ./rosml, by job, in their order; words as the program gets them.
-        artifacts: folder with a folder for each artifact. caches: keys and paths that were asked for.
+        artifacts: folder with a folder for each artifact. caches: keys and paths that were asked for or kept.
         log: all that act said.
     """
 
@@ -85,15 +86,17 @@ def actions(text: str, folder: Path) -> list[str]:
     """Writes the replacement of each action that a workflow names; gives act's options for them."""
     found = []
     for name, commit in sorted(set(re.findall(r"uses: ([\w./-]+)@(\w+)", text))):
-        place = folder / name.replace("/", "-")
-        place.mkdir(parents=True, exist_ok=True)
+        repository = "/".join(name.split("/")[:2])
+        place = folder / repository.replace("/", "-")
+        home = place / name.removeprefix(repository).strip("/")  # an action below its repository's root: actions/cache/save
+        home.mkdir(parents=True, exist_ok=True)
         environment = {variable: f"${{{{ inputs.{name} }}}}" for variable, name in INPUTS.items()}
         step = {"shell": "bash", "run": ACTIONS[name], "env": environment}
         inputs = {name: {"default": ""} for name in (*INPUTS.values(), "registry")}
         content = {"name": name, "inputs": inputs, "runs": {"using": "composite", "steps": [step]}}
-        (place / "action.yml").write_text(yaml.safe_dump(content))
-        found.append(f"--local-repository={name}@{commit}={place}")
-    return found
+        (home / "action.yml").write_text(yaml.safe_dump(content))
+        found.append(f"--local-repository={repository}@{commit}={place}")
+    return sorted(set(found))
 
 
 def play(

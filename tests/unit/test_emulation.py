@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import platform
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
+from stubs import executable
 
 from rosml.base.errors import RosmlError
 from rosml.machine.setup import emulation
@@ -20,11 +21,12 @@ class Installer:
     """Installs nothing but QEMU's entry, and remembers what was asked for."""
 
     def __init__(self, entries: Path) -> None:
-        self.entries, self.asked = entries, dict[str, str]()
+        self.entries, self.asked, self.root = entries, dict[str, str](), list[str]()
         self.state = State(entries, print)
 
-    def debian_packages(self, packages: Mapping[str, str]) -> None:
+    def debian_packages(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> None:
         self.asked.update(packages)
+        self.root = list(root)
         if emulation.PACKAGE in packages:
             (self.entries / "qemu-aarch64.conf").write_text(ENTRY)
 
@@ -41,9 +43,9 @@ def machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Installer:
     return Installer(tmp_path / "entries")
 
 
-def ensure(machine: Installer) -> bool:
+def ensure(machine: Installer, hub: bool = False) -> bool:
     folder = machine.entries.parent
-    return emulation.ensure(machine, folder / "table", folder / "entries")  # type: ignore[arg-type]
+    return emulation.ensure(machine, hub, folder / "table", folder / "entries")  # type: ignore[arg-type]
 
 
 def test_qemu_is_installed_and_the_kernel_told(machine: Installer) -> None:
@@ -73,6 +75,18 @@ def test_a_plain_user(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> No
     with pytest.raises(RosmlError, match="only root") as caught:
         ensure(machine)
     assert "--install arm64" in caught.value.remedy
+
+
+def test_a_user_with_sudo(machine: Installer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on GitHub's machines, where base images come from Docker Hub: nothing asks whether programs of arm64 run."""
+    sudo = executable(tmp_path / "sudo", f'echo "$*" >>"{tmp_path}/calls"\nshift\nexec "$@"\n')
+    monkeypatch.setattr(emulation, "which_system", lambda name: str(sudo) if name == "sudo" else None)
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    assert ensure(machine, hub=True)
+    assert list(machine.asked) == [emulation.PACKAGE]
+    assert machine.root == [str(sudo), "-n"]
+    assert (machine.entries.parent / "table/register").read_text() == ENTRY
+    assert f"-n tee {machine.entries.parent}/table/register" in (tmp_path / "calls").read_text()
 
 
 def test_a_kernel_that_refuses(machine: Installer) -> None:

@@ -117,7 +117,7 @@ def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
     )
     assert played.results == {**dict.fromkeys(ALL, "success"), "images": "skipped", "pages": "success"}
     assert {"signer", "test-signer"} <= set(steps(played, "promote"))
-    assert len(played.caches) == 2, "of the scan, and of the signer"
+    assert len(played.caches) == 4, "of the scan, and of the signer: asked for, and kept"
     assert all(line.endswith(" .state/bin") for line in played.caches)
     assert "--serve amd64 --only bookworm-* jazzy-core " in played.commands["plan"][-1]
     assert "--shards 3 " in played.commands["plan"][-1]

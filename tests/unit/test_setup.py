@@ -457,7 +457,8 @@ def test_a_browser_for_the_tests_of_the_page(
         (True, False, True, False, "docker"),
         (True, False, False, True, "buildkitd"),  # Docker could not pull BuildKit
         (False, True, False, True, "buildkitd"),
-        (False, True, False, False, ""),
+        (False, True, False, False, "needs root"),
+        (True, False, False, False, "Docker Hub does not answer, and Docker has no moby/buildkit"),
     ],
 )
 def test_choice_of_the_builder(
@@ -466,12 +467,13 @@ def test_choice_of_the_builder(
     monkeypatch.delenv("BUILDX_BUILDER", raising=False)
     monkeypatch.setattr(tools, "docker_is_there", lambda installer: docker)
     monkeypatch.setattr(tools, "docker_has_buildkit", lambda installer: image)
+    monkeypatch.setattr(tools, "buildkit_image", lambda state: "moby/buildkit:v1")
     monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
     installer = Installer(state)
-    if kind:
+    if " " not in kind:
         assert tools.choose_builder(installer, hub) == (kind, "rosml")
     else:
-        with pytest.raises(RosmlError, match="needs root"):
+        with pytest.raises(RosmlError, match=kind):
             tools.choose_builder(installer, hub)
     monkeypatch.setenv("BUILDX_BUILDER", "mine")
     assert tools.choose_builder(installer, hub) == ("user", "mine")
@@ -535,6 +537,20 @@ def test_docker_hub_answers(
 ) -> None:
     answer.append((code, headers))
     assert network.docker_hub_answers("") is answers
+
+
+def test_a_hiccup_of_docker_hub(answer: list[tuple[int, dict[str, str]]], monkeypatch: pytest.MonkeyPatch) -> None:
+    answer.append((503, REGISTRY_HEADER))
+    waits: list[float] = []
+
+    def wait(seconds: float) -> None:
+        waits.append(seconds)
+        if seconds:
+            answer[0] = (401, REGISTRY_HEADER)
+
+    monkeypatch.setattr("time.sleep", wait)
+    assert network.docker_hub_answers("", attempts=3)
+    assert waits == [0, network.WAIT_SECONDS]
 
 
 @pytest.mark.timeout(60)

@@ -161,10 +161,10 @@ def linters() -> None:
 @main.command()
 def emulate() -> None:
     """Lets this machine build and test for the other architecture, with QEMU."""
-    from rosml.machine.setup import builder, emulation
+    from rosml.machine.setup import builder, emulation, network
 
     state = _state()
-    if emulation.ensure(_installer(state)):
+    if emulation.ensure(_installer(state), network.docker_hub_answers(state.ca_bundle)):
         builder.stop(state)  # it looks once which architectures there are
     _up(state)
 
@@ -256,9 +256,10 @@ def _installer(state: State) -> Installer:
 
 def _tools(state: State, tests: bool = False) -> Services:
     from rosml.machine.setup import network
-    from rosml.machine.setup.tools import install
+    from rosml.machine.setup.tools import docker_is_there, install
 
-    hub = network.docker_hub_answers(state.ca_bundle)
+    # Docker needs it for the builder; without Docker, base images are made here at once.
+    hub = network.docker_hub_answers(state.ca_bundle, attempts=3 if docker_is_there(_installer(state)) else 1)
     state.say("Docker Hub: answers" if hub else "Docker Hub: does not answer; Debian base images are made here")
     return install(state, hub, tests)
 

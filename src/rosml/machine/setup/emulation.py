@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import platform
+import subprocess
 from pathlib import Path
 
 from rosml.base.errors import RosmlError
@@ -23,8 +24,11 @@ OTHER = {"x86_64": ("arm64", "qemu-aarch64"), "aarch64": ("amd64", "qemu-x86_64"
 """By this machine's processor: the architecture to emulate, and how QEMU's entry for it is called."""
 
 
-def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -> bool:
+def ensure(installer: Installer, hub: bool, table: Path = TABLE, entries: Path = ENTRIES) -> bool:
     """Makes sure that the kernel runs programs of the other architecture; gives whether it did not before.
+
+    Args:
+        hub: whether base images come from Docker Hub; otherwise mmdebstrap makes them, and asks `PROBE`.
 
     Raises:
         RosmlError: this user may not, the kernel cannot, or there is no QEMU for it.
@@ -33,33 +37,46 @@ def ensure(installer: Installer, table: Path = TABLE, entries: Path = ENTRIES) -
     if not name:
         raise RosmlError(f"no emulation is known for {platform.machine()}", "use a machine of the architecture itself")
     known = (table / name).exists()
-    if known and which_system(PROBE):
+    probed = hub or which_system(PROBE)
+    if known and probed:
         installer.state.say(f"emulation: {architecture} runs already")
         return False
-    if os.geteuid() != 0:
+    root = [] if os.geteuid() == 0 else _sudo()
+    if root is None:
         by_hand = "docker run --privileged --rm tonistiigi/binfmt --install " + architecture
         raise RosmlError(
             f"only root may let the kernel run programs of {architecture}", f"call it as root, or: {by_hand}"
         )
     entry = _entry(entries, name)
     missing = {} if entry else {PACKAGE: f"runs programs of {architecture}"}
-    if not which_system(PROBE):
+    if not probed:
         missing[PROBE] = "tells mmdebstrap that they run"
     if missing:
-        installer.debian_packages(missing)
+        installer.debian_packages(missing, root)
         entry = _entry(entries, name)
     if entry is None:
         raise RosmlError(f"{PACKAGE} brings no {name}.conf in {entries}", "register QEMU by hand")
     if not (table / "register").exists():
-        output_of(["mount", "-t", "binfmt_misc", "binfmt_misc", str(table)])
+        output_of([*root, "mount", "-t", "binfmt_misc", "binfmt_misc", str(table)])
     if not (table / name).exists():  # installing the package may have done it
-        try:
-            (table / "register").write_text(entry)
-        except OSError as error:
+        argv = [*root, "tee", str(table / "register")]
+        done = subprocess.run(
+            argv, input=entry, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False
+        )
+        if done.returncode:
             remedy = "in a container, let its host do this; or take a machine of the architecture itself"
-            raise RosmlError(f"the kernel does not take QEMU's entry: {error}", remedy) from None
+            raise RosmlError(f"the kernel does not take QEMU's entry: {done.stderr.strip()}", remedy)
     installer.state.say(f"emulation: {architecture} runs, through QEMU, until this machine restarts")
     return not known
+
+
+def _sudo() -> list[str] | None:
+    """What a command is called with to run as root without a password, as on GitHub's machines; None where this user may not."""
+    program = which_system("sudo")
+    if not program:
+        return None
+    done = subprocess.run([program, "-n", "true"], stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    return None if done.returncode else [program, "-n"]
 
 
 def _entry(folder: Path, name: str) -> str | None:

@@ -211,8 +211,8 @@ class Installer:
             subprocess.Popen(["rm", "-rf", str(old)], stdin=subprocess.DEVNULL, start_new_session=True)
 
     # ---- Debian ---------------------------------------------------------------------------------------------------
-    def apt(self, packages: Mapping[str, str]) -> str:
-        """Path of apt-get, which may install packages. ``packages``: as in ``debian_packages``.
+    def apt(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> str:
+        """Path of apt-get, which may install packages. ``packages``, ``root``: as in ``debian_packages``.
 
         Raises:
             RosmlError: this is no Debian or Ubuntu, or this user may not.
@@ -221,27 +221,30 @@ class Installer:
         apt = which_system("apt-get")
         if apt is None:
             raise RosmlError(f"{missing}; and this machine has no apt-get", f"install {' '.join(packages)}")
-        if os.geteuid() != 0:
+        if os.geteuid() != 0 and not root:
             raise RosmlError(f"{missing}; only root may install it", f"sudo sh -c '{by_hand(packages)}'")
         return apt
 
-    def debian_packages(self, packages: Mapping[str, str]) -> None:
-        """Installs Debian packages, and says so before. ``packages``: their names, and what each is for.
+    def debian_packages(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> None:
+        """Installs Debian packages, and says so before.
+
+        Args:
+            packages: their names, and what each is for. root: what a command is called with to run as root, where this is not.
 
         Raises:
             RosmlError: this is no Debian or Ubuntu, this user may not, or apt fails.
         """
         if not packages:
             return
-        apt, say = self.apt(packages), self.state.say
+        apt, say = self.apt(packages, root), self.state.say
         say(f"this changes the system: installs the Debian packages {reasons_of(packages)}")
         started = time.monotonic()
         env = dict(os.environ, DEBIAN_FRONTEND="noninteractive", LC_ALL="C.UTF-8")
         options = ["-o", "DPkg::Lock::Timeout=300", "-o", "Dpkg::Use-Pty=0", "-o", "Acquire::Retries=3"]
         log = self.state.log / "apt.log"
-        install = [apt, *options, "install", "--yes", "--no-install-recommends", *packages]
+        install = [*root, apt, *options, "install", "--yes", "--no-install-recommends", *packages]
         try:
-            run(say, "apt-get update", [apt, *options, "update"], log, env=env)
+            run(say, "apt-get update", [*root, apt, *options, "update"], log, env=env)
             run(say, "apt-get install", install, log, env=env, finish_on_interrupt=True)
         except RosmlError as error:
             raise RosmlError(error.message, f"put it right by hand: {by_hand(packages)}") from None

@@ -6,6 +6,7 @@ import os
 import socket
 import ssl
 import threading
+import time
 
 import httpx
 
@@ -14,12 +15,18 @@ from rosml.base.errors import RosmlError
 
 HUB_API = "https://registry-1.docker.io/v2/"
 HUB_SECONDS = 5.0
+WAIT_SECONDS = 5.0
+"""Before the second attempt; twice that before the third one."""
 
 
-def docker_hub_answers(ca_bundle: str) -> bool:
+def docker_hub_answers(ca_bundle: str, attempts: int = 1) -> bool:
     """Whether Docker Hub can be used: its registry API answers in time. ROSML_DOCKER_HUB=0 or 1 decides without asking.
 
     Only an answer of a registry counts: a proxy that turns a request down answers as well.
+
+    Args:
+        ca_bundle: certificates to trust; the system's if empty.
+        attempts: how often it is asked, with some seconds between: where it should answer, one hiccup decides nothing.
 
     Raises:
         RosmlError: ROSML_DOCKER_HUB is neither.
@@ -29,21 +36,26 @@ def docker_hub_answers(ca_bundle: str) -> bool:
         return wish == "1"
     if wish:
         raise RosmlError(f"ROSML_DOCKER_HUB={wish} is neither 0 nor 1", "unset it to let the set-up find out")
-    answers: list[bool] = []
-    # A thread, since the time limit of a request does not hold for the look-up of the name.
-    asking = threading.Thread(target=lambda: answers.append(_ask_docker_hub(ca_bundle)), daemon=True)
-    asking.start()
-    asking.join(HUB_SECONDS + 1)
-    return answers == [True]
+    for attempt in range(attempts):
+        time.sleep(attempt * WAIT_SECONDS)
+        answers: list[bool] = []
+        # A thread, since the time limit of a request does not hold for the look-up of the name.
+        asking = threading.Thread(target=_ask_docker_hub, args=(ca_bundle, answers), daemon=True)
+        asking.start()
+        asking.join(HUB_SECONDS + 1)
+        if answers == [True]:
+            return True
+    return False
 
 
-def _ask_docker_hub(ca_bundle: str) -> bool:
+def _ask_docker_hub(ca_bundle: str, answers: list[bool]) -> None:
+    """Adds whether it answers, as soon as that is known."""
     try:
         trusted = ssl.create_default_context(cafile=ca_bundle or None)
         with web.client(verify=trusted, timeout=HUB_SECONDS) as client:
-            return _is_registry(client.get(HUB_API))
+            answers.append(_is_registry(client.get(HUB_API)))
     except (httpx.HTTPError, httpx.InvalidURL, OSError, RosmlError):
-        return False
+        answers.append(False)
 
 
 def _is_registry(answer: httpx.Response) -> bool:

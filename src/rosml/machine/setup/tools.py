@@ -64,6 +64,12 @@ def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
     if docker_is_there(installer) and (hub or docker_has_buildkit(installer)):
         return "docker", BUILDER
     if os.geteuid() != 0:
+        if docker_is_there(installer):
+            image = buildkit_image(installer.state)
+            raise RosmlError(
+                f"Docker Hub does not answer, and Docker has no {image}, which it needs to build",
+                f"call it again when Docker Hub answers, or: docker pull {image}",
+            )
         raise RosmlError(
             "no Docker daemon answers, and without one the builder needs root",
             "start Docker (or get access to it), or call this as root",
