@@ -88,7 +88,9 @@ def actions(text: str, folder: Path) -> list[str]:
     for name, commit in sorted(set(re.findall(r"uses: ([\w./-]+)@(\w+)", text))):
         repository = "/".join(name.split("/")[:2])
         place = folder / repository.replace("/", "-")
-        home = place / name.removeprefix(repository).strip("/")  # an action below its repository's root: actions/cache/save
+        home = place / name.removeprefix(repository).strip(
+            "/"
+        )  # an action below its repository's root: actions/cache/save
         home.mkdir(parents=True, exist_ok=True)
         environment = {variable: f"${{{{ inputs.{name} }}}}" for variable, name in INPUTS.items()}
         step = {"shell": "bash", "run": ACTIONS[name], "env": environment}
