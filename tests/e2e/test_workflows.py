@@ -9,6 +9,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -83,16 +84,46 @@ exit $code
 run's page is kept."""
 
 
-def night(mini: Mini, folder: Path, only: str = "", lost: str = "") -> Played:
+OWN = """\
+if [ "$1 ${{2:-}}" = "setup scanner" ]; then echo '{{"trivy": "{scanner}"}}' >.state/scanner.json; exit; fi
+if [ "$GITHUB_JOB" = images ]; then
+  if [ "$1 ${{2:-}}" = "setup " ]; then mkdir -p .state/bin; cp -a {bin}/. .state/bin/; fi
+  code=0
+  ./rosml-real "$@" || code=$?
+  if [ "$1 $2" = "publish test" ]; then ./rosml-real setup down; fi
+  exit $code
+fi
+chown -R {user}:{user} .
+chmod -R a+rwX "$(dirname "$GITHUB_OUTPUT")" "$(dirname "$GITHUB_PATH")"
+export HOME="$PWD" PATH=/usr/bin:/bin
+exec setpriv --reuid={user} --regid={user} --clear-groups ./rosml-real "$@"
+"""
+"""What takes the place of ./rosml where jobs set themselves up: the real one, with nothing of this machine's checkout. Only a
+job that builds has what the cache of programs has; the others run as a user who is not root. The scanner is not built."""
+
+PLAIN_USER = 12345
+
+
+def own_checkout(mini: Mini, folder: Path) -> Path:
+    """What a job of the small project checks out: nothing that a set-up has made."""
+    made = {".state", ".venv", "__pycache__", ".git"}
+    shutil.copytree(mini.folder, folder, ignore=lambda _, names: made & set(names))
+    shutil.copy(ROOT / "rosml", folder / "rosml-real")
+    return folder
+
+
+def night(
+    mini: Mini, folder: Path, only: str = "", lost: str = "", rosml: str = ROSML, checkout: Path | None = None
+) -> Played:
     """A run of the workflow, its commands for real."""
-    programs = {"make": '[ "$1" = test-scanner ]', "rosml": ROSML.format(python=shlex.quote(sys.executable))}
+    programs = {"make": '[ "$1" = test-scanner ]', "rosml": rosml.format(python=shlex.quote(sys.executable))}
     host, _, place = mini.registry.partition("/")
     variables = {"ROSML_REGISTRY": host, "ROSML_NAMESPACE": place, "ROSML_SERVE": NATIVE, "ROSML_SHARDS": "2"}
     played = play(
         workflow("nightly"),
         folder,
         programs,
-        checkout=mini.folder,
+        checkout=checkout or mini.folder,
         variables=variables,
         secrets={"ROSML_USER": "somebody", "ROSML_PASSWORD": "their password"},
         inputs={"only": only, "force": "false"},
@@ -153,6 +184,25 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     (platform,) = next(i for i in images if i["target"] == "bookworm-base-tensorflow-cpu")["builds"][0]["platforms"]
     assert (platform["digest"], platform["scan"]["outcome"]) == (after.digest, "clean")
     assert platform["size"]["compressed"] == after.size
+
+
+def test_jobs_set_themselves_up(mini: Mini) -> None:
+    """Each with what its own steps install, and nothing else of this machine."""
+    with tempfile.TemporaryDirectory(prefix="rosml-night-") as name:
+        folder = Path(name)
+        folder.chmod(0o755)  # for a user who is not root
+        scanner = mini.folder / "trivy-local replacement"
+        shutil.copy(scanner, folder / "trivy")
+        rosml = OWN.format(scanner=folder / "trivy", bin=ROOT / ".state/bin", user=PLAIN_USER)
+        played = night(
+            mini,
+            folder / "night",
+            rosml=rosml.replace("{", "{{").replace("}", "}}"),
+            checkout=own_checkout(mini, folder / "checkout"),
+        )
+        assert played.results == {**dict.fromkeys(played.results, "success"), "pages": "skipped"}
+        assert {"ros:bookworm-core", "ros:bookworm-base", "ros-tf:bookworm-base-cpu"} <= mini.tags().keys()
+        mini.check()
 
 
 def test_no_plan_no_night(mini: Mini, tmp_path: Path) -> None:
