@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from conftest import SMALL, parse
+from conftest import SMALL, SMALLER, changed, parse
 from memory_registry import DAY, HOST, NEXT, PREFIX, Place, place, steps
 from projects import copy, diff
 from stubs import NO_FORMAT_1, services
@@ -103,6 +103,14 @@ def test_a_plan_names_what_changed_when_asked(
         assert said.endswith(counts) and "its inputs changed" in said
 
 
+def test_without_rates_all_the_same_machines_build(registry: Place, image_set: ImageSet) -> None:
+    """How fast they are only balances them."""
+    without = parse(changed("rates: {packages: 10, parts: 100, test: 5}\n", "", SMALLER))
+    plan, _ = content(registry, without)
+    shards = [shard["name"] for shard in plan["shards"]]
+    assert shards == [shard["name"] for shard in content(registry, image_set)[0]["shards"]] != []
+
+
 def test_where_nothing_is_to_be_done_no_job_builds(registry: Place, image_set: ImageSet, told: Path) -> None:
     registry.publish(image_set)
     report.tell(content(registry, image_set, date=NEXT)[1])
@@ -134,7 +142,7 @@ def test_estimates_count_what_is_built_and_tested(registry: Place, image_set: Im
     script.write_text(script.read_text() + "# a change\n")
     plan, _ = content(registry, image_set, date=NEXT)
     rates = image_set.matrix.rates
-    assert rates and plan["shards"]
+    assert plan["shards"]
     for shard in plan["shards"]:
         tasks = [task for task in plan["tasks"] if task["architecture"] == shard["architecture"]]
         tested = [task for task in tasks if "test" in task["steps"] and task["target"] in shard["targets"]]

@@ -148,11 +148,9 @@ def test_work_grows_with_the_images_and_not_with_their_square() -> None:
 
 # ---- Errors ----------------------------------------------------------------------------------------------------------
 
-RATES = "rates: {packages: 10, parts: 100, test: 5}"
 ERRORS: dict[str, tuple[str, int, str, str]] = {
     "too few": (SMALL, 1, "2 architectures (amd64, arm64) do not fit in 1 shard:", "--shards 2"),
     "no runner": (changed(", runner: arm", ""), 2, "architectures.arm64: 'runner' is missing", "runner: ubuntu-24.04"),
-    "no rates": (changed(RATES, ""), 2, "'rates' is missing", "rates: {packages: 25"),
 }
 
 

@@ -36,7 +36,7 @@ def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
     )
     wanted = {image.target for image in plan.images}
     architectures = {name for target, name in work.made | work.tested if target in wanted}
-    if architectures and plan.image_set.matrix.rates:
+    if architectures:
         # By architecture: a machine of each kind, however few images there are.
         made = dealing.deal(plan.image_set, max(shards, len(architectures)), lambda image: image.target in wanted, work)
         dealt = [dealing.facts(shard) for shard in made.shards]

@@ -17,7 +17,7 @@ from rosml.base.errors import RosmlError
 from rosml.images.image_set import Image, ImageSet
 from rosml.machine import disk
 from rosml.matrix import names
-from rosml.matrix.model import Rates, Size
+from rosml.matrix.model import Size
 
 FORMAT = 1
 """Version of plan.json's format."""
@@ -96,13 +96,13 @@ def deal(
             is included if None. What a machine fetches and keeps is counted whole: tests need all of an image.
 
     Raises:
-        RosmlError: there is no shard, there are fewer shards than architectures, there is nothing to build, or the matrix does not say
-            how fast or where (exit code 2).
+        RosmlError: there is no shard, there are fewer shards than architectures, there is nothing to build, or the matrix does not
+            say where (exit code 2).
     """
     if shards < 1:
         text = f"{shards} machines can build nothing"
         raise RosmlError(text, "say how many there are, one or more: rosml generate --shards 8", exit_code=2)
-    units = _units(image_set, _rates(image_set), include, work)
+    units = _units(image_set, include, work)
     if not units:
         raise RosmlError("no image can be built, so there is nothing to plan", "see why: rosml locks", exit_code=2)
     if shards < len(units):
@@ -120,16 +120,6 @@ def deal(
     return Dealt(shards, tuple(dealt))
 
 
-def _rates(image_set: ImageSet) -> Rates:
-    if image_set.matrix.rates:
-        return image_set.matrix.rates
-    raise RosmlError(
-        "matrix.yaml: 'rates' is missing: how fast images are built",
-        "add it, such as 'rates: {packages: 25, parts: 60, test: 15}'",
-        exit_code=2,
-    )
-
-
 def _runner(image_set: ImageSet, architecture: str) -> str:
     if runner := image_set.matrix.architectures[architecture].runner:
         return runner
@@ -143,9 +133,7 @@ def _runner(image_set: ImageSet, architecture: str) -> str:
 # ---- Units -----------------------------------------------------------------------------------------------------------
 
 
-def _units(
-    image_set: ImageSet, rates: Rates, include: Callable[[Image], bool], work: Work | None
-) -> dict[str, list[Unit]]:
+def _units(image_set: ImageSet, include: Callable[[Image], bool], work: Work | None) -> dict[str, list[Unit]]:
     """Units by architecture, both in the order of the matrix; architectures without any are left out."""
     members: dict[str, dict[str, list[Image]]] = {name: {} for name in image_set.matrix.architectures}
     for image in filter(include, image_set.images):
@@ -153,17 +141,14 @@ def _units(
             if work is None or (image.target, architecture) in work.made | work.tested:
                 members[architecture].setdefault(image.distribution, []).append(image)
     return {
-        architecture: [
-            _unit(image_set, rates, name, images, architecture, work) for name, images in distributions.items()
-        ]
+        architecture: [_unit(image_set, name, images, architecture, work) for name, images in distributions.items()]
         for architecture, distributions in members.items()
         if distributions
     }
 
 
-def _unit(
-    image_set: ImageSet, rates: Rates, distribution: str, images: list[Image], architecture: str, work: Work | None
-) -> Unit:
+def _unit(image_set: ImageSet, distribution: str, images: list[Image], architecture: str, work: Work | None) -> Unit:
+    rates = image_set.matrix.rates
     ordered = _ordered(image_set, images)
 
     def made(target: str) -> bool:
