@@ -684,7 +684,7 @@ def test_force_releases_what_was_moved_back(registry: Place, image_set: ImageSet
 def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, image_set: ImageSet, tmp_path: Path) -> None:
     """Each step on a machine of its own asks nobody anew of when packages are."""
     file = tmp_path / "plan.json"
-    file.write_text(report.plan_json(registry.run(image_set), 2, why=False))
+    file.write_text(report.planned(registry.run(image_set), 2, why=False).text())
     known = plan_file.read_plan(file).upstream
     assert known == registry.upstream
     for number, step in enumerate(STEPS):
