@@ -313,7 +313,7 @@ def test_resolve(tmp_path: Path) -> None:
     assert resolve.resolve(wanted, resolve.Uv(fake_uv(tmp_path))) == resolve.parse(RESOLVED)
     (call,) = calls(tmp_path)
     for words in (
-        "uv pip compile --quiet --no-config --only-binary :all: ",
+        f"uv pip compile --quiet --no-config --python {sys.executable} --only-binary :all: ",
         " --generate-hashes ",
         " --no-emit-index-url ",
         " --python-version 3.12 --python-platform x86_64-manylinux_2_28 ",

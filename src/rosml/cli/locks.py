@@ -82,7 +82,7 @@ def main(
     if bases and pinned:
         tell_bases(pinned, check, report, as_json)
         return
-    locks = lock(image_set, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
+    locks = lock(image_set, ROOT, upgrade=upgrade, say=say, stacks=stacks)
     there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
@@ -110,6 +110,11 @@ def main(
         require_fresh(len(stale), pinned, words, as_json)
 
 
+def say(line: str) -> None:
+    """Tells people how far the work is."""
+    click.echo(line, err=True)
+
+
 def require_known(image_set: ImageSet, stacks: Sequence[str]) -> None:
     """Refuses a stack that there is not."""
     from rosml.base.problems import listed, unknown
@@ -129,7 +134,7 @@ def tell_upstream(image_set: ImageSet, stacks: Sequence[str], report: Path | Non
     from rosml.cli import tables
     from rosml.locks import upstream
 
-    found = upstream.look(image_set, stacks=stacks)
+    found = upstream.look(image_set, stacks=stacks, say=say)
     if report:
         files.write(report, upstream_text(found))
     if as_json:
@@ -143,7 +148,7 @@ def upstream_table(image_set: ImageSet, stacks: Sequence[str]) -> str:
     """What the index has that the matrix has not: a part of the text of a pull request."""
     from rosml.locks import upstream
 
-    return upstream_text(upstream.look(image_set, stacks=stacks))
+    return upstream_text(upstream.look(image_set, stacks=stacks, say=say))
 
 
 def upstream_text(found: Sequence[Newer]) -> str:
