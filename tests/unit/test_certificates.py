@@ -160,6 +160,27 @@ def test_what_looks_for_authorities_in_a_bundle_gets_one(docker: Path, tmp_path:
         trust.trusting(here)
 
 
+def lost(file: Path) -> None:
+    file.unlink()
+    file.symlink_to("/nowhere.crt")
+
+
+@pytest.mark.parametrize("damage", [lost, folder])
+def test_what_cannot_be_read_stops_its_own_host_alone(
+    docker: Path, tmp_path: Path, damage: Callable[[Path], None]
+) -> None:
+    """As one that only root may read; programs that take a bundle for all hosts get the certificates of the others."""
+    base = tmp_path / "base.pem"
+    base.write_text("the usual ones\n")
+    ours, other = (put(docker, host, trustme.CA()) for host in ("reg.example", "other.example"))
+    damage(other)
+    bundle = Path(trust.trusting(services(tmp_path, ca_bundle=str(base)))["SSL_CERT_FILE"])
+    assert bundle.read_text() == f"the usual ones\n\n{ours.read_text()}"
+    assert set(certificates.by_host()) == {"reg.example"}
+    with pytest.raises(RosmlError, match=str(other)):
+        Registry("other.example")
+
+
 def test_regctl_speaks_tls_to_this_machine_where_there_are_certificates(docker: Path, tmp_path: Path) -> None:
     program = tmp_path / "regctl"
     program.write_text('#!/bin/sh\necho "$@"\n')

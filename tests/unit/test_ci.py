@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from conftest import SMALL, parse
+from conftest import SMALL, SMALLER, changed, parse
 from memory_registry import DAY, HOST, NEXT, PREFIX, Place, place, steps
 from projects import copy, diff
 from stubs import NO_FORMAT_1, services
@@ -26,6 +26,7 @@ from rosml.images.image_set import ImageSet
 from rosml.locks.resolve import Move
 from rosml.machine import revision
 from rosml.publish import plan_file
+from rosml.publish.plan_file import Planned
 from rosml.publish.steps import STEPS
 
 
@@ -65,14 +66,14 @@ def test_an_output_sets_no_other_one(told: Path) -> None:
 # ---- Plan ------------------------------------------------------------------------------------------------------------
 
 
-def content(registry: Place, image_set: ImageSet, **options: Any) -> tuple[dict[str, Any], str]:
-    text = report.plan_json(registry.run(image_set, **options), 4, why=False)
-    return json.loads(text), text
+def content(registry: Place, image_set: ImageSet, **options: Any) -> tuple[dict[str, Any], Planned]:
+    plan = report.planned(registry.run(image_set, **options), 4, why=False)
+    return json.loads(plan.text()), plan
 
 
 def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Place, image_set: ImageSet, told: Path) -> None:
-    plan, text = content(registry, image_set)
-    report.tell(text)
+    plan, told_of = content(registry, image_set)
+    report.tell(told_of)
     name, _, value = (told / ci.OUTPUT).read_text().partition("=")
     assert name == "shards"
     shards = json.loads(value)
@@ -91,16 +92,49 @@ def test_a_plan_names_what_changed_when_asked(
     script = project / "components/torch/files.sh"
     script.write_text(script.read_text() + "# a change\n")
     run = registry.run(image_set, date=NEXT)
-    named = {task["target"]: task.get("inputs") for task in json.loads(report.plan_json(run, 4, why=True))["tasks"]}
+    named = {
+        task["target"]: task.get("inputs") for task in json.loads(report.planned(run, 4, why=True).text())["tasks"]
+    }
     assert named["part-torch-cu1-py312"] == ["components/torch/files.sh"]
     assert named["alpha-core-torch-cu1"], "what it reaches is named as well"
-    assert not any("inputs" in task for task in json.loads(report.plan_json(run, 4, why=False))["tasks"])
+    assert not any("inputs" in task for task in json.loads(report.planned(run, 4, why=False).text())["tasks"])
     for why in (True, False):
         report.print_plan(run, why)
         said = capsys.readouterr().out
         assert ("changed: components/torch/files.sh" in said) == why
         counts = f"{len(named)} to do, {len(run.plan.items) - len(named)} as they should be\n"
         assert said.endswith(counts) and "its inputs changed" in said
+
+
+def test_without_rates_all_the_same_machines_build(registry: Place, image_set: ImageSet) -> None:
+    """How fast they are only balances them."""
+    without = parse(changed("rates: {packages: 10, parts: 100, test: 5}\n", "", SMALLER))
+    plan, _ = content(registry, without)
+    shards = [shard["name"] for shard in plan["shards"]]
+    assert shards == [shard["name"] for shard in content(registry, image_set)[0]["shards"]] != []
+
+
+def test_people_see_which_machine_builds_what(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Call, "pipeline", lambda call: registry.run(image_set, architectures=call.architectures))
+    done = CliRunner().invoke(plan.main, ["--everywhere", "--shards", "3"])
+    rows = [line.split() for line in done.output.splitlines() if line.startswith(("amd64-", "arm64-"))]
+    assert [row[:3] for row in rows] == [
+        ["amd64-1", "amd", "alpha"],
+        ["amd64-2", "amd", "omega"],
+        ["arm64-1", "arm", "alpha,"],
+    ]
+
+
+def test_a_plan_for_this_machine_needs_no_machines_in_ci(
+    registry: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    alone = parse(SMALLER.replace(", runner: amd", "").replace(", runner: arm", ""))
+    monkeypatch.setattr(Call, "pipeline", lambda call: registry.run(alone))
+    assert CliRunner().invoke(plan.main, []).exit_code == 0
+    done = CliRunner().invoke(plan.main, ["--output", str(tmp_path / "plan.json")])
+    assert isinstance(done.exception, RosmlError) and "'runner' is missing" in done.exception.message
 
 
 def test_where_nothing_is_to_be_done_no_job_builds(registry: Place, image_set: ImageSet, told: Path) -> None:
@@ -123,8 +157,8 @@ def test_what_is_only_to_be_tested_has_a_machine(registry: Place, image_set: Ima
 
 def test_all_machines_build_what_is_served(registry: Place, image_set: ImageSet) -> None:
     run = registry.run(image_set, architectures=("amd64",), serving=("amd64",))
-    shards = json.loads(report.plan_json(run, 2, why=False))["shards"]
-    assert [shard["name"] for shard in shards] == ["amd64-1", "amd64-2"]
+    shards = report.planned(run, 2, why=False).shards
+    assert [shard.name for shard in shards] == ["amd64-1", "amd64-2"]
 
 
 def test_estimates_count_what_is_built_and_tested(registry: Place, image_set: ImageSet, project: Path) -> None:
@@ -134,7 +168,7 @@ def test_estimates_count_what_is_built_and_tested(registry: Place, image_set: Im
     script.write_text(script.read_text() + "# a change\n")
     plan, _ = content(registry, image_set, date=NEXT)
     rates = image_set.matrix.rates
-    assert rates and plan["shards"]
+    assert plan["shards"]
     for shard in plan["shards"]:
         tasks = [task for task in plan["tasks"] if task["architecture"] == shard["architecture"]]
         tested = [task for task in tasks if "test" in task["steps"] and task["target"] in shard["targets"]]
@@ -153,8 +187,9 @@ def test_what_is_only_to_be_scanned_needs_none(registry: Place, image_set: Image
 
 
 def test_steps_take_from_the_plan_what_it_was_called_with(registry: Place, image_set: ImageSet, tmp_path: Path) -> None:
-    _, text = content(registry, image_set, force=True, serving=("amd64",))
-    (tmp_path / "plan.json").write_text(text)
+    _, whole = content(registry, image_set, force=True, serving=("amd64",))
+    (tmp_path / "plan.json").write_text(whole.text())
+    assert plan_file.read_plan(tmp_path / "plan.json") == whole
     planned = plan_file.read_plan(tmp_path / "plan.json", "arm64-1")
     assert (planned.date, planned.registry, planned.force) == (DAY, f"{HOST}/{PREFIX}", True)
     assert (planned.serve, planned.architectures) == (("amd64",), ("arm64",))

@@ -438,6 +438,89 @@ def test_comments_in_a_here_document_are_content() -> None:
     assert one.digest != two.digest
 
 
+# ---- Structure tests -------------------------------------------------------------------------------------------------
+
+
+def inputs_of_tests(root: Path, image_set: ImageSet) -> dict[str, dict[str, str]]:
+    """The inputs of each image's tests, without the image."""
+    inputs = Inputs(root, image_set)
+    found = {image.target: inputs.of(image.test_target, image.architectures[0]) for image in image_set.images}
+    return {
+        target: {name: value for name, value in of.items() if not name.startswith(TARGET)}
+        for target, of in found.items()
+    }
+
+
+def retested(project: Path, image_set: ImageSet, file: str) -> set[str]:
+    """The images whose tests a change of a file in tests/structure reaches."""
+    before = inputs_of_tests(project, image_set)
+    with (project / "tests/structure" / file).open("a") as stream:
+        stream.write("# changed\n")
+    after = inputs_of_tests(project, image_set)
+    return {target for target in before if before[target] != after[target]}
+
+
+@pytest.mark.parametrize(
+    ("file", "of"),
+    [
+        ("torch.yaml", {"torch"}),
+        ("programs/torch/main.cpp", {"torch"}),  # which a script beside it builds
+        ("tensorflow.yaml", {"tensorflow"}),
+        ("checks/pip_check.py", {"torch", "tensorflow"}),
+        ("programs/roscore.sh", set()),  # of ROS 1, which the small matrix has not
+        ("programs/rclpy/talk.py", {""}),  # through checks/rmw.sh
+        ("checks/setuid.txt", {""}),
+        ("contract.yaml", {""}),
+        ("run.sh", {""}),
+        ("summary.py", {""}),
+    ],
+)
+def test_a_structure_test_reaches_the_images_that_it_runs_in(
+    file: str, of: set[str], project: Path, small: ImageSet
+) -> None:
+    """Those with one of these releases; "" stands for all images."""
+    wanted = {image.target for image in small.images if of & {"", *image.versions}}
+    assert retested(project, small, file) == wanted
+    assert len(wanted) < len(small.images) or "" in of
+
+
+@pytest.mark.parametrize(
+    ("file", "text"),
+    [
+        ("torch.yaml", "      command: /run/tests/checks/$NAME.sh"),
+        ("torch.yaml", "      args: [-c, 'cd /run/tests && bash torch.sh']"),
+        ("programs/torch/build_and_run.sh", "for check in /run/tests/checks/*.sh; do $check; done"),
+        ("programs/torch/build_and_run.sh", "cd $here/.."),
+        ("programs/torch/build_and_run.sh", "$here/../$1/run.sh"),
+        ("programs/torch/build_and_run.sh", '"$(dirname "$here")/$1"'),
+        ("programs/torch/build_and_run.sh", '"${here%/*}/$1"'),
+        ("programs/torch/company.py", "(Path(__file__).parent.parent / name).read_text()"),
+        ("programs/torch/company.py", "(Path(__file__).parents[1] / name).read_text()"),
+        ("checks/dangling_links.sh", '"$(dirname "$0")/$1"'),
+        ("checks/dangling_links.sh", '"$here/$1"'),
+    ],
+)
+def test_where_nobody_can_tell_what_is_called_everything_counts(
+    file: str, text: str, project: Path, small: ImageSet
+) -> None:
+    with (project / "tests/structure" / file).open("a") as stream:
+        stream.write(f"{text}\n")
+    found = retested(project, small, "programs/workspace/build_and_run.sh")
+    assert found >= {image.target for image in small.images if "torch" in image.versions}
+    assert "alpha-core" not in found
+
+
+def test_every_file_of_structure_tests_is_run_somewhere(real: ImageSet) -> None:
+    files = {
+        path.relative_to(ROOT).as_posix()
+        for path in (ROOT / "tests/structure").rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    found = inputs_of_tests(ROOT, real)
+    assert files - {name for of in found.values() for name in of} == set()
+    assert not any(files <= of.keys() for of in found.values()), "nobody can tell what some test calls"
+
+
 # ---- Work ------------------------------------------------------------------------------------------------------------
 
 

@@ -24,7 +24,7 @@ from rosml.cli import command
 from rosml.cli import locks as script
 from rosml.images import lock_file
 from rosml.images.image_set import ImageSet
-from rosml.locks import resolve
+from rosml.locks import base_digests, resolve
 from rosml.locks.resolve import Elsewhere, Pin, Request
 
 PARTS = parse(SMALL).matrix.parts
@@ -313,7 +313,7 @@ def test_resolve(tmp_path: Path) -> None:
     assert resolve.resolve(wanted, resolve.Uv(fake_uv(tmp_path))) == resolve.parse(RESOLVED)
     (call,) = calls(tmp_path)
     for words in (
-        "uv pip compile --quiet --no-config --only-binary :all: ",
+        f"uv pip compile --quiet --no-config --python {sys.executable} --only-binary :all: ",
         " --generate-hashes ",
         " --no-emit-index-url ",
         " --python-version 3.12 --python-platform x86_64-manylinux_2_28 ",
@@ -552,6 +552,40 @@ def test_check_says_what_would_change(checkout: Path, capsys: pytest.CaptureFixt
     assert table == [["cpu", "numpy", "1.26.4", "1.26.5", "2"], ["cu1", "numpy", "1.26.4", "1.26.5", "2"]]
     assert re.search(r"error: \d+ locks are stale\nremedy: run 'rosml locks' and commit the result\n", done.err)
     assert {file: file.read_text() for file in checkout.glob("locks/**/*.txt")} == before
+
+
+@pytest.mark.parametrize(
+    ("words", "moved", "numpy", "says"),
+    [
+        (["--upgrade"], 1, "1.26.4", ("1 base image is stale", "'rosml locks --upgrade', then 'rosml generate'")),
+        (["--upgrade"], 2, "1.26.5", ("2 base images and 4 locks are stale", "'rosml locks --upgrade', then")),
+        (["--upgrade"], 0, "1.26.5", ("4 locks are stale", "'rosml locks --upgrade' and commit the result")),
+        (["--bases"], 2, "1.26.4", ("2 base images are stale", "'rosml locks --bases', then 'rosml generate'")),
+        (
+            ["--upgrade", "--stack", "cpu"],
+            0,
+            "1.26.5",
+            ("2 locks are stale", "'rosml locks --upgrade --stack cpu' and"),
+        ),
+    ],
+)
+def test_check_names_what_is_stale_and_the_command_that_writes_it(
+    checkout: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    words: list[str],
+    moved: int,
+    numpy: str,
+    says: tuple[str, str],
+) -> None:
+    run(checkout)
+    fake_uv(checkout, resolved=RESOLVED.replace("numpy==1.26.4", f"numpy=={numpy}"))
+    pins = [base_digests.Pin(f"system-{number}", "image:tag", "old", "new") for number in range(moved)]
+    monkeypatch.setattr(base_digests, "look", lambda *_: base_digests.Pins(pins))
+    capsys.readouterr()
+    assert run(checkout, *words, "--check") == 1
+    error = capsys.readouterr().err.partition("error: ")[2]
+    assert error.startswith(f"{says[0]}\nremedy: run {says[1]}"), error
 
 
 def test_check_of_locks_that_are_not_there(checkout: Path) -> None:

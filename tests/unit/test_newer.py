@@ -129,9 +129,10 @@ def on_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_a_table_for_people_and_for_pull_requests(on_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     report = on_path / "report.md"
     assert run(on_path, "--upstream", "--stack", "cu1", "--report", str(report)) == 0
-    said = capsys.readouterr().out
-    assert "cu1, Python 3.12, 3.14" in said
-    assert "1 newer release" in said
+    done = capsys.readouterr()
+    assert "cu1, Python 3.12, 3.14" in done.out
+    assert "1 newer release" in done.out
+    assert "[2 of 2] stack cu1, Python " in done.err, "long work shows progress"
     assert "| torch | 2.10.0 | 2.15.0 | 2026-10-28 | another CUDA: " in report.read_text()
 
 

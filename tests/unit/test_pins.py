@@ -68,7 +68,7 @@ def test_what_moved_is_written_and_nothing_else(
     assert run(matrix, "--bases", "--check") == 1
     done = capsys.readouterr()
     assert f"ubuntu-24.04: {hub.address}/library/ubuntu:24.04: would move from {OLD[:19]} to {new[:19]}" in done.out
-    assert "2 base images have moved" in done.err and "rosml locks --upgrade" in done.err
+    assert "2 base images are stale" in done.err and "rosml locks --bases" in done.err
     assert run(matrix, "--bases", "--check", "--json") == 1
     found = json.loads(capsys.readouterr().out)
     assert found["base_images"][0] == {

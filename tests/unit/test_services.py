@@ -44,8 +44,22 @@ def test_environment(tmp_path: Path) -> None:
         "REGCTL_CONFIG": str(tmp_path / ".state/regctl/config.json"),
         "SSL_CERT_FILE": "/ca.pem",
         "NO_PROXY": "example.org,127.0.0.1,localhost",
-        "no_proxy": "127.0.0.1,localhost",
+        "no_proxy": "example.org,127.0.0.1,localhost",
     }
+
+
+@pytest.mark.parametrize(
+    ("known", "both"),
+    [
+        ({"no_proxy": "intern.test"}, "intern.test,127.0.0.1,localhost"),
+        ({"no_proxy": "a.test, localhost", "NO_PROXY": "b.test,a.test"}, "a.test,localhost,b.test,127.0.0.1"),
+        ({}, "127.0.0.1,localhost"),
+    ],
+)
+def test_what_needs_no_proxy_is_said_in_both_spellings(tmp_path: Path, known: dict[str, str], both: str) -> None:
+    """Go's programs and build steps read the one, curl the other."""
+    env = load(tmp_path).environment(known)
+    assert (env["NO_PROXY"], env["no_proxy"]) == (both, both)
 
 
 def test_environment_of_the_users_own_builder(tmp_path: Path) -> None:

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from functools import cached_property
 from pathlib import Path
 from string import Template
 
-from rosml.bake import dockerfile, targets
+from rosml.bake import dockerfile, structure, targets
+from rosml.bake.structure import StructureTests
 from rosml.bake.targets import Dependency, Join, NoInput, Overridable, Value
 from rosml.base import files
 from rosml.base.errors import RosmlError
@@ -61,6 +63,8 @@ class Inputs:
                 inputs |= self._built(found.stage, target, contexts, arguments, architecture)
             inputs |= {f"argument {name}": value for name, value in arguments.items()}
             inputs |= {f"label {name}": value for name, value in _facts(found.labels, f"{target}, label").items()}
+            if "TESTS" in arguments:
+                inputs = self._of_tests(inputs, arguments["TESTS"].split())
             self._known[key] = inputs
         return self._known[key]
 
@@ -79,6 +83,22 @@ class Inputs:
         above = {"Dockerfile: before the first stage": self._stages[""].digest, ".dockerignore": self._ignored}
         return above | self._stage(stage, contexts, arguments, architecture)
 
+    def _of_tests(self, inputs: Mapping[str, str], names: Collection[str]) -> dict[str, str]:
+        """Inputs without the files of structure tests that do not belong to those of these names. The builder gets all."""
+        inside = f"{structure.FOLDER}/"
+        used = self._structure.of(names)
+        return {
+            name: value
+            for name, value in inputs.items()
+            if not name.startswith(inside) or name.removeprefix(inside) in used
+        }
+
+    @cached_property
+    def _structure(self) -> StructureTests:
+        folder = self.root / structure.FOLDER
+        paths = [self.root / name for name, value in self._source(structure.FOLDER).items() if value != MISSING]
+        return StructureTests({path.relative_to(folder).as_posix(): _text(path) for path in paths})
+
     def check(self) -> None:
         """Checks that what the image set describes can be built, once its locks are there, and would be tested.
 
@@ -88,12 +108,14 @@ class Inputs:
         if gone := self._gone():
             text = f"{listed(gone)}: not there, and the Dockerfile builds parts or images from it"
             raise RosmlError(text, "get it back with git checkout, or write it anew")
-        folder = self.root / "tests" / "structure"
+        folder = self.root / structure.FOLDER
         tests = dict.fromkeys(name for image in self.image_set.images for name in image.tests)
         if untested := [
             f"{name}.yaml" for name in tests if folder.is_dir() and not (folder / f"{name}.yaml").is_file()
         ]:
-            raise RosmlError(f"tests/structure has no {listed(untested)}", "write what must hold in these images there")
+            raise RosmlError(
+                f"{structure.FOLDER} has no {listed(untested)}", "write what must hold in these images there"
+            )
 
     def _gone(self) -> list[str]:
         """Files and folders that targets are built from and that are not there; but for locks, which are made later, and
@@ -213,6 +235,12 @@ def _file(path: Path) -> str:
         return f"link to {path.readlink()}"
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
     return f"{digest} executable" if path.stat().st_mode & 0o100 else digest
+
+
+def _text(path: Path) -> str:
+    """What a file says; of a link also where it leads."""
+    link = f"{path.readlink()}\n" if path.is_symlink() else ""
+    return link + (path.read_text(encoding="utf-8", errors="replace") if path.is_file() else "")
 
 
 def _digest(content: Mapping[str, str]) -> str:

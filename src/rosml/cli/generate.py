@@ -1,9 +1,9 @@
-"""Writes docker-bake.hcl (and schemas, and the tables of README.md) from matrix.yaml; plans the build of images in CI.
+"""Writes docker-bake.hcl (and schemas, and the tables of README.md) from matrix.yaml.
 
 \b
 Examples:
-  rosml generate             after a change of matrix.yaml
-  rosml generate --shards 8  which of eight machines would build what, and how long that takes
+  rosml generate          after a change of matrix.yaml
+  rosml generate --check  whether anybody forgot that
 """
 
 from __future__ import annotations
@@ -27,46 +27,23 @@ COMMAND = "rosml generate"
 
 @click.command("generate", cls=Command, prints=True, help=__doc__)
 @click.option("--check", is_flag=True, help="Write nothing; exit 1 with a diff if a generated file is stale.")
-@click.option("--json", "as_json", is_flag=True, help="With --shards: as JSON.")
-@click.option("--shards", metavar="N", type=int, help="Plan the build of all images on N machines.")
 @options.MATRIX
 @click.option(
     "--output",
     type=click.Path(path_type=Path),
-    help="Write this bake file instead, and nothing else; with --shards: this plan, as JSON.",
+    help="Write this bake file instead, and nothing else.",
 )
-def main(check: bool, as_json: bool, shards: int | None, matrix: Path, output: Path | None) -> None:
-    if check and shards is not None:
-        raise click.UsageError("--check and --shards do different things; use one of them")
-    if as_json and shards is None:
-        raise click.UsageError("--json belongs to --shards")
+def main(check: bool, matrix: Path, output: Path | None) -> None:
     if output and output.exists() and output.resolve() == matrix.resolve():
         raise click.UsageError(f"--output {output} would overwrite the matrix; name another file")
     from rosml.images import load, missing
 
     image_set = load.load(matrix, ROOT)
-    if shards is not None:
-        deal_out(image_set, shards, as_json, output)
-        return
     wanted, lost = generated(image_set, output), missing.lost(image_set)
     if check:
         verify(wanted, lost)
     else:
         write(wanted, lost, None if output else ROOT)
-
-
-def deal_out(image_set: ImageSet, shards: int, as_json: bool, output: Path | None) -> None:
-    """Prints which of some machines builds what, or writes it into a file."""
-    from rosml.cli import tables
-    from rosml.publish import shards as dealing
-
-    planned = dealing.deal(image_set, shards, include=lambda image: image.locked)
-    if output:
-        write({output: dealing.as_json(planned)})
-    elif as_json:
-        click.echo(dealing.as_json(planned), nl=False)
-    else:
-        tables.print_shards(planned, left_out=sum(not image.locked for image in image_set.images))
 
 
 def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:

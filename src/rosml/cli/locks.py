@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 @click.option(
     "--upstream", is_flag=True, help="Say what the index has that the matrix has not, since when, and what holds it."
 )
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock would change.")
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 if a lock or a base image would change.")
 @click.option("--stack", "stacks", multiple=True, metavar="NAME", help="Only the locks of this stack or row of wheels.")
 @options.MATRIX
 @click.option(
@@ -82,7 +82,7 @@ def main(
     if bases and pinned:
         tell_bases(pinned, check, report, as_json)
         return
-    locks = lock(image_set, ROOT, upgrade=upgrade, say=lambda line: click.echo(line, err=True), stacks=stacks)
+    locks = lock(image_set, ROOT, upgrade=upgrade, say=say, stacks=stacks)
     there = {path for path in locked.locks(ROOT) if not stacks or path.split("/")[1] in stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in there & locks.texts.keys()}
     stale = [path for path, text in sorted(locks.texts.items()) if earlier.get(path) != text]
@@ -105,8 +105,14 @@ def main(
     click.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}", err=as_json)
     if as_json:
         click.echo(to_json(moved, stale, fresh, locks.left_out, pinned))
-    if check and (stale or (pinned and pinned.moved)):
-        stop(RosmlError(f"{len(stale)} locks are stale", "run 'rosml locks' and commit the result"), as_json)
+    if check:
+        words = [*(["--upgrade"] if upgrade else []), *(word for stack in stacks for word in ("--stack", stack))]
+        require_fresh(len(stale), pinned, words, as_json)
+
+
+def say(line: str) -> None:
+    """Tells people how far the work is."""
+    click.echo(line, err=True)
 
 
 def require_known(image_set: ImageSet, stacks: Sequence[str]) -> None:
@@ -128,7 +134,7 @@ def tell_upstream(image_set: ImageSet, stacks: Sequence[str], report: Path | Non
     from rosml.cli import tables
     from rosml.locks import upstream
 
-    found = upstream.look(image_set, stacks=stacks)
+    found = upstream.look(image_set, stacks=stacks, say=say)
     if report:
         files.write(report, upstream_text(found))
     if as_json:
@@ -142,7 +148,7 @@ def upstream_table(image_set: ImageSet, stacks: Sequence[str]) -> str:
     """What the index has that the matrix has not: a part of the text of a pull request."""
     from rosml.locks import upstream
 
-    return upstream_text(upstream.look(image_set, stacks=stacks))
+    return upstream_text(upstream.look(image_set, stacks=stacks, say=say))
 
 
 def upstream_text(found: Sequence[Newer]) -> str:
@@ -174,9 +180,24 @@ def tell_bases(pinned: Pins, check: bool, report: Path | None, as_json: bool) ->
         files.write(report, base_table(pinned))
     if as_json:
         click.echo(to_json(pinned=pinned))
-    if check and pinned.moved:
-        wrong = f"{len(pinned.moved)} base images have moved"
-        stop(RosmlError(wrong, "run 'rosml locks --upgrade' and commit the result"), as_json)
+    if check:
+        require_fresh(0, pinned, ["--bases"], as_json)
+
+
+def require_fresh(locks: int, pinned: Pins | None, words: Sequence[str], as_json: bool) -> None:
+    """Ends with an error where something is stale: what it is, and the command that writes it.
+
+    Args:
+        locks: how many are stale. pinned: base images, if they were looked at. words: what the command was called with.
+    """
+    from rosml.base.problems import counted, listed
+
+    bases = len(pinned.moved) if pinned else 0
+    stale = [counted(number, what) for number, what in ((bases, "base image"), (locks, "lock")) if number]
+    if stale:
+        wrong = f"{listed(stale)} {'is' if bases + locks == 1 else 'are'} stale"
+        generate = ", then 'rosml generate'," if bases else ""
+        stop(RosmlError(wrong, f"run '{' '.join(['rosml locks', *words])}'{generate} and commit the result"), as_json)
 
 
 def stop(error: RosmlError, as_json: bool) -> None:

@@ -16,7 +16,7 @@ from rosml.cli.checkout import Command
 @click.option(
     "--everywhere",
     is_flag=True,
-    help="plan for all architectures that the registry serves, each on machines of its own",
+    help="plan for all architectures that the registry serves, each on machines of its own, and say which builds what",
 )
 @click.option(
     "--shards",
@@ -40,19 +40,23 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     Examples:
       rosml plan --why
       rosml plan --only 'bookworm-*' --output plan.json
+      rosml plan --everywhere --force --shards 24   how long all images would take on 24 machines
     """
     from rosml.base import files
-    from rosml.cli import report
+    from rosml.cli import report, tables
 
     call = Call(**options)
     if everywhere:
         call.architectures = call.serve or tuple(call.image_set.matrix.architectures)
     pipeline = call.pipeline()
-    text = report.plan_json(pipeline, shards, why)
-    if output:
-        files.write(output, text)
-        report.tell(text)
-    if call.as_json:
-        click.echo(text, nl=False)
-    else:
-        report.print_plan(pipeline, why)
+    # Who plans for this machine alone needs no machines in CI, and no word in the matrix on which they are.
+    plan = report.planned(pipeline, shards, why) if everywhere or output or call.as_json else None
+    if output and plan:
+        files.write(output, plan.text())
+        report.tell(plan)
+    if call.as_json and plan:
+        click.echo(plan.text(), nl=False)
+        return
+    report.print_plan(pipeline, why)
+    if everywhere and plan and plan.shards:
+        tables.show(tables.SHARDS, tables.shard_rows(plan.shards), right=tables.SHARDS[3:])

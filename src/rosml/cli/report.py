@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import time
 from collections import Counter
-from typing import Any
 
 from rosml.base import ci, terminal
 from rosml.base.problems import counted, some
@@ -14,7 +13,7 @@ from rosml.cli import tables
 from rosml.publish import shards as dealing
 from rosml.publish.pipeline import Outcome, Pipeline
 from rosml.publish.plan import Task, changes
-from rosml.publish.plan_file import PLAN_FORMAT
+from rosml.publish.plan_file import Planned, PlannedTask
 from rosml.records import store
 
 
@@ -23,11 +22,10 @@ def tasks(pipeline: Pipeline) -> list[Task]:
     return [pipeline.plan.task(item) for item in pipeline.plan.items]
 
 
-def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
-    """plan.json: what is to be done, and which machine builds what."""
+def planned(pipeline: Pipeline, shards: int, why: bool) -> Planned:
+    """What is to be done, and which of so many machines builds what. `why`: with the names of the inputs that changed."""
     found = tasks(pipeline)
     plan = pipeline.plan
-    dealt: list[dict[str, Any]] = []
     # What is only to be tested needs a machine as well. A scan needs none of a kind.
     here = [task for task in found if task.item.architecture in plan.architectures]
     work = dealing.Work(
@@ -35,52 +33,50 @@ def plan_json(pipeline: Pipeline, shards: int, why: bool) -> str:
         frozenset(task.item.key for task in here if "test" in task.steps),
     )
     wanted = {image.target for image in plan.images}
-    architectures = {name for target, name in work.made | work.tested if target in wanted}
-    if architectures and plan.image_set.matrix.rates:
-        # By architecture: a machine of each kind, however few images there are.
-        made = dealing.deal(plan.image_set, max(shards, len(architectures)), lambda image: image.target in wanted, work)
-        dealt = [dealing.facts(shard) for shard in made.shards]
-    content = {
-        "version": PLAN_FORMAT,
-        "date": plan.date,
-        "registry": f"{pipeline.host}/{pipeline.prefix}",
-        "architectures": list(plan.architectures),
-        "serve": list(pipeline.serving),
-        "force": plan.force,
-        "upstream": plan.upstream,
-        "targets": [image.target for image in plan.images],
-        "shards": dealt,
-        "tasks": [task.to_json() | _changed(pipeline, task, why) for task in found if task.steps or task.hindered],
-        "unchanged": sum(not task.steps and not task.hindered for task in found),
-        "remarks": plan.remarks,
-    }
-    return json.dumps(content, indent=2) + "\n"
+    return Planned(
+        version=1,
+        date=plan.date,
+        registry=f"{pipeline.host}/{pipeline.prefix}",
+        architectures=plan.architectures,
+        serve=tuple(pipeline.serving),
+        force=plan.force,
+        upstream=plan.upstream,
+        targets=tuple(image.target for image in plan.images),
+        shards=dealing.deal(plan.image_set, shards, lambda image: image.target in wanted, work),
+        tasks=tuple(
+            PlannedTask(
+                target=task.item.target,
+                architecture=task.item.architecture,
+                kind=task.item.kind,
+                steps=task.steps,
+                why=task.why,
+                hindered=task.hindered,
+                inputs=_changed(pipeline, task) if why else (),
+            )
+            for task in found
+            if task.steps or task.hindered
+        ),
+        unchanged=sum(not task.steps and not task.hindered for task in found),
+        remarks=tuple(plan.remarks),
+    )
 
 
-def tell(text: str) -> None:
+def tell(plan: Planned) -> None:
     """Tells CI of a plan: its shards, for the matrix of the jobs that build, and what there is to do."""
-    content = json.loads(text)
-    shards = content["shards"]
-    ci.output("shards", json.dumps([{"name": shard["name"], "runner": shard["runner"]} for shard in shards]))
-    counts = Counter(step for task in content["tasks"] for step in task["steps"])
+    ci.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
+    counts = Counter(step for task in plan.tasks for step in task.steps)
     lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
-    lines += [f"- as they should be: {content['unchanged']}", *(f"- {remark}" for remark in content["remarks"]), ""]
-    rows = []
-    for shard in shards:
-        estimates = shard["estimates"]
-        disk, minutes = f"{estimates['disk_mb'] / 1000:.1f}", f"{estimates['seconds'] / 60:.0f}"
-        distributions = ", ".join(shard["distributions"])
-        rows.append((shard["name"], shard["runner"], distributions, str(len(shard["targets"])), minutes, disk))
-    columns = ("shard", "runner", "distributions", "images", "minutes (estimate)", "GB disk (estimate)")
-    found = "\n".join(lines) + "\n" + (ci.table(columns, rows) if rows else "")
-    ci.summary(f"\n## Plan of {content['date']} for {content['registry']}\n\n{found}")
+    lines += [f"- as they should be: {plan.unchanged}", *(f"- {remark}" for remark in plan.remarks), ""]
+    rows = tables.shard_rows(plan.shards)
+    found = "\n".join(lines) + "\n" + (ci.table(tables.SHARDS, rows) if rows else "")
+    ci.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{found}")
 
 
-def _changed(pipeline: Pipeline, task: Task, why: bool) -> dict[str, Any]:
-    if not why or not task.steps or task.item.key not in pipeline.plan.known:
-        return {}
-    changed = changes(pipeline.plan, pipeline.records, task.item)
-    return {"inputs": changed} if changed else {}
+def _changed(pipeline: Pipeline, task: Task) -> tuple[str, ...]:
+    """Names of the inputs that differ from those that an item was made from."""
+    if not task.steps or task.item.key not in pipeline.plan.known:
+        return ()
+    return tuple(changes(pipeline.plan, pipeline.records, task.item))
 
 
 def print_plan(pipeline: Pipeline, why: bool) -> None:
@@ -89,7 +85,7 @@ def print_plan(pipeline: Pipeline, why: bool) -> None:
     todo = [task for task in found if task.steps]
     rows = []
     for task in todo:
-        changed = _changed(pipeline, task, why).get("inputs", [])
+        changed = _changed(pipeline, task) if why else ()
         reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
         rows.append((task.item.target, task.item.architecture, ", ".join(task.steps), reason))
     tables.show(("image", "architecture", "to do", "why"), rows, wrapped=["why"])

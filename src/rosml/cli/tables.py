@@ -16,7 +16,7 @@ from rosml.base.problems import counted
 from rosml.images import missing
 from rosml.images.facts import facts
 from rosml.images.image_set import Image
-from rosml.publish.shards import Dealt
+from rosml.publish.plan_file import Shard
 from rosml.publish.status import STATES, ImageStatus, age
 from rosml.scan.judge import Run
 from rosml.scan.sarif import COLUMNS, finding_rows, summary
@@ -77,24 +77,18 @@ def print_images(images: Sequence[Image]) -> None:
             out.print(f"{count} without a lock, which cannot be built yet: {remedy}", style="yellow")
 
 
-def print_shards(plan: Dealt, left_out: int = 0) -> None:
-    """Prints one line for each shard, and what the whole takes. `left_out`: how many images have no lock."""
-    numbers = ("images", "parts", "minutes", "GB download", "GB disk")
+SHARDS = ("shard", "runner", "distributions", "images", "parts", "minutes (estimate)", "GB download", "GB disk")
+
+
+def shard_rows(shards: Iterable[Shard]) -> list[tuple[str, ...]]:
+    """A row for each shard, with estimates of what it takes."""
     rows = []
-    for shard in plan.shards:
-        sizes = (f"{megabytes / 1000:.1f}" for megabytes in (shard.download_mb, shard.disk_mb))
-        counts = (str(len(shard.targets)), str(len(shard.parts)), f"{shard.seconds / 60:.0f}")
+    for shard in shards:
+        takes = shard.estimates
+        counts = (str(len(shard.targets)), str(len(shard.parts)), f"{takes.seconds / 60:.0f}")
+        sizes = (f"{megabytes / 1000:.1f}" for megabytes in (takes.download_mb, takes.disk_mb))
         rows.append((shard.name, shard.runner, ", ".join(shard.distributions), *counts, *sizes))
-    show(("shard", "runner", "distributions", *numbers), rows, right=numbers)
-    out = terminal.console()
-    seconds = [shard.seconds for shard in plan.shards]
-    total = f"{max(seconds) / 60:.0f} minutes until all is built, {sum(seconds) / 60:.0f} minutes of machines"
-    out.print(f"estimates: {total}", style="dim")
-    if left_out:
-        out.print(f"left out: {counted(left_out, 'image')} without a lock; see them with: rosml list", style="yellow")
-    if len(plan.shards) < plan.allowed:
-        units = "as many as there are distributions on architectures"
-        out.print(f"{len(plan.shards)} shards instead of {plan.allowed}: {units}, which are never split", style="dim")
+    return rows
 
 
 def print_scan(run: Run) -> None:

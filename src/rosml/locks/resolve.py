@@ -19,6 +19,7 @@ import fnmatch
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import threading
 from collections import Counter
@@ -309,8 +310,12 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
 
 
 def compile_command(request: Request) -> list[str]:
-    """What every resolution for a Python and an architecture begins with."""
-    quiet = ["pip", "compile", "--quiet", "--no-config", "--only-binary", ":all:"]
+    """What every resolution for a Python and an architecture begins with.
+
+    With this process' own interpreter, of whatever version: nothing is built with it. Otherwise uv downloads one of each
+    version that is asked for, or tries to for ten seconds each time.
+    """
+    quiet = ["pip", "compile", "--quiet", "--no-config", "--python", sys.executable, "--only-binary", ":all:"]
     return [*quiet, "--python-version", request.python, "--python-platform", request.wheels]
 
 

@@ -9,13 +9,14 @@ from __future__ import annotations
 import re
 import tempfile
 import tomllib
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from rosml.base import progress_bar
 from rosml.base.errors import RosmlError
+from rosml.base.problems import counted
 from rosml.images.image_set import ImageSet
 from rosml.images.lock_file import package_name
 from rosml.locks.resolve import WORKERS, Request, Uv, compile_command, requests, require_one_cuda, resolve
@@ -43,13 +44,19 @@ class Newer:
     pythons: tuple[str, ...]
 
 
-def look(image_set: ImageSet, uv: str = "uv", stacks: Collection[str] = ()) -> list[Newer]:
+def look(
+    image_set: ImageSet,
+    uv: str = "uv",
+    stacks: Collection[str] = (),
+    say: Callable[[str], None] = lambda line: None,
+) -> list[Newer]:
     """Everything that the index has newer than the matrix, by stack and package.
 
     Of each stack and Python one architecture is looked at, the first whose wheels are all on the default index.
 
     Args:
         stacks: only these; all if empty.
+        say: told what was looked at, a line at a time.
 
     Raises:
         RosmlError: uv is missing, or the index does not answer.
@@ -60,10 +67,10 @@ def look(image_set: ImageSet, uv: str = "uv", stacks: Collection[str] = ()) -> l
             wanted.setdefault((item.stack, item.python, tuple(item.roots)), item)
     run = Uv(uv)
     with ThreadPoolExecutor(WORKERS) as pool:
-        futures = [pool.submit(lambda item: list(_of(image_set, item, run)), item) for item in wanted.values()]
+        futures = {pool.submit(lambda item: list(_of(image_set, item, run)), item): item for item in wanted.values()}
         try:
-            for future in progress_bar.over(as_completed(futures), "stacks", len(futures)):
-                future.result()
+            for number, future in enumerate(progress_bar.over(as_completed(futures), "stacks", len(futures)), 1):
+                say(f"[{number} of {len(futures)}] {futures[future]}: {counted(len(future.result()), 'newer release')}")
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             run.end()

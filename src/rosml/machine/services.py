@@ -103,11 +103,11 @@ class Services:
         env["REGCTL_CONFIG"] = str(self.state / "regctl" / "config.json")
         if self.ca_bundle:
             env["SSL_CERT_FILE"] = self.ca_bundle
-        # The registry is on loopback: a proxy could not reach it.
-        for name in ("no_proxy", "NO_PROXY"):
-            entries = [entry for entry in env.get(name, "").split(",") if entry]
-            env[name] = ",".join([*entries, *(host for host in ("127.0.0.1", "localhost") if host not in entries)])
-        return env
+        # The registry is on loopback: a proxy could not reach it. Both spellings say the same: Go's programs and build steps
+        # read NO_PROXY and leave the other one unread where it is there, curl does the opposite.
+        spellings = ("no_proxy", "NO_PROXY")
+        known = [entry.strip() for name in spellings for entry in env.get(name, "").split(",") if entry.strip()]
+        return env | dict.fromkeys(spellings, ",".join(dict.fromkeys([*known, "127.0.0.1", "localhost"])))
 
     @property
     def place(self) -> str:

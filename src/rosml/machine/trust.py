@@ -8,17 +8,20 @@ from pathlib import Path
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
-from rosml.registry.certificates import folders
+from rosml.registry import certificates
 
 
 def trusting(services: Services) -> dict[str, str]:
-    """The environment of a program that looks for authorities in a bundle only.
+    """The environment of a program that looks for authorities in a bundle only, whichever registry it asks.
+
+    The certificates of a registry that this user may not read are left out: the client that asks that very registry names
+    them.
 
     Raises:
         RosmlError: the bundle cannot be read or written.
     """
     env = services.environment()
-    own = [file for folder in folders() for file in sorted(folder.glob("*/*.crt"))]
+    own = [file for found in certificates.by_host().values() for file in found]
     if not own:
         return env
     base = services.ca_bundle or ssl.get_default_verify_paths().cafile or ""

@@ -428,11 +428,11 @@ class Disk(Facts):
 
 
 class Rates(Facts):
-    """How fast a machine of CI builds, for the estimates of a build plan."""
+    """How fast a machine of CI builds, for the estimates of a plan, and so that its shards take equally long."""
 
-    packages: Rate = Field(description="MB unpacked per second, where apt installs packages")
-    parts: Rate = Field(description="MB unpacked per second, where parts are assembled")
-    test: Rate = Field(description="seconds for the tests of an image")
+    packages: Rate = Field(default=25, description="MB unpacked per second, where apt installs packages")
+    parts: Rate = Field(default=60, description="MB unpacked per second, where parts are assembled")
+    test: Rate = Field(default=15, description="seconds for the tests of an image")
 
 
 class Matrix(Facts):
@@ -466,7 +466,7 @@ class Matrix(Facts):
     stacks: dict[Name, Stack] = Field(min_length=1)
     distributions: dict[Name, Distribution] = Field(min_length=1)
     disk: Disk
-    rates: Rates | None = Field(default=None, description="how fast images are built; a build plan needs it")
+    rates: Rates = Field(default=Rates(), description="how fast images are built, for a plan's estimates")
 
     @cached_property
     def part(self) -> dict[str, PartEntry]:

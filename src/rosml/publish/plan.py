@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal
+from typing import Literal
 
 from rosml.bake.inputs import TARGET, Inputs
 from rosml.base.errors import RosmlError
@@ -89,16 +89,6 @@ class Task:
     steps: tuple[Step, ...] = ()
     why: tuple[str, ...] = ()
     hindered: str = ""
-
-    def to_json(self) -> dict[str, Any]:
-        """For plan.json."""
-        facts: dict[str, Any] = {"target": self.item.target, "architecture": self.item.architecture}
-        facts |= {"kind": self.item.kind, "steps": list(self.steps)}
-        if self.why:
-            facts["why"] = list(self.why)
-        if self.hindered:
-            facts["hindered"] = self.hindered
-        return facts
 
 
 @dataclass

@@ -1,7 +1,8 @@
-"""The plan of a run as one job writes it and others read it."""
+"""The plan of a run, plan.json: one model of what one job writes and others read."""
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -10,9 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from rosml.base.clock import checked_date
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of, unknown
-
-PLAN_FORMAT = 1
-"""Version of plan.json's format."""
+from rosml.publish.plan import Kind, Step
 
 Named = Annotated[tuple[str, ...], Field(min_length=1)]
 """Names of what is meant: none would mean all that there are."""
@@ -22,26 +21,89 @@ class _Fact(BaseModel):
     model_config = ConfigDict(frozen=True, strict=True)
 
 
+class Estimates(_Fact):
+    """What a shard takes.
+
+    Attributes:
+        download_mb: what the network brings: base images, Debian packages and wheels, compressed.
+        disk_mb: room that it needs at its peak, which is its end, with the reserve; counted as `machine/disk.py` counts.
+        seconds: time of building and testing, by the matrix' rates.
+    """
+
+    download_mb: int
+    disk_mb: int
+    seconds: int
+
+
 class Shard(_Fact):
-    """What one machine of a run builds."""
+    """What one machine of a run builds.
+
+    Attributes:
+        name: `amd64-1`; an architecture's longest shard has the number 1.
+        architecture: under BuildKit's name. platform: the same as BuildKit calls it.
+        runner: label of the machines in CI.
+        distributions: what it builds, in the order of the matrix.
+        targets: bake targets in build order: of each distribution the ROS images from the lowest up, then the others.
+        parts: names of the parts that it assembles.
+    """
 
     name: str
-    targets: Named
     architecture: str
+    platform: str
+    runner: str
+    distributions: tuple[str, ...]
+    targets: Named
+    parts: tuple[str, ...]
+    estimates: Estimates
+
+
+class PlannedTask(_Fact):
+    """What is to be done about an image or part on an architecture, and why, or why it cannot be done here.
+
+    Attributes:
+        inputs: names of those that changed, where they were asked for.
+    """
+
+    target: str
+    architecture: str
+    kind: Kind
+    steps: tuple[Step, ...]
+    why: tuple[str, ...] = ()
+    hindered: str = ""
+    inputs: tuple[str, ...] = ()
 
 
 class Planned(_Fact):
-    """What plan.json says that the other steps need."""
+    """A plan.
+
+    Attributes:
+        version: of this format.
+        date: of the run. registry: where its images go, with the prefix.
+        architectures: those that it works for. serve: those that the registry serves; all of the matrix if empty.
+        force: everything is made anew. upstream: of when the packages of each distribution are.
+        targets: the images that are meant. shards: which machine builds what.
+        tasks: what is to be done or cannot be done. unchanged: how many items are as they should be.
+        remarks: what people should know, such as a repository that does not answer.
+    """
 
     version: Literal[1]
     date: str
     registry: str
-    targets: Named
     architectures: Named
     serve: tuple[str, ...]
     force: bool
     upstream: dict[str, str]
+    targets: Named
     shards: tuple[Shard, ...]
+    tasks: tuple[PlannedTask, ...]
+    unchanged: int
+    remarks: tuple[str, ...]
+
+    def text(self) -> str:
+        """What `read_plan` reads."""
+        facts = self.model_dump(mode="json")
+        facts["tasks"] = [task.model_dump(mode="json", exclude_defaults=True) for task in self.tasks]
+        return json.dumps(facts, indent=2) + "\n"
 
 
 def read_plan(file: Path, shard: str = "") -> Planned:

@@ -1,4 +1,4 @@
-"""The build plan for CI: which machine builds which images, so that all of them are ready soon, at the same time.
+"""Shards: which machine of a run builds which images, so that all of them are ready soon, at the same time.
 
 What is dealt out are units, a distribution on an architecture: its ROS images stand on one another, and all its other
 images on one of those, so that no unit builds what another one has to wait for. Parts and operating systems are
@@ -7,20 +7,16 @@ shared between units: a shard assembles them once, however many of its units nee
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import Image, ImageSet
 from rosml.machine import disk
 from rosml.matrix import names
-from rosml.matrix.model import Rates, Size
-
-FORMAT = 1
-"""Version of plan.json's format."""
+from rosml.matrix.model import Size
+from rosml.publish.plan_file import Estimates, Shard
 
 Costs = dict[tuple[str, str], int]
 """Seconds by what is built: its kind and its name. What two units both have, they share."""
@@ -47,86 +43,26 @@ class Unit:
     costs: Costs
 
 
-@dataclass(frozen=True)
-class Shard:
-    """What one machine builds.
-
-    Attributes:
-        name: `amd64-1`; an architecture's longest shard has the number 1.
-        architecture: under BuildKit's name. platform: the same as BuildKit calls it.
-        runner: label of the machines in CI.
-        distributions: what it builds, in the order of the matrix.
-        targets: bake targets in build order: of each distribution the ROS images from the lowest up, then the others.
-        parts: names of the parts that it assembles.
-        download_mb: what the network brings: base images, Debian packages and wheels, compressed.
-        disk_mb: room that it needs at its peak, which is its end, with the reserve; counted as `machine/disk.py` counts.
-        seconds: time of building and testing, by the matrix' rates.
-    """
-
-    name: str
-    architecture: str
-    platform: str
-    runner: str
-    distributions: tuple[str, ...]
-    targets: tuple[str, ...]
-    parts: tuple[str, ...]
-    download_mb: int
-    disk_mb: int
-    seconds: int
-
-
-@dataclass(frozen=True)
-class Dealt:
-    """The shards by architecture, the longest first, and how many there might have been."""
-
-    allowed: int
-    shards: tuple[Shard, ...]
-
-
 def deal(
     image_set: ImageSet, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
-) -> Dealt:
-    """Deals the images of a set out to machines.
+) -> tuple[Shard, ...]:
+    """Deals the images of a set out to machines: by architecture, the longest shard first.
 
     Args:
         image_set: all that the matrix describes.
-        shards: how many machines there are, at most.
+        shards: how many machines there are at most; but each architecture that something is built for gets one.
         include: whether an image is built. The ROS images that it stands on are built with it.
         work: what is to be done; images and architectures without any get no machine, and times count nothing else. All that
             is included if None. What a machine fetches and keeps is counted whole: tests need all of an image.
 
     Raises:
-        RosmlError: there is no shard, there are fewer shards than architectures, there is nothing to build, or the matrix does not say
-            how fast or where (exit code 2).
+        RosmlError: the matrix does not say where an architecture is built (exit code 2).
     """
-    if shards < 1:
-        text = f"{shards} machines can build nothing"
-        raise RosmlError(text, "say how many there are, one or more: rosml generate --shards 8", exit_code=2)
-    units = _units(image_set, _rates(image_set), include, work)
-    if not units:
-        raise RosmlError("no image can be built, so there is nothing to plan", "see why: rosml locks", exit_code=2)
-    if shards < len(units):
-        raise RosmlError(
-            f"{len(units)} architectures ({', '.join(units)}) do not fit in {shards} shard{'s'[: shards != 1]}:"
-            " a shard builds for one",
-            f"allow more: --shards {len(units)}",
-            exit_code=2,
-        )
-    dealt = [
+    units = _units(image_set, include, work)
+    return tuple(
         _shard(image_set, architecture, number, content)
         for architecture, share in _shares(units, shards).items()
         for number, content in enumerate(_dealt(units[architecture], share), 1)
-    ]
-    return Dealt(shards, tuple(dealt))
-
-
-def _rates(image_set: ImageSet) -> Rates:
-    if image_set.matrix.rates:
-        return image_set.matrix.rates
-    raise RosmlError(
-        "matrix.yaml: 'rates' is missing: how fast images are built",
-        "add it, such as 'rates: {packages: 25, parts: 60, test: 15}'",
-        exit_code=2,
     )
 
 
@@ -143,9 +79,7 @@ def _runner(image_set: ImageSet, architecture: str) -> str:
 # ---- Units -----------------------------------------------------------------------------------------------------------
 
 
-def _units(
-    image_set: ImageSet, rates: Rates, include: Callable[[Image], bool], work: Work | None
-) -> dict[str, list[Unit]]:
+def _units(image_set: ImageSet, include: Callable[[Image], bool], work: Work | None) -> dict[str, list[Unit]]:
     """Units by architecture, both in the order of the matrix; architectures without any are left out."""
     members: dict[str, dict[str, list[Image]]] = {name: {} for name in image_set.matrix.architectures}
     for image in filter(include, image_set.images):
@@ -153,17 +87,14 @@ def _units(
             if work is None or (image.target, architecture) in work.made | work.tested:
                 members[architecture].setdefault(image.distribution, []).append(image)
     return {
-        architecture: [
-            _unit(image_set, rates, name, images, architecture, work) for name, images in distributions.items()
-        ]
+        architecture: [_unit(image_set, name, images, architecture, work) for name, images in distributions.items()]
         for architecture, distributions in members.items()
         if distributions
     }
 
 
-def _unit(
-    image_set: ImageSet, rates: Rates, distribution: str, images: list[Image], architecture: str, work: Work | None
-) -> Unit:
+def _unit(image_set: ImageSet, distribution: str, images: list[Image], architecture: str, work: Work | None) -> Unit:
+    rates = image_set.matrix.rates
     ordered = _ordered(image_set, images)
 
     def made(target: str) -> bool:
@@ -276,9 +207,11 @@ def _shard(image_set: ImageSet, architecture: str, number: int, units: list[Unit
         distributions=tuple(unit.distribution for unit in units),
         targets=tuple(image.target for image in images),
         parts=parts,
-        download_mb=sum(size.compressed for size in sizes),
-        disk_mb=_disk_mb(image_set, images),
-        seconds=_seconds(units),
+        estimates=Estimates(
+            download_mb=sum(size.compressed for size in sizes),
+            disk_mb=_disk_mb(image_set, images),
+            seconds=_seconds(units),
+        ),
     )
 
 
@@ -288,25 +221,3 @@ def _disk_mb(image_set: ImageSet, images: list[Image]) -> int:
         total += disk.needed_mb(image_set, image, built)
         built.update((names.os_target(image.os), image.target, *image.parts))
     return total
-
-
-# ---- For machines and for people -------------------------------------------------------------------------------------
-
-
-def facts(shard: Shard) -> dict[str, Any]:
-    """A shard as plain data."""
-    return {
-        "name": shard.name,
-        "architecture": shard.architecture,
-        "platform": shard.platform,
-        "runner": shard.runner,
-        "distributions": list(shard.distributions),
-        "targets": list(shard.targets),
-        "parts": list(shard.parts),
-        "estimates": {"download_mb": shard.download_mb, "disk_mb": shard.disk_mb, "seconds": shard.seconds},
-    }
-
-
-def as_json(plan: Dealt) -> str:
-    """plan.json: depends on nothing but the image set and the number of shards."""
-    return json.dumps({"version": FORMAT, "shards": [facts(shard) for shard in plan.shards]}, indent=2) + "\n"

@@ -40,7 +40,7 @@ def by_host() -> dict[str, list[Path]]:
     """Those of all registries that this user may read."""
     found: dict[str, list[Path]] = {}
     for file in [file for folder in folders() for file in sorted(folder.glob("*/*.crt"))]:
-        if os.access(file, os.R_OK):
+        if file.is_file() and os.access(file, os.R_OK):
             found.setdefault(file.parent.name, []).append(file)
     return found
 

@@ -1,0 +1,108 @@
+"""Which files of tests/structure the tests of an image are: a change of another one is none of them.
+
+They are the YAML files that its list names, what these call, and what that calls in turn. Nothing is listed by hand; it is
+read out of the texts. What stands beside the YAML files (run.sh) belongs to all tests.
+
+In a folder such as `programs`, a file and a folder of one name belong together, with all that is in them: `torch/`, and
+`setuid.sh` with `setuid.txt`. So a program may do what it likes in its own folder. To reach another one, it has to spell the
+path out, `/run/tests/programs/torch/company.py` or `$here/../roscore.sh`. Where a text computes a path, or climbs out of its
+folder in another way, nobody can tell what it calls, and all files count.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterator, Mapping
+from posixpath import dirname, normpath
+
+FOLDER = "tests/structure"
+"""Where they are in the checkout. In an image they are at PLACE."""
+
+PLACE = "/run/tests"
+
+_REST = r"[\w.+@/-]*"
+_COMMENT = re.compile(r"^[ \t]*#[ \t!].*$", re.MULTILINE)
+_UPWARD = re.compile(rf"(?<![\w.])(?:\.\./)*\.\.(?!\.)(?:/{_REST})?")
+_OWN_PLACE = re.compile(r"\$\{?0|BASH_SOURCE|__file__|argv\[0\]|sys\.path")
+_HERE = re.compile(r"\$\{?here\b")
+_CLIMBS = re.compile(r"\bparents\b|parent\W+parent|pardir|%/\*|dirname(?s:.*)dirname")
+
+
+class StructureTests:
+    """The files of tests/structure, by what they call.
+
+    Attributes:
+        texts: of all files, by their path in the folder.
+    """
+
+    def __init__(self, texts: Mapping[str, str]) -> None:
+        self.texts = texts
+        self._members: dict[str, list[str]] = {}
+        for path in texts:
+            self._members.setdefault(_unit(path), []).append(path)
+        self._folders = "|".join(sorted({re.escape(path.split("/")[0]) for path in texts if "/" in path})) or "(?!)"
+        self._called: dict[str, frozenset[str] | None] = {}
+
+    def of(self, names: Collection[str]) -> Collection[str]:
+        """The paths of all files that belong to the tests of these names, such as `contract`; all paths if nobody can tell."""
+        todo = [f"{name}.yaml" for name in names if f"{name}.yaml" in self.texts]
+        found = set[str]()
+        while todo:
+            unit = todo.pop()
+            if unit in found:
+                continue
+            found.add(unit)
+            if (called := self._calls(unit)) is None:
+                return self.texts.keys()
+            todo += called
+        shared = {path for path in self.texts if "/" not in path and not path.endswith(".yaml")}
+        return shared | {path for unit in found for path in self._members[unit]}
+
+    def _calls(self, unit: str) -> frozenset[str] | None:
+        """The units that one refers to; None if nobody can tell."""
+        if unit not in self._called:
+            found = {called for path in self._members[unit] for called in self._references(path)}
+            self._called[unit] = None if None in found else frozenset(called for called in found if called)
+        return self._called[unit]
+
+    def _references(self, path: str) -> Iterator[str | None]:
+        text = self.texts[path]
+        if path.endswith((".yaml", ".sh", ".py")):
+            text = _COMMENT.sub("", text)
+        for found in re.findall(rf"\b(?:{self._folders})/{_REST}", text):
+            yield self._resolved(found)
+        for found in re.findall(rf"{PLACE}(?!/(?:{self._folders})/)({_REST})", text):
+            yield self._resolved(found.strip("/"))
+        for found in _UPWARD.findall(text):
+            yield self._resolved(normpath(f"{dirname(path)}/{found}"))
+        own = [line for line in text.splitlines() if _OWN_PLACE.search(line)]
+        # A script has a variable `here` from run.sh, unless its own folder sets another one.
+        lent = _HERE.search(text) and not any("here=" in self.texts[other] for other in self._members[_unit(path)])
+        if lent or (own and _CLIMBS.search(text)):
+            yield None
+        if path.count("/") == 1:  # its folder is that of others too
+            others = {other: self._named(other, path) for other in self.texts if dirname(other) == dirname(path)}
+            yield from (_unit(other) for other, named in others.items() if named.search(text))
+            if not all(any(named.search(line) for named in others.values()) for line in own):
+                yield None
+
+    def _named(self, other: str, path: str) -> re.Pattern[str]:
+        """How a file names another one in its folder; a Python program may import it."""
+        name = other.rpartition("/")[2]
+        if path.endswith(".py") and name.endswith(".py"):
+            return re.compile(rf"\b{re.escape(name.removesuffix('.py'))}\b")
+        return re.compile(rf"(?<![\w.-]){re.escape(name)}(?![\w-])")
+
+    def _resolved(self, path: str) -> str | None:
+        """The unit of a path; None where there is no such thing, or where it is a folder of several."""
+        path = path.rstrip("/.")
+        unit = _unit(path)
+        if unit in self._members and (path in self.texts or any(item.startswith(f"{path}/") for item in self.texts)):
+            return unit
+        return None
+
+
+def _unit(path: str) -> str:
+    """What counts as a whole: a file beside the YAML files; below that, a file or folder with all others of its name."""
+    first, *rest = path.split("/")
+    return f"{first}/{rest[0].partition('.')[0]}" if rest else first
