@@ -332,7 +332,7 @@ class Pipeline:
     ) -> scanning.Run:
         """Scans all images that are there, on whatever architecture: what a scan reads is in the registry.
 
-        An image that was held against the same database by the same policy before is left alone.
+        An image that was clean by the same policy and the same database before is left alone: it would be so again.
 
         Args:
             rules: the policy.
@@ -340,7 +340,7 @@ class Pipeline:
             reports: a folder for a SARIF file of each image.
             results: get what was found; then nothing is written into the registry.
         """
-        policy = policy_digest(rules)
+        policy = policy_digest(rules, self.plan.date)
         state = _database(trivy)
         images: dict[tuple[str, str], scanning.Image] = {}
         for item in self.plan.items:
@@ -348,9 +348,9 @@ class Pipeline:
             if item.kind == "part" or entry is None or not entry.digest or item.key not in self.plan.present:
                 continue
             same = state and entry.scan.get("policy") == policy and entry.scan.get("database") == state
-            if not same or entry.scanned == scanning.Outcome.SCANNER_FAILED.value:
+            if not same or entry.scanned != scanning.Outcome.CLEAN.value:
                 images[item.key] = scanning.Image(item.target, item.architecture, tuple(self._scanned_parts(item)))
-        moment = datetime.fromisoformat(self.plan.date.replace("Z", "+00:00"))
+        moment = _moment(self.plan.date)
         # Of those that are not there nothing can be known: they may lack a lock.
         there = {item.key for item in self.plan.items if item.kind != "part"} & self.plan.present
         whole = images.keys() == there and len(self.plan.images) == len(self.plan.image_set.images)
@@ -543,9 +543,15 @@ def _database(trivy: Trivy | ScannerFailed) -> str:
         return ""
 
 
-def policy_digest(rules: Rules) -> str:
-    """Stands for a scan's policy: what it says, not how it is written."""
-    return hashlib.sha256(rules.policy.model_dump_json().encode()).hexdigest()
+def policy_digest(rules: Rules, date: str) -> str:
+    """Stands for what a scan's policy says at the date of a run, not for how it is written. An ignore entry that has expired
+    by then says nothing, so that a scan that was clean thanks to it does not count any more."""
+    return hashlib.sha256(rules.in_force(_moment(date).date()).model_dump_json().encode()).hexdigest()
+
+
+def _moment(date: str) -> datetime:
+    """A run's date."""
+    return datetime.fromisoformat(date.replace("Z", "+00:00"))
 
 
 def _short(error: RosmlError, lines: int = 12) -> str:
