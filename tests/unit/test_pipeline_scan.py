@@ -13,6 +13,7 @@ from scanning import World, advisory, rules
 from stubs import services
 
 from rosml.images.image_set import ImageSet
+from rosml.publish import scan_results
 from rosml.publish.pipeline import policy_digest
 from rosml.publish.steps import STEPS
 from rosml.scan import judge as judging
@@ -113,22 +114,51 @@ def test_an_ignore_entry_that_has_expired_lets_no_tag_move(registry: Place, imag
     assert any("scan: policy failed" in reason for reason in waiting(again, BASE))
 
 
-def test_what_is_handed_over_is_not_written(registry: Place, image_set: ImageSet, world: World) -> None:
-    """SBOMs and outcomes of every image are for another job."""
+def built(registry: Place, image_set: ImageSet, world: World) -> Run:
+    """A run with a ROS image for two architectures, which the scanner knows."""
     run = judged(registry, image_set, rules())
     for step in ("build", "test"):
         STEPS[step](run)
     for item in run.plan.items:
         world.part("x", "bash", ros=True)
         world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]
-    trivy, results, writes = world.trivy(), Results(), registry.registry.writes
+    return run
+
+
+@pytest.mark.parametrize("handed_over", [False, True])
+def test_what_was_scanned_before_the_run_is_killed_is_kept(
+    registry: Place, image_set: ImageSet, world: World, tmp_path: Path, handed_over: bool
+) -> None:
+    run, file = built(registry, image_set, world), tmp_path / "scan.json"
+    trivy = world.trivy()
+    trivy.fetch(rules().policy.database)
+    said: list[str] = []
+
+    def until_the_second(line: str) -> None:
+        said.append(line)
+        if sum(text.startswith("scan ") for text in said) == 2:
+            raise KeyboardInterrupt
+
+    run.say = until_the_second
+    with pytest.raises(KeyboardInterrupt):
+        run.scan(rules(), trivy, results=Results(file, DAY) if handed_over else None)
+    if handed_over:
+        scan_results.record(judged(registry, image_set, rules()), file)
+    found = judged(registry, image_set, rules()).plan
+    assert [found.known[item.key].scanned for item in found.items] == ["clean", ""]
+
+
+def test_what_is_handed_over_is_not_written(registry: Place, image_set: ImageSet, world: World, tmp_path: Path) -> None:
+    """SBOMs and outcomes of every image are for another job."""
+    run = built(registry, image_set, world)
+    trivy, results, writes = world.trivy(), Results(tmp_path / "scan.json", DAY), registry.registry.writes
     trivy.fetch(rules().policy.database)
     run.scan(rules(), trivy, results=results)
     assert registry.registry.writes == writes
-    assert [(entry["architecture"], entry["scanned"]) for entry in results.entries] == [
+    assert [(entry["architecture"], entry["scanned"]) for entry in results.entries.values()] == [
         (item.architecture, "clean") for item in run.plan.items
     ]
-    assert {kept["digest"] for kept in results.sboms} == {entry["digest"] for entry in results.entries}
+    assert {kept["digest"] for kept in results.sboms} == {entry["digest"] for entry in results.entries.values()}
 
 
 def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, image_set: ImageSet) -> None:

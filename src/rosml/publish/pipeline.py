@@ -330,7 +330,8 @@ class Pipeline:
         reports: Path | None = None,
         results: Results | None = None,
     ) -> scanning.Run:
-        """Scans all images that are there, on whatever architecture: what a scan reads is in the registry.
+        """Scans all images that are there, on whatever architecture: what a scan reads is in the registry. Each is recorded as
+        soon as it was scanned, so that a run that ends early keeps what it got to.
 
         An image that was clean by the same policy and the same database before is left alone: it would be so again.
 
@@ -355,10 +356,8 @@ class Pipeline:
         there = {item.key for item in self.plan.items if item.kind != "part"} & self.plan.present
         whole = images.keys() == there and len(self.plan.images) == len(self.plan.image_set.images)
         started = time.monotonic()
-        run = self._scan(list(images.values()), rules, trivy, moment, whole, results)
-        seconds = (time.monotonic() - started) / max(1, len(run.images))
-        for found in run.images:
-            key = found.target, found.architecture
+
+        def keep(found: scanning.Scanned) -> None:
             facts = {
                 "policy": policy,
                 "database": found.database.digest if found.database else "",
@@ -367,11 +366,17 @@ class Pipeline:
                 "findings": dict(Counter(finding.severity for finding in found.findings)),
                 "failing": sorted({finding.id for finding in found.failing}),
             }
+            key = found.target, found.architecture
             entry = replace(self.plan.known[key], scanned=found.outcome.value, scan=facts, changed=self.plan.date)
             if results is None:
                 self._write(self.plan.by_key[key], entry)
             else:
                 results.add(entry)
+
+        run = self._scan(list(images.values()), rules, trivy, moment, whole, results, keep)
+        seconds = (time.monotonic() - started) / max(1, len(run.images))
+        for found in run.images:
+            key = found.target, found.architecture
             clean = found.outcome is scanning.Outcome.CLEAN
             reason = found.reason if clean else f"{found.outcome.value}: {found.reason}"
             self.outcomes.append(Outcome("scan", *key, "done" if clean else "failed", reason, seconds))
@@ -389,13 +394,15 @@ class Pipeline:
         moment: datetime,
         whole: bool,
         results: Results | None,
+        keep: Callable[[scanning.Scanned], None],
     ) -> scanning.Run:
         targets = self.plan.image_set.by_target
         if isinstance(trivy, ScannerFailed):
-            return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole, targets)
+            return scanning.summarise(scanning.unscanned(images, trivy, keep), rules, moment.date(), whole, targets)
         scanner = f"trivy {trivy.version}"
         shelf = Kept(self.registry, scanner, results) if results else Shelf(self.registry, scanner)
-        return scanning.scan_images(images, rules, trivy, shelf, now=moment, whole=whole, targets=targets, say=self.say)
+        facts: dict[str, Any] = {"now": moment, "whole": whole, "targets": targets}
+        return scanning.scan_images(images, rules, trivy, shelf, **facts, say=self.say, keep=keep)
 
     def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
         """The ROS image and the parts that an image is the sum of."""
