@@ -30,8 +30,8 @@ from rosml.registry.repositories import repository_path
 Kind = Literal["ros", "part", "joined"]
 Step = Literal["build", "join", "test", "scan"]
 
-ELSEWHERE = "left to a machine for it"
 WAITING = "waiting for a builder"
+ELSEWHERE = f"{WAITING} of its architecture"
 
 
 @dataclass(frozen=True)
