@@ -105,6 +105,25 @@ def test_two_values_of_a_group_give_both(window: Windows) -> None:
     assert {target.rsplit("-", 1)[1] for target in listed(page)} == {"cu121", "cu130"}
 
 
+def test_a_published_image_has_the_platforms_of_its_index(browser: Any, published: Published, tmp_path: Path) -> None:
+    """What else the matrix allows is said apart."""
+    item = image(published, "bookworm-core")
+    build = item.builds[0].model_copy(update={"platforms": item.builds[0].platforms[:1]})
+    alone = item.model_copy(update={"builds": (build, *item.builds[1:])})
+    images = tuple(alone if i is item else i for i in published.images)
+    site.write(tmp_path / "page", published.model_copy(update={"images": images}))
+    windows = Windows(browser, tmp_path / "page")
+    page = windows().open()
+    assert texts(page, 'tr:has(a[href="#/image/bookworm-core"]) td:nth-child(3)') == ["amd64not published: arm64"]
+    assert texts(page, 'tr:has(a[href="#/image/bookworm-base"]) td:nth-child(3)') == ["amd64, arm64"]
+    page.locator('fieldset[data-group="architecture"] input[value="arm64"]').check()
+    assert "bookworm-base" in listed(page) and "bookworm-core" not in listed(page)
+    page = windows().open("#/image/bookworm-core")
+    assert "linux/amd64not published: linux/arm64" in texts(page, ".facts dd")
+    for context, _ in windows.opened:
+        context.close()
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [

@@ -72,7 +72,7 @@ def sbom(digest: str) -> Sbom:
 
 def scan(found: Run, file: Path, outcome: str = "clean") -> str:
     """What a scan hands over: an SBOM, and an entry."""
-    results = Results()
+    results = Results(file, found.plan.date)
     entry = found.plan.known[CORE]
     shelf = Kept(found.registry, "trivy 1", results)
     assert shelf.load(f"{PREFIX}/ros", entry.digest) is None
@@ -80,7 +80,7 @@ def scan(found: Run, file: Path, outcome: str = "clean") -> str:
     changed = store.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
     assert changed
     results.add(changed)
-    results.write(file, found.plan.date)
+    results.write()
     return entry.digest
 
 

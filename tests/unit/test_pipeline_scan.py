@@ -7,16 +7,18 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from memory_registry import NEXT, Place, Run, place, waiting
+from memory_registry import DAY, NEXT, Place, Run, place, waiting
 from projects import BASE
 from scanning import World, advisory, rules
 from stubs import services
 
 from rosml.images.image_set import ImageSet
+from rosml.publish import scan_results
 from rosml.publish.pipeline import policy_digest
 from rosml.publish.steps import STEPS
 from rosml.scan import judge as judging
 from rosml.scan.judge import Outcome, summarise
+from rosml.scan.policy import Rules
 from rosml.scan.results import Results
 from rosml.scan.trivy import ScannerFailed
 
@@ -31,9 +33,22 @@ def world(tmp_path: Path) -> World:
     return World(tmp_path, advisories={"torch": [advisory("CVE-2026-2", "CRITICAL", "3.0")]})
 
 
-def scanned(registry: Place, image_set: ImageSet, world: World, **options: object) -> Run:
-    """A run of which a clean scan is asked before tags."""
-    run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-*"], **options)  # type: ignore[arg-type]
+def judged(registry: Place, image_set: ImageSet, policy: Rules, date: str = DAY, only: str = "alpha-core") -> Run:
+    """A run of which a clean scan by a policy is asked before tags."""
+    return registry.run(image_set, date, scanning=policy_digest(policy, date), only=[only])
+
+
+def scanned(
+    registry: Place,
+    image_set: ImageSet,
+    world: World,
+    date: str = DAY,
+    policy: Rules | None = None,
+    only: str = "alpha-*",
+) -> Run:
+    """Such a run with all its steps."""
+    policy = policy or rules()
+    run = judged(registry, image_set, policy, date, only)
     for step in ("build", "join", "test"):
         STEPS[step](run)
     for item in run.plan.items:
@@ -42,8 +57,8 @@ def scanned(registry: Place, image_set: ImageSet, world: World, **options: objec
             world.part("x", *packages, ros=item.kind == "ros")
             world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]
     trivy = world.trivy()
-    trivy.fetch(rules().policy.database)
-    run.scan(rules(), trivy)
+    trivy.fetch(policy.policy.database)
+    run.scan(policy, trivy)
     run.index()
     STEPS["promote"](run)
     return run
@@ -66,7 +81,8 @@ def test_what_the_policy_stops_gets_no_tag(
     assert len(calls) == len(parts), "a part that images share is scanned once"
 
     again = scanned(registry, image_set, world, date=NEXT)
-    assert world.calls("sbom") == calls, "the same database, the same policy: nothing to scan"
+    assert again.failed, "the same database, the same policy: what was stopped is stopped again"
+    assert any("scan: policy failed" in reason for reason in waiting(again, BASE))
     assert not again.made
 
     world.advisories.clear()  # the next database
@@ -77,26 +93,76 @@ def test_what_the_policy_stops_gets_no_tag(
     registry.check(image_set)
 
 
-def test_what_is_handed_over_is_not_written(registry: Place, image_set: ImageSet, world: World) -> None:
-    """SBOMs and outcomes of every image are for another job."""
-    run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
+def test_what_was_clean_is_not_scanned_again(registry: Place, image_set: ImageSet, world: World) -> None:
+    scanned(registry, image_set, world, only="alpha-core")
+    calls = world.calls("sbom")
+    again = scanned(registry, image_set, world, NEXT, only="alpha-core")
+    assert calls and world.calls("sbom") == calls, "the same database, the same policy"
+    assert not again.failed
+
+
+def test_an_ignore_entry_that_has_expired_lets_no_tag_move(registry: Place, image_set: ImageSet, world: World) -> None:
+    """Neither where the image is scanned again, nor where no scan came after its last day: nothing else has changed."""
+    entry = "  - {id: CVE-2026-2, reason: nobody calls it here, expires: %s}\n"
+    policy = rules(entry % DAY[:10])
+    assert "alpha-base-cu1" in (scanned(registry, image_set, world, policy=policy), registry.tagged("ros-torch"))[1]
+    late = judged(registry, image_set, policy, NEXT, "alpha-*")
+    late.index()
+    assert "amd64: scan: not done by this policy" in waiting(late, BASE)
+    again = scanned(registry, image_set, world, NEXT, policy)
+    assert again.plan.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert any("scan: policy failed" in reason for reason in waiting(again, BASE))
+
+
+def built(registry: Place, image_set: ImageSet, world: World) -> Run:
+    """A run with a ROS image for two architectures, which the scanner knows."""
+    run = judged(registry, image_set, rules())
     for step in ("build", "test"):
         STEPS[step](run)
     for item in run.plan.items:
         world.part("x", "bash", ros=True)
         world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]
-    trivy, results, writes = world.trivy(), Results(), registry.registry.writes
+    return run
+
+
+@pytest.mark.parametrize("handed_over", [False, True])
+def test_what_was_scanned_before_the_run_is_killed_is_kept(
+    registry: Place, image_set: ImageSet, world: World, tmp_path: Path, handed_over: bool
+) -> None:
+    run, file = built(registry, image_set, world), tmp_path / "scan.json"
+    trivy = world.trivy()
+    trivy.fetch(rules().policy.database)
+    said: list[str] = []
+
+    def until_the_second(line: str) -> None:
+        said.append(line)
+        if sum(text.startswith("scan ") for text in said) == 2:
+            raise KeyboardInterrupt
+
+    run.say = until_the_second
+    with pytest.raises(KeyboardInterrupt):
+        run.scan(rules(), trivy, results=Results(file, DAY) if handed_over else None)
+    if handed_over:
+        scan_results.record(judged(registry, image_set, rules()), file)
+    found = judged(registry, image_set, rules()).plan
+    assert [found.known[item.key].scanned for item in found.items] == ["clean", ""]
+
+
+def test_what_is_handed_over_is_not_written(registry: Place, image_set: ImageSet, world: World, tmp_path: Path) -> None:
+    """SBOMs and outcomes of every image are for another job."""
+    run = built(registry, image_set, world)
+    trivy, results, writes = world.trivy(), Results(tmp_path / "scan.json", DAY), registry.registry.writes
     trivy.fetch(rules().policy.database)
     run.scan(rules(), trivy, results=results)
     assert registry.registry.writes == writes
-    assert [(entry["architecture"], entry["scanned"]) for entry in results.entries] == [
+    assert [(entry["architecture"], entry["scanned"]) for entry in results.entries.values()] == [
         (item.architecture, "clean") for item in run.plan.items
     ]
-    assert {kept["digest"] for kept in results.sboms} == {entry["digest"] for entry in results.entries}
+    assert {kept["digest"] for kept in results.sboms} == {entry["digest"] for entry in results.entries.values()}
 
 
 def test_a_scanner_that_fails_is_no_clean_scan(registry: Place, image_set: ImageSet) -> None:
-    run = registry.run(image_set, scanning=policy_digest(rules()), only=["alpha-core"])
+    run = judged(registry, image_set, rules())
     for step in ("build", "test"):
         STEPS[step](run)
     found = run.scan(rules(), ScannerFailed("the scanner is not installed", "rosml setup scanner"))

@@ -10,6 +10,8 @@ from scanning import POLICY, rules
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
+from rosml.images import load
+from rosml.matrix import source
 from rosml.matrix.source import parse
 from rosml.scan import policy
 
@@ -25,6 +27,20 @@ def test_the_projects_policy() -> None:
     assert found.fixable_only
     assert found.database.max_age_hours <= 48
     assert len(found.database.repositories) > 1
+
+
+def test_the_projects_policy_lets_old_pythons_have_images() -> None:
+    """What no newer package mends for Python 3.8 is ignored there, and only there."""
+    images = load.image_set(source.read(ROOT / "matrix.yaml"))
+    systems = images.matrix.operating_systems
+    old = {image.target for image in images.images if systems[image.os].python == "3.8"}
+    entries = policy.load(ROOT / "scan.yaml").policy.ignore
+    reached = {target for target in images.by_target for entry in entries if entry.is_for(target)}
+    assert reached and reached <= old
+    torch = {image.target for image in images.images if image.framework == "torch"} & old
+    for target in torch:
+        assert any(entry.covers(target, "CVE-2025-32434", "torch") for entry in entries), target
+    assert not policy.load(ROOT / "scan.yaml").for_nobody(images.by_target), "an entry whose pattern fits no image"
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import threading
 from collections.abc import Callable
 from datetime import date, timedelta
 from pathlib import Path
+from typing import Any
 
 import pytest
 from conftest import smaller
@@ -160,6 +161,25 @@ def test_how_images_stand(nights: Place, image_set: ImageSet) -> None:
     assert states()["omega-core"].state == "outdated"
     assert status.age(None) == "" and status.age(59) == "59 s" and status.age(7300) == "2 h"
     assert '"failed": 1' in status.as_json(list(found.values()))
+
+
+def test_how_images_stand_for_a_machine_of_one_architecture(nights: Place, image_set: ImageSet) -> None:
+    """What the other one lacks is told in words of its own, and what is not published yet is not called published."""
+
+    def state(target: str) -> tuple[str, str]:
+        run = nights.run(image_set, architectures=("amd64",))
+        found = status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
+        return next((item.state, item.reason) for item in found if item.target == target)
+
+    assert state("omega-core-torch-cpu") == ("waiting for a builder", "of its architecture")
+    alone: dict[str, Any] = {"date": "2026-10-13T03:00:00Z", "architectures": ("amd64",)}
+    nights.publish(image_set, only=["omega-core"], serving=("amd64",), **alone)
+    assert state("omega-core") == ("published", "not published: arm64")
+    nights.upstream["alpha"] = "week 7"
+    nights.publish(image_set, only=["alpha"], packages="7", **alone)
+    assert state("alpha-core") == ("outdated", "arm64: packages moved from week 5 to week 7")
+    assert state("alpha-core-torch-cpu") == ("outdated", "arm64: alpha-core is made anew")
+    assert state("alpha-core-torch-cu1") == ("published", "")
 
 
 def test_what_cannot_be_had_is_told_apart(

@@ -40,7 +40,10 @@ def table(*columns: str, right: Collection[str] = (), wrapped: Collection[str] =
 
 
 def console() -> Console:
-    """Where tables go: one line for each row, also where nobody watches and the terminal's width is unknown."""
+    """Where tables go: one line for each row, also where nobody watches and the terminal's width is unknown.
+
+    All text is printed as it is: much of it comes from outside, and may have brackets that rich would take for markup.
+    """
     from rich.console import Console  # slow to import, and only needed here
 
     class Output(Console):
@@ -48,8 +51,8 @@ def console() -> Console:
             """Raises BrokenPipeError, which `command.run` knows: a reader that has seen enough is no failure."""
             raise BrokenPipeError
 
-    terminal = Output(highlight=False, soft_wrap=True)
-    return terminal if sys.stdout.isatty() else Output(highlight=False, width=400)
+    as_it_is = functools.partial(Output, highlight=False, markup=False, emoji=False)
+    return as_it_is(soft_wrap=True) if sys.stdout.isatty() else as_it_is(width=400)
 
 
 def show(table: Table) -> None:

@@ -140,7 +140,7 @@ class Image(Tagged):
     component: str
     framework: str
     stack: str | None
-    platforms: tuple[str, ...] = Field(description="those that it is made for")
+    platforms: tuple[str, ...] = Field(description="those that the matrix allows; a build has its own")
     promised: dict[str, str] = Field(description="versions that the matrix gives it")
     status: Status
     reason: str = Field(description="why it is not published; empty where it is")

@@ -217,7 +217,7 @@ class Call:
         date = self.date or clock.now()
         if not self.force:
             clock.require_not_ahead(date, clock.now())
-        scanning = running.policy_digest(policy.load(self.policy)) if self.require_scan else ""
+        scanning = running.policy_digest(policy.load(self.policy), date) if self.require_scan else ""
         found = planning.survey(
             services,
             image_set,

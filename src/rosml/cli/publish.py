@@ -143,10 +143,10 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     call = Call(**options)
     wait_for_turn()
     pipeline = call.pipeline()
-    results = Results() if output else None
+    results = Results(output, pipeline.plan.date) if output else None
     run = _scan(call, pipeline, fetch, database, reports, results)
-    if output and results:
-        results.write(output, pipeline.plan.date)
+    if results:
+        results.write()
     if not call.as_json:
         print_scan(run)
     report.show(pipeline, call.as_json)

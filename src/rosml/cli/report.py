@@ -119,14 +119,14 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
         print(json.dumps(content, indent=2))
         return
     colours = {"done": "green", "failed": "red"}
-    rows = (
-        (it.step, it.target, it.architecture, f"[{colours[it.state]}]{it.state}[/]", duration(it.seconds), _first(it))
-        for it in _interesting(outcomes)
-    )
+    rows = []
+    for it in _interesting(outcomes):
+        state = tables.coloured(it.state, colours[it.state])
+        rows.append((it.step, it.target, it.architecture, state, duration(it.seconds), _first(it)))
     tables.show(("step", "image", "architecture", "state", "time", "what"), rows, right=["time"], wrapped=["what"])
     out = terminal.console()
     for reason, number in _waiting(outcomes).items():
-        out.print(f"waits: {number} times: {reason}", style="yellow", markup=False)
+        out.print(f"waits: {number} times: {reason}", style="yellow")
     text = ", ".join(_counts(outcomes)) or "nothing to do: everything is as it should be"
     out.print(text, _effort(uploaded, started), sep="\n", style="dim")
 

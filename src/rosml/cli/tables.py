@@ -41,14 +41,19 @@ def show(
         terminal.show(table)
 
 
-def print_difference(difference: Difference) -> None:
-    """Prints it in few lines, whatever the number of images."""
+def coloured(text: str, style: str) -> Text:
+    """A cell in a style of rich's."""
     from rich.text import Text  # slow to import, and only needed here
 
+    return Text(text, style)
+
+
+def print_difference(difference: Difference) -> None:
+    """Prints it in few lines, whatever the number of images."""
     out, columns = terminal.console(), ("what", "why", "which")
     if difference.registry:
         out.print(f"registry: {' → '.join(difference.registry)}; all names change")
-    show(columns, (map(Text, row) for row in rows(difference)), wrapped=columns)
+    show(columns, rows(difference), wrapped=columns)
     counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
     out.print(", ".join([*counts, f"{difference.same} same"]), style="dim")
 
@@ -94,13 +99,11 @@ def shard_rows(shards: Iterable[Shard]) -> list[tuple[str, ...]]:
 def print_scan(run: Run) -> None:
     """Prints a run: each image's line and its findings that stop it or are ignored, the worst first; what is wrong with the
     policy's entries, and the run's outcome."""
-    from rich.text import Text  # slow to import, and only needed here
-
     said: set[str] = set()
     for image in run.images:
         click.echo(summary(image))
         found = finding_rows([it for it in image.findings if it.fails or it.ignored])
-        show(COLUMNS, ([Text(first, COLOURS.get(first, "")), *map(Text, others)] for first, *others in found))
+        show(COLUMNS, ([coloured(first, COLOURS.get(first, "")), *others] for first, *others in found))
         for note in image.notes:
             if note not in said:
                 click.echo(f"note: {note}")
@@ -116,7 +119,7 @@ def print_scan(run: Run) -> None:
 def print_status(found: list[ImageStatus]) -> None:
     """A line for each image, and how many there are of each state."""
     rows = (
-        (it.target, f"[{STATES[it.state]}]{it.state}[/]", age(it.age), ", ".join(it.platforms), it.reason)
+        (it.target, coloured(it.state, STATES[it.state]), age(it.age), ", ".join(it.platforms), it.reason)
         for it in found
     )
     show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"])

@@ -330,9 +330,10 @@ class Pipeline:
         reports: Path | None = None,
         results: Results | None = None,
     ) -> scanning.Run:
-        """Scans all images that are there, on whatever architecture: what a scan reads is in the registry.
+        """Scans all images that are there, on whatever architecture: what a scan reads is in the registry. Each is recorded as
+        soon as it was scanned, so that a run that ends early keeps what it got to.
 
-        An image that was held against the same database by the same policy before is left alone.
+        An image that was clean by the same policy and the same database before is left alone: it would be so again.
 
         Args:
             rules: the policy.
@@ -340,7 +341,7 @@ class Pipeline:
             reports: a folder for a SARIF file of each image.
             results: get what was found; then nothing is written into the registry.
         """
-        policy = policy_digest(rules)
+        policy = policy_digest(rules, self.plan.date)
         state = _database(trivy)
         images: dict[tuple[str, str], scanning.Image] = {}
         for item in self.plan.items:
@@ -348,17 +349,15 @@ class Pipeline:
             if item.kind == "part" or entry is None or not entry.digest or item.key not in self.plan.present:
                 continue
             same = state and entry.scan.get("policy") == policy and entry.scan.get("database") == state
-            if not same or entry.scanned == scanning.Outcome.SCANNER_FAILED.value:
+            if not same or entry.scanned != scanning.Outcome.CLEAN.value:
                 images[item.key] = scanning.Image(item.target, item.architecture, tuple(self._scanned_parts(item)))
-        moment = datetime.fromisoformat(self.plan.date.replace("Z", "+00:00"))
+        moment = _moment(self.plan.date)
         # Of those that are not there nothing can be known: they may lack a lock.
         there = {item.key for item in self.plan.items if item.kind != "part"} & self.plan.present
         whole = images.keys() == there and len(self.plan.images) == len(self.plan.image_set.images)
         started = time.monotonic()
-        run = self._scan(list(images.values()), rules, trivy, moment, whole, results)
-        seconds = (time.monotonic() - started) / max(1, len(run.images))
-        for found in run.images:
-            key = found.target, found.architecture
+
+        def keep(found: scanning.Scanned) -> None:
             facts = {
                 "policy": policy,
                 "database": found.database.digest if found.database else "",
@@ -367,11 +366,17 @@ class Pipeline:
                 "findings": dict(Counter(finding.severity for finding in found.findings)),
                 "failing": sorted({finding.id for finding in found.failing}),
             }
+            key = found.target, found.architecture
             entry = replace(self.plan.known[key], scanned=found.outcome.value, scan=facts, changed=self.plan.date)
             if results is None:
                 self._write(self.plan.by_key[key], entry)
             else:
                 results.add(entry)
+
+        run = self._scan(list(images.values()), rules, trivy, moment, whole, results, keep)
+        seconds = (time.monotonic() - started) / max(1, len(run.images))
+        for found in run.images:
+            key = found.target, found.architecture
             clean = found.outcome is scanning.Outcome.CLEAN
             reason = found.reason if clean else f"{found.outcome.value}: {found.reason}"
             self.outcomes.append(Outcome("scan", *key, "done" if clean else "failed", reason, seconds))
@@ -389,13 +394,15 @@ class Pipeline:
         moment: datetime,
         whole: bool,
         results: Results | None,
+        keep: Callable[[scanning.Scanned], None],
     ) -> scanning.Run:
         targets = self.plan.image_set.by_target
         if isinstance(trivy, ScannerFailed):
-            return scanning.summarise(scanning.unscanned(images, trivy), rules, moment.date(), whole, targets)
+            return scanning.summarise(scanning.unscanned(images, trivy, keep), rules, moment.date(), whole, targets)
         scanner = f"trivy {trivy.version}"
         shelf = Kept(self.registry, scanner, results) if results else Shelf(self.registry, scanner)
-        return scanning.scan_images(images, rules, trivy, shelf, now=moment, whole=whole, targets=targets, say=self.say)
+        facts: dict[str, Any] = {"now": moment, "whole": whole, "targets": targets}
+        return scanning.scan_images(images, rules, trivy, shelf, **facts, say=self.say, keep=keep)
 
     def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
         """The ROS image and the parts that an image is the sum of."""
@@ -543,9 +550,15 @@ def _database(trivy: Trivy | ScannerFailed) -> str:
         return ""
 
 
-def policy_digest(rules: Rules) -> str:
-    """Stands for a scan's policy: what it says, not how it is written."""
-    return hashlib.sha256(rules.policy.model_dump_json().encode()).hexdigest()
+def policy_digest(rules: Rules, date: str) -> str:
+    """Stands for what a scan's policy says at the date of a run, not for how it is written. An ignore entry that has expired
+    by then says nothing, so that a scan that was clean thanks to it does not count any more."""
+    return hashlib.sha256(rules.in_force(_moment(date).date()).model_dump_json().encode()).hexdigest()
+
+
+def _moment(date: str) -> datetime:
+    """A run's date."""
+    return datetime.fromisoformat(date.replace("Z", "+00:00"))
 
 
 def _short(error: RosmlError, lines: int = 12) -> str:

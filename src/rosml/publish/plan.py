@@ -30,8 +30,8 @@ from rosml.registry.repositories import repository_path
 Kind = Literal["ros", "part", "joined"]
 Step = Literal["build", "join", "test", "scan"]
 
-ELSEWHERE = "left to a machine for it"
 WAITING = "waiting for a builder"
+ELSEWHERE = f"{WAITING} of its architecture"
 
 
 @dataclass(frozen=True)
@@ -296,7 +296,8 @@ class Plan:
                 failures = some(list(entry.failures)) if entry.failures else ""
                 return f"{key[1]}: tests " + (f"failed: {failures}" if failures else "have not passed")
             if self.scanning and "scan" in self._checks(item, entry):
-                return f"{key[1]}: scan: {entry.scanned or 'not done'}"
+                outcome = "not done by this policy" if entry.scanned == "clean" else entry.scanned or "not done"
+                return f"{key[1]}: scan: {outcome}"
             if item.kind == "part" and not self._used(entry):
                 checks = "its tests and the scan" if self.scanning else "its tests"
                 return f"{key[1]}: no image that has it passed {checks} yet"

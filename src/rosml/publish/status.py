@@ -12,7 +12,7 @@ from typing import Any
 from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.images import missing
 from rosml.images.image_set import Image, Part, repository_of, tags_of
-from rosml.publish.plan import ELSEWHERE, WAITING, Plan
+from rosml.publish.plan import ELSEWHERE, WAITING, Item, Plan
 from rosml.records.store import INDEX, Entry, date_of
 from rosml.registry.oci import Registry
 from rosml.registry.repositories import repository_path
@@ -26,7 +26,8 @@ STATES = {
     WAITING: "dim",
 }
 """Every state, with its colour: the tag points at what the matrix says now; at something older; what was made last did not
-pass; nothing was published; a lock is missing; it cannot be made on this machine."""
+pass; nothing was published; a lock is missing; it cannot be made on this machine. What is published for some architectures,
+and was never made for others, is published."""
 
 
 @dataclass(frozen=True)
@@ -102,14 +103,14 @@ def _state(plan: Plan, thing: Image | Part, tagged: str, serving: Sequence[str])
     if index and index.failed and all(item.endswith(ELSEWHERE) for item in why):
         return "failed", _reason(index)
     if tagged:
-        if index and index.digest == tagged and not why:
-            return "published", ""
-        if index and index.digest == tagged and all(item.endswith(ELSEWHERE) for item in why):
-            return "published", "; ".join(why)
+        current = index and index.digest == tagged and all(index.parts.get(e.architecture) == e.digest for e in entries)
+        if current and all(item.endswith(ELSEWHERE) for item in why):
+            absent = [item.partition(":")[0] for item in why]
+            return "published", f"not published: {', '.join(absent)}" if absent else ""
         return "outdated", "; ".join(why) or still
     hindered = [plan.task(plan.by_key[key]).hindered for key in members]
     if all(hindered) and (waiting := [reason for reason in hindered if reason.startswith(WAITING)]):
-        return WAITING, waiting[0].partition(": ")[2]
+        return WAITING, waiting[0].removeprefix(WAITING).lstrip(": ")
     return "missing", "; ".join(why) or still
 
 
@@ -136,9 +137,19 @@ def _first(plan: Plan, key: tuple[str, str]) -> str:
     task = plan.task(plan.by_key[key])
     if task.hindered and key not in plan.known:
         return task.hindered
+    if task.hindered == ELSEWHERE:
+        return _late(plan, plan.by_key[key])
     if task.hindered and plan.made(key):  # what cannot be made here is there as it should be
         return ""
     return task.why[0] if task.why else task.hindered
+
+
+def _late(plan: Plan, item: Item) -> str:
+    """Why an item is not what the matrix says now, or what it is put together from, whoever can make it; empty where it is."""
+    if own := plan.reasons(item):
+        return own[0]
+    below = (target for target in item.needs if _late(plan, plan.by_key[target, item.architecture]))
+    return next((f"{target} is made anew" for target in below), "")
 
 
 def _moment(text: str) -> datetime | None:

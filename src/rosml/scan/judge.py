@@ -368,6 +368,7 @@ def scan_images(
     whole: bool,
     targets: Collection[str] = (),
     say: Callable[[str], None] = lambda line: None,
+    keep: Callable[[Scanned], None] = lambda image: None,
 ) -> Run:
     """Scans images with the database that is there; one that fails does not stop the others.
 
@@ -380,25 +381,36 @@ def scan_images(
         whole: whether these are all images that there are, so that ignore entries that are in none of them can be told.
         targets: of all images of the matrix, so that ignore entries that are for none of them can be told.
         say: told what is going on, a line at a time.
+        keep: gets each image as soon as it was scanned; once more, as one whose scan failed, if the database turns out to
+            have changed by the end.
     """
     now = now.astimezone(UTC)
+    found: list[Scanned] = []
     try:
         database = trivy.database()
         database.require_fresh(rules.policy.database, now)
         scanner = Scanner(trivy, shelf, database, say)
-        found = [scan(image, rules, scanner, now.date()) for image in images]
+        for image in images:
+            found.append(scan(image, rules, scanner, now.date()))
+            keep(found[-1])
         if trivy.database().digest != database.digest:
             text = "the database of vulnerabilities changed during the run"
             raise ScannerFailed(text, "let only one run at a time fetch it")
     except ScannerFailed as error:
-        found = unscanned(images, error)
+        found = unscanned(images, error, keep)
     return summarise(found, rules, now.date(), whole, targets)
 
 
-def unscanned(images: Sequence[Image], error: ScannerFailed) -> list[Scanned]:
-    """What is said of images where the scanner could not even begin: it is not installed, or has no database."""
+def unscanned(
+    images: Sequence[Image], error: ScannerFailed, keep: Callable[[Scanned], None] = lambda image: None
+) -> list[Scanned]:
+    """What is said of images where the scanner could not even begin: it is not installed, or has no database. `keep` gets
+    each of them."""
     failed = (Outcome.SCANNER_FAILED, error.message)
-    return [Scanned(image.target, image.architecture, *failed, parts=_digests(image)) for image in images]
+    found = [Scanned(image.target, image.architecture, *failed, parts=_digests(image)) for image in images]
+    for image in found:
+        keep(image)
+    return found
 
 
 def summarise(images: Iterable[Scanned], rules: Rules, today: date, whole: bool, targets: Collection[str] = ()) -> Run:

@@ -104,6 +104,12 @@ class Rules:
             if entry.expires < today
         }
 
+    def in_force(self, today: date) -> Policy:
+        """The policy without the entries of `ignore` whose time is over."""
+        expired = self.expired(today)
+        entries = tuple(entry for index, entry in enumerate(self.policy.ignore) if index not in expired)
+        return self.policy.model_copy(update={"ignore": entries})
+
     def unmatched(self, matched: Iterable[int], judged: Iterable[int]) -> list[Problem]:
         """What to say of entries that ignored nothing.
 

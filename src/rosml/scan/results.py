@@ -7,6 +7,7 @@ What its job hands over is data: for each image an outcome, and SBOMs.
 from __future__ import annotations
 
 import json
+import time
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -20,22 +21,39 @@ FORMAT = 1
 """Version of the file's format."""
 
 
+PAUSE_SECONDS = 30.0
+"""Between two times that the file is written while the scan goes on: with the SBOMs of a first scan it has many megabytes."""
+
+
 @dataclass
 class Results:
-    """What is handed over: facts of entries of the records, and SBOMs that are not in the registry yet."""
+    """What is handed over: facts of entries of the records, and SBOMs that are not in the registry yet.
 
-    entries: list[dict[str, Any]] = field(default_factory=list)
+    Attributes:
+        file: where it goes. date: of the run.
+        entries: by target and architecture. sboms: each with its place.
+    """
+
+    file: Path
+    date: str
+    entries: dict[tuple[str, str], dict[str, Any]] = field(default_factory=dict)
     sboms: list[dict[str, str]] = field(default_factory=list)
+    _written: float = float("-inf")
 
     def add(self, entry: Entry) -> None:
-        """Adds what a scan found out about an image."""
+        """Adds what a scan found out about an image, and writes the file from time to time: a scan that is killed leaves the
+        images that it had got to."""
         facts = entry.to_json()
         names = ("target", "architecture", "digest", "scanned", "scan")
-        self.entries.append({name: facts[name] for name in names if name in facts})
+        self.entries[entry.target, entry.architecture] = {name: facts[name] for name in names if name in facts}
+        if time.monotonic() - self._written >= PAUSE_SECONDS:
+            self.write()
 
-    def write(self, file: Path, date: str) -> None:
+    def write(self) -> None:
         """Writes the file."""
-        files.write(file, json.dumps({"version": FORMAT, "date": date, **vars(self)}))
+        content = {"version": FORMAT, "date": self.date, "entries": list(self.entries.values()), "sboms": self.sboms}
+        files.write(self.file, json.dumps(content))
+        self._written = time.monotonic()
 
 
 class Kept(Shelf):

@@ -20,6 +20,21 @@
     return image.status === "built" || !("status" in image) ? image.builds[0] : undefined;
   }
 
+  /** The platforms of an image: its own, which are those of its present build, and others that the matrix allows. All are its
+   * own where nothing is published. */
+  function platforms(image) {
+    const build = present(image);
+    const own = build ? build.platforms.map((item) => item.platform) : image.platforms;
+    return { own, others: image.platforms.filter((name) => !own.includes(name)) };
+  }
+
+  /** Names of an image's platforms, and below them those that are not published. */
+  function platformNames(image, name) {
+    const { own, others } = platforms(image);
+    const missing = others.length ? `not published: ${others.map(name).join(", ")}` : null;
+    return [own.map(name).join(", "), missing && window.rosml.el("div", { class: "sub" }, missing)];
+  }
+
   function architecture(platform) {
     return platform.split("/")[1];
   }
@@ -190,6 +205,8 @@
     CARRIED,
     byTarget,
     present,
+    platforms,
+    platformNames,
     architecture,
     reference,
     mainTag,

@@ -266,7 +266,7 @@
         promised ? el("p", { class: "sub" }, promised) : null,
       ),
       r.fact("System", `${facts.os}, Python ${facts.python}`),
-      r.fact("Platforms", image.platforms.join(", ")),
+      r.fact("Platforms", r.platformNames(image, String)),
       r.fact(
         "End of life",
         el("span", { class: end.over ? "bad" : null }, end.text + (end.over ? " (over)" : "")),

@@ -11,7 +11,7 @@
     component: { title: "Component", of: (image) => [image.component] },
     framework: { title: "Framework", of: (image) => [image.framework], name: (value) => r.TITLES[value] || value },
     stack: { title: "Stack", of: (image) => [image.stack || "none"] },
-    architecture: { title: "Architecture", of: (image) => image.platforms.map(r.architecture) },
+    architecture: { title: "Architecture", of: (image) => r.platforms(image).own.map(r.architecture) },
     status: { title: "Status", of: (image) => [image.status], name: (value) => r.STATUS[value] },
   };
   const ORDER = Object.keys(r.STATUS);
@@ -41,7 +41,7 @@
         r.TITLES[image.framework],
         r.STATUS[image.status],
         ...image.tags.map((tag) => `${image.repository}:${tag.name}`),
-        ...image.platforms,
+        ...r.platforms(image).own,
         ...Object.entries(image.promised).flat(),
         ...versions.flat(),
         ...(build ? [build.digest] : []),
@@ -114,7 +114,7 @@
         { class: "content" },
         content(image).map((text) => el("span", { class: "chip" }, text)),
       ),
-      el("td", { class: "wide" }, image.platforms.map(r.architecture).join(", ")),
+      el("td", { class: "wide" }, r.platformNames(image, r.architecture)),
       el("td", { class: "number" }, size),
       el("td", { class: "wide line" }, checks(platform)),
       el("td", { class: "wide line" }, build ? r.day(build.created) : ""),
