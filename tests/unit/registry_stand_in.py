@@ -17,6 +17,8 @@ from urllib.parse import parse_qs, urlsplit
 
 from rosml.registry.oci import INDEX, digest_of, encoded
 
+DENIED = b'{"errors": [{"code": "DENIED", "message": "denied"}]}'
+
 DROP = "drop"
 """A fault: the connection ends without an answer. A number is the status of an answer."""
 
@@ -40,6 +42,7 @@ class StandIn:
     Attributes:
         blobs: by repository and digest. manifests: by repository and digest, with the media type. tags: by repository.
         mounts: whether it mounts. referrers: whether it has the referrers API. page: how many tags a page has.
+        hides: who denies to read in a repository that has no manifest yet, instead of saying so: "registry" or "token".
         users: who may log in, by name; nobody has to if there are none. bearer: whether they need a token.
         requests: all that came, as `METHOD path`. headers: of each.
         answering: called with a request before its answer leaves, which was decided by then.
@@ -52,6 +55,7 @@ class StandIn:
     mounts: bool = True
     referrers: bool = False
     page: int = 100
+    hides: str = ""
     users: dict[str, str] = field(default_factory=dict)
     bearer: bool = False
     realm: str = ""
@@ -81,6 +85,10 @@ class StandIn:
     def count(self, pattern: str) -> int:
         """How many requests matched."""
         return sum(re.search(pattern, request) is not None for request in self.requests)
+
+    def exists(self, repository: str) -> bool:
+        """Whether a repository has a manifest."""
+        return any(where == repository for where, _ in list(self.manifests))
 
 
 class _Handler(BaseHTTPRequestHandler):
@@ -150,6 +158,10 @@ class _Handler(BaseHTTPRequestHandler):
         if not allowed:
             self._answer(401)
             return
+        read = re.findall(r"repository:(\S+):pull(?!,)", scopes)
+        if registry.hides == "token" and not all(registry.exists(name) for name in read):
+            self._answer(403, DENIED)
+            return
         with registry.lock:
             token = f"token-{len(registry.tokens)}"
             registry.tokens[token] = scopes
@@ -157,6 +169,10 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _api(self, path: str, query: dict[str, str], body: bytes) -> None:
         if found := re.fullmatch(r"/v2/(.+)/(manifests|blobs|tags|referrers)/(.+)", path):
+            reads = self.command in ("GET", "HEAD") and not found[3].startswith("uploads/")
+            if reads and self.registry.hides == "registry" and not self.registry.exists(found[1]):
+                self._answer(403, DENIED)
+                return
             getattr(self, f"_{found[2]}")(found[1], found[3], query, body)
         elif found := re.fullmatch(r"/v2/(.+)/blobs/uploads/?", path):
             self._blobs(found[1], "uploads/", query, body)

@@ -614,6 +614,58 @@ def test_forbidden(server: StandIn, registry: Registry) -> None:
         registry.put_blob("a", b"hello")
 
 
+@pytest.mark.parametrize("who", ["registry", "token"])
+def test_a_repository_that_does_not_exist_yet_may_be_denied(
+    server: StandIn, registry: Registry, tmp_path: Path, caplog: pytest.LogCaptureFixture, who: str
+) -> None:
+    """As ghcr.io may do: what is to be read there is not there. Without an account, nobody knows what the reason is."""
+    server.users, server.bearer, server.hides = {NAME: SECRET}, True, who
+    docker_config(tmp_path, auths={server.address: auth()})
+    with (
+        Registry(server.address, credentials=lambda _: None) as nobody,
+        pytest.raises(RosmlError, match="access denied"),
+    ):
+        nobody.manifest("a", "x")
+    assert registry.manifest("a", "x") is None
+    assert (registry.head("a", "x"), registry.tags("a"), registry.referrers("a", DIGEST)) == ("", [], [])
+    assert server.count(r"^(GET|HEAD) /v2/a/manifests/x") <= 4, "nothing is tried again"
+    assert [record.message for record in caplog.records if "does not exist yet" in record.message], "nobody was warned"
+    assert len(caplog.records) == 1
+    registry.put_blob("a", b"hello")
+    digest = registry.put_manifest("a", "x", MANIFEST)
+    assert registry.head("a", "x") == digest and registry.tags("a") == ["x"]
+
+
+def test_what_is_denied_in_a_repository_that_exists_is_not_missing(
+    server: StandIn, registry: Registry, tmp_path: Path
+) -> None:
+    """Or its tag would move whatever it points at."""
+    server.users = {NAME: SECRET}
+    docker_config(tmp_path, auths={server.address: auth()})
+    digest = registry.put_manifest("a", "x", MANIFEST)
+    with Registry(server.address) as other:
+        assert other.head("a", digest) == digest
+        server.fault("HEAD", "/manifests/x", 403, 1000)
+        server.fault("GET", "/tags/list", 403, 1)
+        for client in (registry, other):
+            with pytest.raises(RosmlError, match=r"cannot pull from a with the account .*403"):
+                client.head("a", "x")
+            assert client.tags("a") == ["x"], "what is denied for a moment is tried again"
+
+
+@pytest.mark.parametrize("code", [401, 403])
+def test_a_login_that_is_refused_is_not_a_missing_repository(
+    server: StandIn, registry: Registry, tmp_path: Path, code: int
+) -> None:
+    server.users, server.bearer = {NAME: SECRET}, True
+    docker_config(tmp_path, auths={server.address: auth()})
+    server.fault("GET", "/token", code, 1000)
+    with pytest.raises(RosmlError, match=rf"cannot log in with the account .*{code}") as caught:
+        registry.manifest("a", "x")
+    assert f"docker login {server.address}" in caught.value.remedy
+    assert server.count("/token") <= 2, "it is told at once"
+
+
 def test_no_password_goes_elsewhere(server: StandIn, registry: Registry, tmp_path: Path) -> None:
     """Uploads and blobs may be on another host, as storage is: it is not told who asks."""
     server.users = {NAME: SECRET}

@@ -52,6 +52,10 @@ ATTEMPTS_UNREACHED = 3
 WAIT, LONGEST_WAIT = 0.5, 30.0
 """Seconds before the second attempt, which double with every further one; and what a registry may ask for at most."""
 
+ATTEMPTS_DENIED = 5
+"""The same, while the registry denies it to an account that it knows: over about eight seconds. A repository that another
+machine just makes is denied for a moment."""
+
 ANSWER_SECONDS = 60.0
 """Longest pause within an answer, and before it."""
 
@@ -69,6 +73,7 @@ _CHALLENGE = re.compile(r'(\w+)\s*=\s*(?:"([^"]*)"|([^\s,"]+))')
 
 # httpx logs whole addresses, and those of a registry's storage are signed.
 logging.getLogger("httpx").setLevel(logging.WARNING)
+_LOG = logging.getLogger(__name__)
 
 T = TypeVar("T")
 
@@ -259,6 +264,18 @@ class _Transient(Exception):
         self.connected = connected
 
 
+class _Denied(_Transient):
+    """What the registry denies to an account that it knows: for good, for a moment, or since there is no such repository yet.
+
+    Attributes:
+        error: what is wrong, if it stays.
+    """
+
+    def __init__(self, error: RosmlError) -> None:
+        super().__init__(error.message)
+        self.error = error
+
+
 class _Untrusted(_Transient):
     """A registry whose certificate is not trusted, or none: sending it again does not help."""
 
@@ -319,6 +336,9 @@ class Registry:
         self._reached = False
         self.uploaded = 0
         self._keeping: set[str] = set()  # repositories that did not discard something
+        self._there: set[str] = set()  # repositories that have a manifest, or had
+        self._logged_in = False  # it has taken the credentials
+        self._warned = False
 
     def __repr__(self) -> str:
         return f"Registry({self.host!r})"
@@ -341,10 +361,8 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses; or what it sends is damaged.
         """
-        answer = self._ask(
-            "GET", f"{repository}/manifests/{reference}", repository, headers={"Accept": _ACCEPT}, allow=(404,)
-        )
-        if answer.status_code == 404:
+        answer = self._look("GET", f"{repository}/manifests/{reference}", repository)
+        if answer is None:
             return None
         if is_digest(reference):
             _verified(answer.content, reference)
@@ -379,6 +397,7 @@ class Registry:
             content=data,
             push=True,
         )
+        self._there.add(repository)
         return digest, answer.headers
 
     def tag(self, repository: str, digest: str, name: str) -> None:
@@ -387,9 +406,8 @@ class Registry:
         Raises:
             RosmlError: it is not there; the registry does not answer or refuses.
         """
-        path, accept = f"{repository}/manifests/", {"Accept": _ACCEPT}
-        answer = self._ask("GET", path + digest, repository, headers=accept, allow=(404,))
-        if answer.status_code == 404:
+        answer = self._look("GET", f"{repository}/manifests/{digest}", repository)
+        if answer is None:
             raise RosmlError(f"{self.host}/{repository}@{digest} is not there, so no tag can point at it")
         _verified(answer.content, digest)
         self.put_manifest(repository, name, answer.content, answer.headers.get("content-type", IMAGE))
@@ -400,9 +418,8 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        path, accept = f"{repository}/manifests/{reference}", {"Accept": _ACCEPT}
-        answer = self._ask("HEAD", path, repository, headers=accept, allow=(404,))
-        if answer.status_code == 404:
+        answer = self._look("HEAD", f"{repository}/manifests/{reference}", repository)
+        if answer is None:
             return ""
         if digest := answer.headers.get("docker-content-digest", ""):
             return str(digest)
@@ -478,8 +495,7 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        path = f"{repository}/blobs/{digest}"
-        return self._ask("HEAD", path, repository, allow=(404,)).status_code != 404
+        return self._look("HEAD", f"{repository}/blobs/{digest}", repository) is not None
 
     def put_blob(self, repository: str, data: bytes) -> str:
         """Puts a blob, unless it is there. Gives its digest.
@@ -671,13 +687,47 @@ class Registry:
 
         return self._retried(once)
 
+    def _look(self, method: str, path: str, repository: str) -> httpx.Response | None:
+        """A request for what may not be there; None where it is not.
+
+        ghcr.io may deny what is in a repository that does not exist yet, instead of saying so. What is denied to an account
+        that it knows is not there either, therefore, and people are warned: a push says whether the account lacks a right. Not
+        so in a repository of which this client saw, or put, a manifest: it exists, and what is taken for missing there would
+        have its tag moved without a look at where it was.
+        """
+        scopes, accept = self._scopes(repository), {"Accept": _ACCEPT} if "/manifests/" in path else {}
+
+        def once() -> httpx.Response | None:
+            try:
+                answer = self._send(method, self._address(path), scopes, headers=accept)
+                return self._expect(answer, (404,), repository, push=False)
+            except _Denied as denied:
+                if repository in self._there:
+                    raise
+                self._warn(denied)
+                return None
+
+        answer = self._retried(once)
+        if answer is None or answer.status_code == 404:
+            return None
+        if not path.startswith(f"{repository}/blobs/"):  # those may be there before the repository is
+            self._there.add(repository)
+        return answer
+
+    def _warn(self, denied: _Denied) -> None:
+        """Tells people once that what is denied counts as missing."""
+        with self._lock:
+            warned, self._warned = self._warned, True
+        if not warned:
+            _LOG.warning("%s: taken for a repository that does not exist yet, as others like it", denied)
+
     def _pages(self, path: str, repository: str, shape: type[_Shape]) -> Iterator[dict[str, Any]]:
         """All pages of a list; none if the registry knows no such list."""
         seen: set[str] = set()
         while path and path not in seen:  # a registry that links to where we were would never end
             seen.add(path)
-            answer = self._ask("GET", path, repository, allow=(404,))
-            if answer.status_code == 404:
+            answer = self._look("GET", path, repository)
+            if answer is None:
                 return
             yield self._shaped(answer, self._object(answer), shape)
             following = answer.links.get("next", {}).get("url", "")
@@ -694,6 +744,8 @@ class Registry:
             except _Transient as error:
                 attempt += 1
                 self._reached = self._reached or error.connected
+                if isinstance(error, _Denied) and attempt >= ATTEMPTS_DENIED:
+                    raise error.error from None
                 if attempt >= (ATTEMPTS if self._reached else ATTEMPTS_UNREACHED):
                     remedy = "run it again; what is finished is kept"
                     if not self._reached:
@@ -774,7 +826,9 @@ class Registry:
         if code in _TRANSIENT:
             raise _Transient(said, _after(answer))
         if code in (401, 403):
-            raise self._denied(f"{'push to' if push else 'pull from'} {repository}", said)
+            error = self._denied(f"{'push to' if push else 'pull from'} {repository}", said)
+            passing = code == 403 and self._credentials and answer.request.method != "DELETE"
+            raise _Denied(error) if passing else error
         if self.base.scheme == "http" and code == 400 and "https" in answer.text.lower():
             raise RosmlError(f"{self.host} does not speak plain http", certificates.remedy(self.host, ""))
         raise RosmlError(f"{self.host}: {said}", "check that this is there: see the reference" if code == 404 else "")
@@ -865,8 +919,14 @@ class Registry:
                 answer = self._client.get(realm.copy_with(params=query), auth=password)
         if answer.status_code in _TRANSIENT:
             raise _Transient(f"asking for a token: {answer.status_code}", _after(answer))
+        said = f"asking for a token: {answer.status_code}"
+        if answer.status_code == 403 and known and scopes:
+            if not self._logged_in:  # without a repository, it is the log-in alone that can be refused
+                self._token(challenge, frozenset(), known)
+            raise _Denied(self._denied(f"have {' '.join(sorted(scopes))}", said))
         if not answer.is_success:
-            raise self._denied("log in", f"asking for a token: {answer.status_code}")
+            raise self._denied("log in", said)
+        self._logged_in = True
         content = self._object(answer)
         token = content.get("token") or content.get("access_token")
         if not isinstance(token, str) or not token:
