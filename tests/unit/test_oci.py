@@ -188,6 +188,63 @@ def test_referrers(server: StandIn, registry: Registry, api: bool) -> None:
     assert server.tags["a"].keys() == ({"x"} if api else {"x", subject["digest"].replace(":", "-")})
 
 
+PAGE = b"<html>Sign in to GitHub</html>"
+
+
+@pytest.mark.parametrize(
+    ("code", "times", "body"),
+    [(303, 1, b""), (404, 1, PAGE), (429, oci.ATTEMPTS, b""), (200, 1, PAGE), (200, 1, b"[]"), (400, 1, b"")],
+)
+def test_what_is_no_index_says_that_there_are_no_referrers(
+    server: StandIn, registry: Registry, code: int, times: int, body: bytes
+) -> None:
+    """ghcr.io redirects to a page for people; nobody asks that page, and the registry is not asked again."""
+    with standing_in() as pages:
+        headers = {"Location": f"http://{pages.address}/me/a"} if code == 303 else {}
+        server.fault("GET", "/referrers/", code, 1000, body=body, headers=headers)
+        subject = described(registry)
+        assert registry.referrers("a", subject["digest"]) == []
+        made = registry.attach("a", subject, TYPE, b"one", "text/plain")
+        assert [entry["digest"] for entry in registry.referrers("a", subject["digest"], TYPE)] == [made]
+        assert server.count("/referrers/") == times
+        assert pages.requests == []
+
+
+def test_a_registry_that_has_referrers_does_not_lose_them_for_a_moment(server: StandIn, registry: Registry) -> None:
+    server.referrers = True
+    subject = described(registry)
+    made = registry.attach("a", subject, TYPE, b"one", "text/plain")
+    server.fault("GET", "/referrers/", 429, 2)
+    assert [entry["digest"] for entry in registry.referrers("a", subject["digest"])] == [made]
+    server.fault("GET", "/referrers/", 200, body=PAGE)
+    with pytest.raises(RosmlError, match="is no JSON object"):
+        registry.referrers("a", subject["digest"])
+
+
+@pytest.mark.parametrize("method", ["GET", "HEAD"])
+def test_a_manifest_that_is_redirected_elsewhere_is_not_missing(
+    server: StandIn, registry: Registry, method: str
+) -> None:
+    """The other host knows no manifests, and its 404 would let a tag move without a look at where it was."""
+    digest = registry.put_manifest("a", "x", MANIFEST)
+
+    def ask() -> str:
+        found = registry.manifest("a", "x") if method == "GET" else None
+        return found.digest if found else registry.head("a", "x")
+
+    with standing_in() as elsewhere:
+        there = {"Location": f"http://{elsewhere.address}/v2/a/manifests/x?signed=s3cret"}
+        server.fault(method, "/manifests/", 307, 2, headers=there)
+        assert ask() == digest, "it passes"
+        server.fault(method, "/manifests/", 307, oci.ATTEMPTS, headers=there)
+        with pytest.raises(RosmlError, match=r"/v2/a/manifests/x: 307: a redirect to 127\.0\.0\.1") as caught:
+            ask()
+        assert "s3cret" not in caught.value.message and "run it again" in caught.value.remedy
+        assert elsewhere.requests == []
+    server.fault(method, "/manifests/x$", 307, headers={"Location": f"/v2/a/manifests/{digest}"})
+    assert ask() == digest, "within the registry it is followed"
+
+
 @pytest.mark.parametrize("api", [False, True], ids=["tag", "api"])
 def test_what_is_attached_can_go(server: StandIn, registry: Registry, api: bool) -> None:
     """With what it is attached to: also the list that stands in for the API."""
@@ -362,6 +419,9 @@ def test_a_repository_without_tags(server: StandIn, registry: Registry) -> None:
 
 @pytest.mark.parametrize("answer", [{"tags": []}, {"manifests": ["x"]}, {"manifests": [NO_DIGEST]}])
 def test_referrers_of_another_shape(server: StandIn, registry: Registry, answer: dict[str, Any]) -> None:
+    server.referrers = True
+    registry.put_manifest("a", "x", MANIFEST)
+    assert registry.referrers("a", DIGEST) == []
     server.fault("GET", "/referrers/", 200, body=json.dumps(answer).encode())
     with pytest.raises(RosmlError, match="does not answer as a registry"):
         registry.referrers("a", DIGEST)

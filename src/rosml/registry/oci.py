@@ -16,7 +16,7 @@ import random
 import re
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeVar
 
@@ -63,6 +63,8 @@ CONNECTIONS = 32
 """Open connections to one registry."""
 
 _TRANSIENT = (429, 500, 502, 503, 504)
+_SETTLED = frozenset(range(300, 600)).difference(_TRANSIENT)
+_REDIRECTS = 5
 _BLOCK = 1 << 20
 _TAG = r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}"
 _DIGEST = r"sha256:[0-9a-f]{64}|sha512:[0-9a-f]{128}"
@@ -251,17 +253,25 @@ class Undeletable(RosmlError):
     """The registry deletes no manifest, whichever it is."""
 
 
+class _Busy(RosmlError):
+    """The registry answered each time that it cannot answer now."""
+
+
 class _Transient(Exception):
     """Something that may be gone a moment later.
 
     Attributes:
         after: seconds that the registry asks to wait. connected: whether there was somebody at all.
+        final: the kind of error that it is, if it stays.
     """
 
-    def __init__(self, message: str, after: float = 0.0, connected: bool = True) -> None:
+    def __init__(
+        self, message: str, after: float = 0.0, connected: bool = True, final: type[RosmlError] = RosmlError
+    ) -> None:
         super().__init__(message)
         self.after = after
         self.connected = connected
+        self.final = final
 
 
 class _Denied(_Transient):
@@ -339,6 +349,7 @@ class Registry:
         self._there: set[str] = set()  # repositories that have a manifest, or had
         self._logged_in = False  # it has taken the credentials
         self._warned = False
+        self._keeps_account: bool | None = None  # of referrers; None until it was asked
 
     def __repr__(self) -> str:
         return f"Registry({self.host!r})"
@@ -580,12 +591,32 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
+        if repository not in self._there and not self.head(repository, digest):
+            return []  # in a repository that does not exist, the registry may deny anything
         query = f"?artifactType={_quoted(artifact_type)}" if artifact_type else ""
-        pages = list(self._pages(f"{repository}/referrers/{digest}{query}", repository, _Referrers))
+        path = f"{repository}/referrers/{digest}{query}"
+        pages = list(self._pages(path, repository, _Referrers)) if self._has_referrers(path, repository) else []
         if not pages and (fallback := self.manifest(repository, _fallback_tag(digest))):
             pages = [fallback.content]
         found = [entry for page in pages for entry in page.get("manifests") or []]
         return [entry for entry in found if artifact_type in ("", entry.get("artifactType"))]
+
+    def _has_referrers(self, path: str, repository: str) -> bool:
+        """Whether the registry has the API for what is attached. It is asked once, by the first request of that kind.
+
+        Anything but an index says that it has not. ghcr.io redirects to a page for people, which may be missing, or
+        answer 429 for hours.
+        """
+        if self._keeps_account is None:
+            try:
+                answer = self._ask("GET", path, repository, allow=_SETTLED)
+                content = docker.json_object(answer.content) if answer.status_code == 200 else None
+                found = content is not None and not _misfit(content, _Referrers)
+            except _Busy:
+                found = False
+            with self._lock:  # an artifact that was put meanwhile knows it better
+                self._keeps_account = self._keeps_account or found
+        return self._keeps_account
 
     def attach(
         self,
@@ -611,7 +642,9 @@ class Registry:
             self.put_blob(repository, data)
         data = encoded(artifact(artifact_type, part, media_type, annotations, subject))
         digest, headers = self.send_manifest(repository, "", data, IMAGE)
-        if headers.get("oci-subject") != subject["digest"]:  # this registry keeps no account of referrers
+        if headers.get("oci-subject") == subject["digest"]:
+            self._keeps_account = True
+        else:  # this registry keeps no account of referrers
             noted = {"annotations": dict(annotations)} if annotations else {}
             self._list(
                 repository, subject["digest"], {**descriptor(IMAGE, data), "artifactType": artifact_type, **noted}
@@ -674,7 +707,7 @@ class Registry:
         *,
         headers: Mapping[str, str] | None = None,
         content: bytes | None = None,
-        allow: tuple[int, ...] = (),
+        allow: Container[int] = (),
         push: bool = False,
         also: Iterable[str] = (),
     ) -> httpx.Response:
@@ -750,7 +783,7 @@ class Registry:
                     remedy = "run it again; what is finished is kept"
                     if not self._reached:
                         remedy = "check its name, the network and the proxies (HTTPS_PROXY)"
-                    raise RosmlError(f"{self.host}: {error}", remedy) from None
+                    raise error.final(f"{self.host}: {error}", remedy) from None
                 backoff = WAIT * 2 ** (attempt - 1) + random.uniform(0, WAIT)
                 time.sleep(min(max(backoff, error.after), LONGEST_WAIT))
 
@@ -806,13 +839,28 @@ class Registry:
         if header:
             request.headers["Authorization"] = header
         with _transport(request.method, request.url):
-            answer = self._client.send(request, stream=True, follow_redirects=request.method in ("GET", "HEAD"))
+            answer = self._followed(request)
         with self._lock:
             self._reached = True
             self.uploaded += int(request.headers.get("content-length", 0))
         return answer, header
 
-    def _expect(self, answer: httpx.Response, allow: tuple[int, ...], repository: str, push: bool) -> httpx.Response:
+    def _followed(self, request: httpx.Request) -> httpx.Response:
+        """Sends a request, and follows redirects: of a blob to any storage, of anything else within the registry. Who else
+        answers knows nothing of manifests, and would say that one is missing."""
+        reads = request.method in ("GET", "HEAD")
+        if reads and request.url.path.rpartition("/")[0].endswith("/blobs"):
+            return self._client.send(request, stream=True, follow_redirects=True)
+        answer = self._client.send(request, stream=True)
+        for _ in range(_REDIRECTS):
+            following = answer.next_request
+            if not reads or following is None or _origin(following.url) != _origin(request.url):
+                break
+            answer.close()
+            answer = self._client.send(following, stream=True)
+        return answer
+
+    def _expect(self, answer: httpx.Response, allow: Container[int], repository: str, push: bool) -> httpx.Response:
         """An answer, if it is a success or one of `allow`.
 
         Raises:
@@ -824,7 +872,9 @@ class Registry:
             return answer
         said = f"{answer.request.method} {answer.request.url.path}: {code}{_reason(answer)}"
         if code in _TRANSIENT:
-            raise _Transient(said, _after(answer))
+            raise _Transient(said, _after(answer), final=_Busy)
+        if answer.has_redirect_location and not push:
+            raise _Transient(f"{said}: a redirect to {httpx.URL(answer.headers['location']).host or 'another place'}")
         if code in (401, 403):
             error = self._denied(f"{'push to' if push else 'pull from'} {repository}", said)
             passing = code == 403 and self._credentials and answer.request.method != "DELETE"
@@ -854,10 +904,8 @@ class Registry:
         Raises:
             RosmlError: it has not.
         """
-        try:
-            shape.model_validate(content)
-        except ValidationError as error:
-            text = f"{self.host} does not answer as a registry: GET {answer.request.url.path}: {first_of(error)}"
+        if wrong := _misfit(content, shape):
+            text = f"{self.host} does not answer as a registry: GET {answer.request.url.path}: {wrong}"
             remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push anew what is damaged there"
             raise RosmlError(text, remedy) from None
         return content
@@ -1015,6 +1063,15 @@ def _after(answer: httpx.Response) -> float:
         return email.utils.parsedate_to_datetime(text).timestamp() - time.time()
     except (TypeError, ValueError):
         return 0.0
+
+
+def _misfit(content: Mapping[str, Any], shape: type[_Shape]) -> str:
+    """What of an answer has another form than the distribution API gives it; empty where nothing has."""
+    try:
+        shape.model_validate(content)
+    except ValidationError as error:
+        return first_of(error)
+    return ""
 
 
 def _hash(digest: str) -> Any:
