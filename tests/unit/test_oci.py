@@ -427,6 +427,59 @@ def test_referrers_of_another_shape(server: StandIn, registry: Registry, answer:
         registry.referrers("a", DIGEST)
 
 
+UNKNOWN = [
+    (code, f'{{"errors": [{{"code": "{name}", "message": "blob unknown to registry"}}]}}'.encode())
+    for code, name in ((400, "MANIFEST_BLOB_UNKNOWN"), (404, "BLOB_UNKNOWN"), (400, "MANIFEST_UNKNOWN"))
+]
+
+
+@pytest.mark.parametrize(("code", "body"), UNKNOWN)
+def test_a_blob_that_a_part_of_the_registry_does_not_know_yet(
+    server: StandIn, registry: Registry, code: int, body: bytes
+) -> None:
+    server.fault("PUT", "/manifests/", code, 3, body=body)
+    assert registry.put_manifest("a", "x", MANIFEST) == registry.head("a", "x")
+    server.fault("PUT", "/manifests/", code, 1000, body=body)
+    before = server.count("^PUT")
+    with pytest.raises(RosmlError, match=rf"PUT /v2/a/manifests/x: {code} \(blob unknown to registry\)"):
+        registry.put_manifest("a", "x", MANIFEST)
+    assert server.count("^PUT") - before == oci.ATTEMPTS_REFUSED, "it may really be missing"
+
+
+@pytest.mark.parametrize("bearer", [True, False])
+@pytest.mark.parametrize("method", ["POST", "PUT"])
+@pytest.mark.parametrize("code", [403, 404, 409, 500])
+def test_a_first_push_while_another_machine_makes_the_repository(
+    server: StandIn, registry: Registry, tmp_path: Path, code: int, method: str, bearer: bool
+) -> None:
+    server.users, server.bearer = {NAME: SECRET}, bearer
+    docker_config(tmp_path, auths={server.address: auth()})
+    server.fault(method, "/uploads/", code, 3)
+    assert registry.blob("a", registry.put_blob("a", b"hello")) == b"hello"
+    server.fault("GET", "/token.*push", 403, 2)
+    registry.may_push("b")
+
+
+@pytest.mark.parametrize("where", ["/uploads/", "/token.*push"])
+def test_a_push_that_is_denied_is_told_within_seconds(
+    server: StandIn, registry: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
+) -> None:
+    server.users, server.bearer = {NAME: SECRET}, True
+    docker_config(tmp_path, auths={server.address: auth()})
+    registry.head("a", "x")  # it knows the account
+    server.fault("GET" if "token" in where else "POST", where, 403, 1000)
+    monkeypatch.setattr(oci, "WAIT", 0.5)
+    pauses: list[float] = []
+    monkeypatch.setattr(oci, "LONGEST_WAIT", 30)
+    monkeypatch.setattr(time, "sleep", pauses.append)
+    with pytest.raises(
+        RosmlError, match=r"access denied: cannot .* with the account that is logged in .*403"
+    ) as caught:
+        registry.may_push("a")
+    assert f"docker login {server.address}" in caught.value.remedy
+    assert 5 < sum(pauses) < 12 and pauses == sorted(pauses)
+
+
 def test_a_registry_says_why(server: StandIn, registry: Registry) -> None:
     server.fault("PUT", "/manifests/", 400, body=b'{"errors": [{"code": "X", "message": "blob unknown"}]}')
     with pytest.raises(RosmlError, match=r"PUT /v2/a/manifests/x: 400 \(blob unknown\)"):

@@ -52,9 +52,8 @@ ATTEMPTS_UNREACHED = 3
 WAIT, LONGEST_WAIT = 0.5, 30.0
 """Seconds before the second attempt, which double with every further one; and what a registry may ask for at most."""
 
-ATTEMPTS_DENIED = 5
-"""The same, while the registry denies it to an account that it knows: over about eight seconds. A repository that another
-machine just makes is denied for a moment."""
+ATTEMPTS_REFUSED = 5
+"""The same, while the registry refuses what it may take a moment later: over about eight seconds."""
 
 ANSWER_SECONDS = 60.0
 """Longest pause within an answer, and before it."""
@@ -64,6 +63,7 @@ CONNECTIONS = 32
 
 _TRANSIENT = (429, 500, 502, 503, 504)
 _SETTLED = frozenset(range(300, 600)).difference(_TRANSIENT)
+_UNKNOWN = {"BLOB_UNKNOWN", "MANIFEST_BLOB_UNKNOWN", "MANIFEST_UNKNOWN"}
 _REDIRECTS = 5
 _BLOCK = 1 << 20
 _TAG = r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}"
@@ -274,8 +274,9 @@ class _Transient(Exception):
         self.final = final
 
 
-class _Denied(_Transient):
-    """What the registry denies to an account that it knows: for good, for a moment, or since there is no such repository yet.
+class _Refused(_Transient):
+    """What the registry may take a moment later, as when another machine makes the repository, or when a part of the registry
+    has not heard yet of a blob that another part has.
 
     Attributes:
         error: what is wrong, if it stays.
@@ -284,6 +285,10 @@ class _Denied(_Transient):
     def __init__(self, error: RosmlError) -> None:
         super().__init__(error.message)
         self.error = error
+
+
+class _Denied(_Refused):
+    """What is denied to an account that the registry knows. There may be no such repository yet."""
 
 
 class _Untrusted(_Transient):
@@ -777,7 +782,7 @@ class Registry:
             except _Transient as error:
                 attempt += 1
                 self._reached = self._reached or error.connected
-                if isinstance(error, _Denied) and attempt >= ATTEMPTS_DENIED:
+                if isinstance(error, _Refused) and attempt >= ATTEMPTS_REFUSED:
                     raise error.error from None
                 if attempt >= (ATTEMPTS if self._reached else ATTEMPTS_UNREACHED):
                     remedy = "run it again; what is finished is kept"
@@ -881,7 +886,12 @@ class Registry:
             raise _Denied(error) if passing else error
         if self.base.scheme == "http" and code == 400 and "https" in answer.text.lower():
             raise RosmlError(f"{self.host} does not speak plain http", certificates.remedy(self.host, ""))
-        raise RosmlError(f"{self.host}: {said}", "check that this is there: see the reference" if code == 404 else "")
+        refused = RosmlError(
+            f"{self.host}: {said}", "check that this is there: see the reference" if code == 404 else ""
+        )
+        if push and answer.request.method != "DELETE" and (code in (404, 409) or _codes(answer) & _UNKNOWN):
+            raise _Refused(refused)
+        raise refused
 
     def _denied(self, what: str, said: str) -> RosmlError:
         known = "with the account that is logged in" if self._credentials else "without an account"
@@ -1052,6 +1062,14 @@ def _reason(answer: httpx.Response) -> str:
     except (AttributeError, KeyError, TypeError, ValueError, httpx.ResponseNotRead):
         return ""
     return f" ({said[:300]})"
+
+
+def _codes(answer: httpx.Response) -> set[str]:
+    """The codes of the errors of an answer."""
+    errors = (docker.json_object(answer.content) or {}).get("errors")
+    return (
+        {str(error.get("code")) for error in errors if isinstance(error, dict)} if isinstance(errors, list) else set()
+    )
 
 
 def _after(answer: httpx.Response) -> float:
