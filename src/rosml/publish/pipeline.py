@@ -27,13 +27,12 @@ from rosml.build.maker import BuildKitMaker, Made, Maker
 from rosml.images import apt_source
 from rosml.images.image_set import Image, Part, repository_of
 from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title
-from rosml.machine import regctl
 from rosml.publish import provenance, same_content
 from rosml.publish.plan import ELSEWHERE, Item, Plan
 from rosml.publish.sign import PATIENCE, Signer, SignerFailed
 from rosml.records.store import DATE, INDEX, INPUTS, Entry, Records
-from rosml.registry import repositories
-from rosml.registry.oci import Registry
+from rosml.registry import oci, repositories
+from rosml.registry.oci import Manifest, Registry
 from rosml.scan import judge as scanning
 from rosml.scan import sarif
 from rosml.scan.policy import Rules
@@ -132,7 +131,7 @@ class Pipeline:
     @property
     def uploaded(self) -> int:
         """Bytes that the registry got since its client was made: layers that it did not have, configs, manifests, what is
-        attached, the records. Without what regctl and cosign send: indexes and signatures, of about 1 kB each.
+        attached, indexes, the records. Without signatures, which cosign sends, of about 1 kB each.
         """
         return self.pushed + self.registry.uploaded
 
@@ -490,7 +489,8 @@ class Pipeline:
             RosmlError: its architectures do not hold the same; or the records name another image's manifest.
         """
         repository = self.repository(repository_of(thing))
-        configs = {entry.architecture: self._config(repository, entry.digest) for entry in entries}
+        images = {entry.architecture: self._image(repository, entry.digest) for entry in entries}
+        configs = {architecture: config for architecture, (_, config) in images.items()}
         for entry in entries:
             _require_own(thing, entry, configs[entry.architecture])
         versions = {entry.architecture: entry.versions for entry in entries}
@@ -499,8 +499,9 @@ class Pipeline:
         labels = (configs[entries[0].architecture].get("config") or {}).get("Labels") or {}
         annotations = self._checkout | {name: text for name, text in labels.items() if name.startswith(OCI)}
         annotations |= {INPUTS: inputs, DATE: self.plan.date}
-        services = self.plan.services
-        return regctl.create_index(services, f"{self.host}/{repository}", [e.digest for e in entries], annotations)
+        members = [{**manifest.descriptor, "platform": _platform(config)} for manifest, config in images.values()]
+        content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": members, "annotations": annotations}
+        return self.registry.put_manifest(repository, "", content, oci.INDEX)
 
     @property
     def _checkout(self) -> dict[str, str]:
@@ -511,12 +512,19 @@ class Pipeline:
         said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}
         return {name: text for name, text in said.items() if text}
 
-    def _config(self, repository: str, digest: str) -> dict[str, Any]:
+    def _image(self, repository: str, digest: str) -> tuple[Manifest, dict[str, Any]]:
+        """A manifest and its config."""
         manifest = self.registry.manifest(repository, digest)
         if manifest is None:
             raise RosmlError(f"{repository}@{digest} is not in the registry any more", "run 'build' and 'join' again")
         content = json.loads(self.registry.blob(repository, manifest.content["config"]["digest"]))
-        return content if isinstance(content, dict) else {}
+        return manifest, content if isinstance(content, dict) else {}
+
+
+def _platform(config: Mapping[str, Any]) -> dict[str, str]:
+    """What an index says of where an image runs."""
+    found = {"os": config.get("os") or "linux"} | {name: config.get(name) for name in ("architecture", "variant")}
+    return {name: str(value) for name, value in found.items() if value}
 
 
 def _require_own(thing: Image | Part, entry: Entry, config: Mapping[str, Any]) -> None:
