@@ -123,12 +123,13 @@ class MemoryRegistry(Registry):
         return self.blobs[repository][name]
 
     def put_blob(self, repository: str, data: bytes) -> str:
-        if digest(data) in self.blobs.get(repository, {}):
-            return digest(data)
-        with self.writing("put a blob"):
-            self.blobs.setdefault(repository, {})[digest(data)] = data
-            self.uploaded += len(data)
-            return digest(data)
+        with self.lock:
+            if digest(data) in self.blobs.get(repository, {}):
+                return digest(data)
+            with self.writing("put a blob"):
+                self.blobs.setdefault(repository, {})[digest(data)] = data
+                self.uploaded += len(data)
+                return digest(data)
 
     def tag(self, repository: str, digest: str, name: str) -> None:
         if digest not in self.manifests.get(repository, {}):

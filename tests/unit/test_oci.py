@@ -267,6 +267,19 @@ def test_many_attach_at_once(registry: Registry) -> None:
     assert len(set(made)) == 24
 
 
+def test_nobody_waits_for_what_is_attached_to_another_image(server: StandIn, registry: Registry) -> None:
+    """Without the API each manifest has a list of its own."""
+    both = threading.Barrier(2, timeout=20)
+    server.answering = lambda request: both.wait() if request.startswith("PUT /v2/a/manifests/sha256-") else None
+    contents = [{**MANIFEST, "annotations": {"number": number}} for number in ("1", "2")]
+    for content in contents:
+        registry.put_manifest("a", "", content)
+    subjects = [oci.descriptor(oci.IMAGE, oci.encoded(content)) for content in contents]
+    with ThreadPoolExecutor(2) as pool:
+        made = list(pool.map(lambda subject: registry.attach("a", subject, TYPE, b"one", "text/plain"), subjects))
+    assert len(set(made)) == 2
+
+
 def test_two_publishers_change_what_is_attached(server: StandIn, registry: Registry) -> None:
     """Without the API there is one list of it: what another publisher adds between a look at it and its change stays."""
     subject = described(registry)

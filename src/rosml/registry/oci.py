@@ -16,6 +16,7 @@ import random
 import re
 import threading
 import time
+from collections import defaultdict
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeVar
@@ -347,7 +348,7 @@ class Registry:
         self._tokens: dict[frozenset[str], tuple[str, float]] = {}
         self._lock = threading.Lock()  # of its own state; never held while somebody is asked
         self._asking = threading.Lock()
-        self._attaching = threading.Lock()
+        self._attaching: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)  # by the tag of a list
         self._reached = False
         self.uploaded = 0
         self._keeping: set[str] = set()  # repositories that did not discard something
@@ -680,7 +681,9 @@ class Registry:
             there = list(found.content.get("manifests") or []) if found else []
             return found.digest if found else "", there, entry["digest"] in [item["digest"] for item in there]
 
-        with self._attaching:
+        with self._lock:
+            turn = self._attaching[f"{repository}:{tag}"]
+        with turn:
             for _ in range(ATTEMPTS):
                 digest, there, known = read()
                 if known:
