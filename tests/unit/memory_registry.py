@@ -363,7 +363,7 @@ class Place:
                     manifest = self.registry.manifest(path, member)
                     assert manifest is not None
                     for layer in manifest.content["layers"]:
-                        assert layer["digest"] in self.registry.blobs[path]
+                        assert self.registry.blob(path, layer["digest"])
 
 
 def steps(run: Run, step: str) -> set[tuple[str, str]]:
