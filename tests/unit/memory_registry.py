@@ -18,7 +18,6 @@ from rosml.build import package_state
 from rosml.build.maker import Checked, Made, Maker
 from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.images.labels import title
-from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.publish import plan, provenance, undo
 from rosml.publish.pipeline import Outcome, Pipeline
@@ -26,6 +25,7 @@ from rosml.publish.plan import Plan
 from rosml.publish.sign import SignerFailed
 from rosml.publish.steps import STEPS
 from rosml.records import store, tag_moves
+from rosml.registry import oci
 from rosml.registry.oci import Manifest, Registry
 
 HOST = "registry.example"
@@ -35,6 +35,7 @@ NEXT = "2026-11-23T03:00:00Z"
 LATER = "2026-11-24T03:00:00Z"
 IMAGE = "application/vnd.oci.image.manifest.v1+json"
 INDEX = "application/vnd.oci.image.index.v1+json"
+LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
 
 
 BASE = f"debian:alpha@sha256:{'0' * 64}"
@@ -122,12 +123,13 @@ class MemoryRegistry(Registry):
         return self.blobs[repository][name]
 
     def put_blob(self, repository: str, data: bytes) -> str:
-        if digest(data) in self.blobs.get(repository, {}):
-            return digest(data)
-        with self.writing("put a blob"):
-            self.blobs.setdefault(repository, {})[digest(data)] = data
-            self.uploaded += len(data)
-            return digest(data)
+        with self.lock:
+            if digest(data) in self.blobs.get(repository, {}):
+                return digest(data)
+            with self.writing("put a blob"):
+                self.blobs.setdefault(repository, {})[digest(data)] = data
+                self.uploaded += len(data)
+                return digest(data)
 
     def tag(self, repository: str, digest: str, name: str) -> None:
         if digest not in self.manifests.get(repository, {}):
@@ -189,22 +191,6 @@ class MemoryRegistry(Registry):
         }
         data = json.dumps(content, sort_keys=True).encode()
         return self.put_manifest(repository, digest(data), data, IMAGE)
-
-    # What regctl does, for `rosml.registry`.
-
-    def create_index(
-        self, _services: Services, reference: str, digests: Sequence[str], annotations: Mapping[str, str]
-    ) -> str:
-        repository = reference.removeprefix(f"{HOST}/")
-        members = []
-        for name in digests:
-            found = self.manifests[repository][name]
-            config = json.loads(self.blobs[repository][found.content["config"]["digest"]])
-            platform = {"os": "linux", "architecture": config["architecture"]}
-            members.append({"mediaType": IMAGE, "digest": name, "size": found.size, "platform": platform})
-        content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": members, "annotations": dict(annotations)}
-        data = json.dumps(content, sort_keys=True).encode()
-        return self.put_manifest(repository, digest(data), data, INDEX)
 
 
 @dataclass
@@ -271,11 +257,12 @@ def put_image(
     registry: Any, repository: str, architecture: str, labels: Mapping[str, str], layers: Sequence[bytes]
 ) -> str:
     """Puts an image of some layers into a registry; gives the digest of its manifest."""
-    entries = [{"digest": registry.put_blob(repository, data), "size": len(data)} for data in layers]
     config = json.dumps({"architecture": architecture, "config": {"Labels": labels}}).encode()
-    content = {"layers": entries, "config": {"digest": registry.put_blob(repository, config)}}
-    data = json.dumps(content).encode()
-    return str(registry.put_manifest(repository, digest(data), data, IMAGE))
+    for data in (config, *layers):
+        registry.put_blob(repository, data)
+    entries = [oci.descriptor(LAYER, data) for data in layers]
+    content = {"schemaVersion": 2, "layers": entries, "config": oci.descriptor(oci.CONFIG, config)}
+    return str(registry.put_manifest(repository, "", json.dumps(content).encode(), IMAGE))
 
 
 class Run(Pipeline):
@@ -376,7 +363,7 @@ class Place:
                     manifest = self.registry.manifest(path, member)
                     assert manifest is not None
                     for layer in manifest.content["layers"]:
-                        assert layer["digest"] in self.registry.blobs[path]
+                        assert self.registry.blob(path, layer["digest"])
 
 
 def steps(run: Run, step: str) -> set[tuple[str, str]]:
@@ -390,9 +377,8 @@ def waiting(run: Run, target: str) -> list[str]:
 
 
 def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Place:
-    """A place whose regctl and repositories of packages are in memory as well."""
+    """A place whose repositories of packages are in memory as well."""
     found = Place(services)
-    monkeypatch.setattr(regctl, "create_index", lambda *a: found.registry.create_index(*a))
 
     def state(_matrix: object, distribution: str) -> str:
         answer = found.upstream[distribution]

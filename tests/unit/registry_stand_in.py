@@ -5,9 +5,12 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+import math
 import re
 import ssl
 import threading
+import time
+from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -17,13 +20,15 @@ from urllib.parse import parse_qs, urlsplit
 
 from rosml.registry.oci import INDEX, digest_of, encoded
 
+DENIED = b'{"errors": [{"code": "DENIED", "message": "denied"}]}'
+
 DROP = "drop"
 """A fault: the connection ends without an answer. A number is the status of an answer."""
 
 
 @dataclass
 class Fault:
-    """What goes wrong with requests of a method whose path matches, `times` times."""
+    """What goes wrong with requests of a method whose path matches, `times` times; with each path `each` times."""
 
     method: str
     path: str
@@ -31,6 +36,8 @@ class Fault:
     times: int = 1
     headers: dict[str, str] = field(default_factory=dict)
     body: bytes = b""
+    each: int = 1 << 30
+    seen: Counter[str] = field(default_factory=Counter)
 
 
 @dataclass
@@ -40,7 +47,10 @@ class StandIn:
     Attributes:
         blobs: by repository and digest. manifests: by repository and digest, with the media type. tags: by repository.
         mounts: whether it mounts. referrers: whether it has the referrers API. page: how many tags a page has.
+        hides: who denies to read in a repository that has no manifest yet, instead of saying so: "registry" or "token".
         users: who may log in, by name; nobody has to if there are none. bearer: whether they need a token.
+        expires: seconds after which a token is refused. scoped: tokens are good only for what they were asked for.
+        deletes: whether it deletes. people: where a request for referrers is sent instead, if anywhere.
         requests: all that came, as `METHOD path`. headers: of each.
         answering: called with a request before its answer leaves, which was decided by then.
     """
@@ -52,10 +62,16 @@ class StandIn:
     mounts: bool = True
     referrers: bool = False
     page: int = 100
+    hides: str = ""
     users: dict[str, str] = field(default_factory=dict)
     bearer: bool = False
     realm: str = ""
     tokens: dict[str, str] = field(default_factory=dict)
+    expires: float = 300
+    scoped: bool = False
+    deletes: bool = True
+    people: str = ""
+    ends: dict[str, float] = field(default_factory=dict)
     identity_token: str = ""
     faults: list[Fault] = field(default_factory=list)
     requests: list[str] = field(default_factory=list)
@@ -74,13 +90,19 @@ class StandIn:
         with self.lock:
             for fault in self.faults:
                 if fault.times and fault.method == method and re.search(fault.path, path):
-                    fault.times -= 1
-                    return fault
+                    fault.seen[path] += 1
+                    if fault.seen[path] <= fault.each:
+                        fault.times -= 1
+                        return fault
         return None
 
     def count(self, pattern: str) -> int:
         """How many requests matched."""
         return sum(re.search(pattern, request) is not None for request in self.requests)
+
+    def exists(self, repository: str) -> bool:
+        """Whether a repository has a manifest."""
+        return any(where == repository for where, _ in list(self.manifests))
 
 
 class _Handler(BaseHTTPRequestHandler):
@@ -132,7 +154,18 @@ class _Handler(BaseHTTPRequestHandler):
         if not registry.users and not registry.bearer:
             return True
         kind, _, secret = header.partition(" ")
-        return secret in registry.tokens if registry.bearer else kind == "Basic" and self._user(secret) is not None
+        if not registry.bearer:
+            return kind == "Basic" and self._user(secret) is not None
+        if secret not in registry.tokens or time.monotonic() > registry.ends.get(secret, math.inf):
+            return False
+        found = re.match(r"/v2/(.+)/(?:manifests|blobs|tags|referrers)/", self.path)
+        if not registry.scoped or not found:
+            return True
+        action = "pull" if self.command in ("GET", "HEAD") else "delete" if self.command == "DELETE" else "push"
+        if "/uploads/" in self.path:
+            action = "push"
+        allowed = re.findall(r"repository:(\S+):(\S+)", registry.tokens[secret])
+        return any(name == found[1] and action in actions.split(",") for name, actions in allowed)
 
     def _user(self, secret: str) -> str | None:
         name, _, password = base64.b64decode(secret).decode().partition(":")
@@ -150,13 +183,22 @@ class _Handler(BaseHTTPRequestHandler):
         if not allowed:
             self._answer(401)
             return
+        read = re.findall(r"repository:(\S+):pull(?!,)", scopes)
+        if registry.hides == "token" and not all(registry.exists(name) for name in read):
+            self._answer(403, DENIED)
+            return
         with registry.lock:
             token = f"token-{len(registry.tokens)}"
             registry.tokens[token] = scopes
+            registry.ends[token] = time.monotonic() + registry.expires
         self._answer(200, json.dumps({"token": token, "expires_in": 300}).encode())
 
     def _api(self, path: str, query: dict[str, str], body: bytes) -> None:
         if found := re.fullmatch(r"/v2/(.+)/(manifests|blobs|tags|referrers)/(.+)", path):
+            reads = self.command in ("GET", "HEAD") and not found[3].startswith("uploads/")
+            if reads and self.registry.hides == "registry" and not self.registry.exists(found[1]):
+                self._answer(403, DENIED)
+                return
             getattr(self, f"_{found[2]}")(found[1], found[3], query, body)
         elif found := re.fullmatch(r"/v2/(.+)/blobs/uploads/?", path):
             self._blobs(found[1], "uploads/", query, body)
@@ -190,12 +232,19 @@ class _Handler(BaseHTTPRequestHandler):
         tags = registry.tags.setdefault(repository, {})
         if self.command == "PUT":
             digest = digest_of(body)
+            if unknown := self._unknown(repository, json.loads(body)):
+                said = {"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unknown to registry", "detail": unknown}
+                self._answer(404, encoded({"errors": [said]}))
+                return
             registry.manifests[repository, digest] = (self.headers["Content-Type"], body)
             if not name.startswith("sha256:"):
                 tags[name] = digest
             subject = json.loads(body).get("subject")
             extra = {"OCI-Subject": subject["digest"]} if subject and registry.referrers else {}
             self._answer(201, b"", {"Docker-Content-Digest": digest, **extra})
+            return
+        if self.command == "DELETE" and not registry.deletes:
+            self._answer(405, b'{"errors": [{"code": "UNSUPPORTED"}]}')
             return
         digest = tags.get(name, name)
         found = registry.manifests.get((repository, digest))
@@ -211,6 +260,14 @@ class _Handler(BaseHTTPRequestHandler):
         else:
             self._answer(200, found[1], {"Content-Type": found[0], "Docker-Content-Digest": digest})
 
+    def _unknown(self, repository: str, content: dict[str, Any]) -> list[str]:
+        """What a manifest names that is not in its repository, as far as registries look."""
+        blobs = [item["digest"] for item in (*content.get("layers", ()), *filter(None, [content.get("config")]))]
+        images = [item["digest"] for item in content.get("manifests", ())]
+        registry = self.registry
+        lacking = [name for name in blobs if (repository, name) not in registry.blobs]
+        return lacking + [name for name in images if (repository, name) not in registry.manifests]
+
     def _tags(self, repository: str, name: str, query: dict[str, str], body: bytes) -> None:
         tags = sorted(self.registry.tags.get(repository, {}))
         if not tags:
@@ -223,6 +280,9 @@ class _Handler(BaseHTTPRequestHandler):
         self._answer(200, json.dumps({"tags": shown}).encode(), link)
 
     def _referrers(self, repository: str, name: str, query: dict[str, str], body: bytes) -> None:
+        if self.registry.people:
+            self._answer(303, b"", {"Location": f"{self.registry.people}/{repository}/referrers"})
+            return
         if not self.registry.referrers:
             self._answer(404)
             return

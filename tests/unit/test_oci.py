@@ -188,6 +188,63 @@ def test_referrers(server: StandIn, registry: Registry, api: bool) -> None:
     assert server.tags["a"].keys() == ({"x"} if api else {"x", subject["digest"].replace(":", "-")})
 
 
+PAGE = b"<html>Sign in to GitHub</html>"
+
+
+@pytest.mark.parametrize(
+    ("code", "times", "body"),
+    [(303, 1, b""), (404, 1, PAGE), (429, oci.ATTEMPTS, b""), (200, 1, PAGE), (200, 1, b"[]"), (400, 1, b"")],
+)
+def test_what_is_no_index_says_that_there_are_no_referrers(
+    server: StandIn, registry: Registry, code: int, times: int, body: bytes
+) -> None:
+    """ghcr.io redirects to a page for people; nobody asks that page, and the registry is not asked again."""
+    with standing_in() as pages:
+        headers = {"Location": f"http://{pages.address}/me/a"} if code == 303 else {}
+        server.fault("GET", "/referrers/", code, 1000, body=body, headers=headers)
+        subject = described(registry)
+        assert registry.referrers("a", subject["digest"]) == []
+        made = registry.attach("a", subject, TYPE, b"one", "text/plain")
+        assert [entry["digest"] for entry in registry.referrers("a", subject["digest"], TYPE)] == [made]
+        assert server.count("/referrers/") == times
+        assert pages.requests == []
+
+
+def test_a_registry_that_has_referrers_does_not_lose_them_for_a_moment(server: StandIn, registry: Registry) -> None:
+    server.referrers = True
+    subject = described(registry)
+    made = registry.attach("a", subject, TYPE, b"one", "text/plain")
+    server.fault("GET", "/referrers/", 429, 2)
+    assert [entry["digest"] for entry in registry.referrers("a", subject["digest"])] == [made]
+    server.fault("GET", "/referrers/", 200, body=PAGE)
+    with pytest.raises(RosmlError, match="is no JSON object"):
+        registry.referrers("a", subject["digest"])
+
+
+@pytest.mark.parametrize("method", ["GET", "HEAD"])
+def test_a_manifest_that_is_redirected_elsewhere_is_not_missing(
+    server: StandIn, registry: Registry, method: str
+) -> None:
+    """The other host knows no manifests, and its 404 would let a tag move without a look at where it was."""
+    digest = registry.put_manifest("a", "x", MANIFEST)
+
+    def ask() -> str:
+        found = registry.manifest("a", "x") if method == "GET" else None
+        return found.digest if found else registry.head("a", "x")
+
+    with standing_in() as elsewhere:
+        there = {"Location": f"http://{elsewhere.address}/v2/a/manifests/x?signed=s3cret"}
+        server.fault(method, "/manifests/", 307, 2, headers=there)
+        assert ask() == digest, "it passes"
+        server.fault(method, "/manifests/", 307, oci.ATTEMPTS, headers=there)
+        with pytest.raises(RosmlError, match=r"/v2/a/manifests/x: 307: a redirect to 127\.0\.0\.1") as caught:
+            ask()
+        assert "s3cret" not in caught.value.message and "run it again" in caught.value.remedy
+        assert elsewhere.requests == []
+    server.fault(method, "/manifests/x$", 307, headers={"Location": f"/v2/a/manifests/{digest}"})
+    assert ask() == digest, "within the registry it is followed"
+
+
 @pytest.mark.parametrize("api", [False, True], ids=["tag", "api"])
 def test_what_is_attached_can_go(server: StandIn, registry: Registry, api: bool) -> None:
     """With what it is attached to: also the list that stands in for the API."""
@@ -208,6 +265,19 @@ def test_many_attach_at_once(registry: Registry) -> None:
         made = list(pool.map(lambda n: registry.attach("a", subject, TYPE, b"%d" % n, "text/plain"), range(24)))
     assert {entry["digest"] for entry in registry.referrers("a", subject["digest"])} == set(made)
     assert len(set(made)) == 24
+
+
+def test_nobody_waits_for_what_is_attached_to_another_image(server: StandIn, registry: Registry) -> None:
+    """Without the API each manifest has a list of its own."""
+    both = threading.Barrier(2, timeout=20)
+    server.answering = lambda request: both.wait() if request.startswith("PUT /v2/a/manifests/sha256-") else None
+    contents = [{**MANIFEST, "annotations": {"number": number}} for number in ("1", "2")]
+    for content in contents:
+        registry.put_manifest("a", "", content)
+    subjects = [oci.descriptor(oci.IMAGE, oci.encoded(content)) for content in contents]
+    with ThreadPoolExecutor(2) as pool:
+        made = list(pool.map(lambda subject: registry.attach("a", subject, TYPE, b"one", "text/plain"), subjects))
+    assert len(set(made)) == 2
 
 
 def test_two_publishers_change_what_is_attached(server: StandIn, registry: Registry) -> None:
@@ -362,9 +432,65 @@ def test_a_repository_without_tags(server: StandIn, registry: Registry) -> None:
 
 @pytest.mark.parametrize("answer", [{"tags": []}, {"manifests": ["x"]}, {"manifests": [NO_DIGEST]}])
 def test_referrers_of_another_shape(server: StandIn, registry: Registry, answer: dict[str, Any]) -> None:
+    server.referrers = True
+    registry.put_manifest("a", "x", MANIFEST)
+    assert registry.referrers("a", DIGEST) == []
     server.fault("GET", "/referrers/", 200, body=json.dumps(answer).encode())
     with pytest.raises(RosmlError, match="does not answer as a registry"):
         registry.referrers("a", DIGEST)
+
+
+UNKNOWN = [
+    (code, f'{{"errors": [{{"code": "{name}", "message": "blob unknown to registry"}}]}}'.encode())
+    for code, name in ((400, "MANIFEST_BLOB_UNKNOWN"), (404, "BLOB_UNKNOWN"), (400, "MANIFEST_UNKNOWN"))
+]
+
+
+@pytest.mark.parametrize(("code", "body"), UNKNOWN)
+def test_a_blob_that_a_part_of_the_registry_does_not_know_yet(
+    server: StandIn, registry: Registry, code: int, body: bytes
+) -> None:
+    server.fault("PUT", "/manifests/", code, 3, body=body)
+    assert registry.put_manifest("a", "x", MANIFEST) == registry.head("a", "x")
+    server.fault("PUT", "/manifests/", code, 1000, body=body)
+    before = server.count("^PUT")
+    with pytest.raises(RosmlError, match=rf"PUT /v2/a/manifests/x: {code} \(blob unknown to registry\)"):
+        registry.put_manifest("a", "x", MANIFEST)
+    assert server.count("^PUT") - before == oci.ATTEMPTS_REFUSED, "it may really be missing"
+
+
+@pytest.mark.parametrize("bearer", [True, False])
+@pytest.mark.parametrize("method", ["POST", "PUT"])
+@pytest.mark.parametrize("code", [403, 404, 409, 500])
+def test_a_first_push_while_another_machine_makes_the_repository(
+    server: StandIn, registry: Registry, tmp_path: Path, code: int, method: str, bearer: bool
+) -> None:
+    server.users, server.bearer = {NAME: SECRET}, bearer
+    docker_config(tmp_path, auths={server.address: auth()})
+    server.fault(method, "/uploads/", code, 3)
+    assert registry.blob("a", registry.put_blob("a", b"hello")) == b"hello"
+    server.fault("GET", "/token.*push", 403, 2)
+    registry.may_push("b")
+
+
+@pytest.mark.parametrize("where", ["/uploads/", "/token.*push"])
+def test_a_push_that_is_denied_is_told_within_seconds(
+    server: StandIn, registry: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, where: str
+) -> None:
+    server.users, server.bearer = {NAME: SECRET}, True
+    docker_config(tmp_path, auths={server.address: auth()})
+    registry.head("a", "x")  # it knows the account
+    server.fault("GET" if "token" in where else "POST", where, 403, 1000)
+    monkeypatch.setattr(oci, "WAIT", 0.5)
+    pauses: list[float] = []
+    monkeypatch.setattr(oci, "LONGEST_WAIT", 30)
+    monkeypatch.setattr(time, "sleep", pauses.append)
+    with pytest.raises(
+        RosmlError, match=r"access denied: cannot .* with the account that is logged in .*403"
+    ) as caught:
+        registry.may_push("a")
+    assert f"docker login {server.address}" in caught.value.remedy
+    assert 5 < sum(pauses) < 12 and pauses == sorted(pauses)
 
 
 def test_a_registry_says_why(server: StandIn, registry: Registry) -> None:
@@ -612,6 +738,58 @@ def test_forbidden(server: StandIn, registry: Registry) -> None:
     server.fault("POST", "/uploads/", 403)
     with pytest.raises(RosmlError, match=r"push to a without an account .*403"):
         registry.put_blob("a", b"hello")
+
+
+@pytest.mark.parametrize("who", ["registry", "token"])
+def test_a_repository_that_does_not_exist_yet_may_be_denied(
+    server: StandIn, registry: Registry, tmp_path: Path, caplog: pytest.LogCaptureFixture, who: str
+) -> None:
+    """As ghcr.io may do: what is to be read there is not there. Without an account, nobody knows what the reason is."""
+    server.users, server.bearer, server.hides = {NAME: SECRET}, True, who
+    docker_config(tmp_path, auths={server.address: auth()})
+    with (
+        Registry(server.address, credentials=lambda _: None) as nobody,
+        pytest.raises(RosmlError, match="access denied"),
+    ):
+        nobody.manifest("a", "x")
+    assert registry.manifest("a", "x") is None
+    assert (registry.head("a", "x"), registry.tags("a"), registry.referrers("a", DIGEST)) == ("", [], [])
+    assert server.count(r"^(GET|HEAD) /v2/a/manifests/x") <= 4, "nothing is tried again"
+    assert [record.message for record in caplog.records if "does not exist yet" in record.message], "nobody was warned"
+    assert len(caplog.records) == 1
+    registry.put_blob("a", b"hello")
+    digest = registry.put_manifest("a", "x", MANIFEST)
+    assert registry.head("a", "x") == digest and registry.tags("a") == ["x"]
+
+
+def test_what_is_denied_in_a_repository_that_exists_is_not_missing(
+    server: StandIn, registry: Registry, tmp_path: Path
+) -> None:
+    """Or its tag would move whatever it points at."""
+    server.users = {NAME: SECRET}
+    docker_config(tmp_path, auths={server.address: auth()})
+    digest = registry.put_manifest("a", "x", MANIFEST)
+    with Registry(server.address) as other:
+        assert other.head("a", digest) == digest
+        server.fault("HEAD", "/manifests/x", 403, 1000)
+        server.fault("GET", "/tags/list", 403, 1)
+        for client in (registry, other):
+            with pytest.raises(RosmlError, match=r"cannot pull from a with the account .*403"):
+                client.head("a", "x")
+            assert client.tags("a") == ["x"], "what is denied for a moment is tried again"
+
+
+@pytest.mark.parametrize("code", [401, 403])
+def test_a_login_that_is_refused_is_not_a_missing_repository(
+    server: StandIn, registry: Registry, tmp_path: Path, code: int
+) -> None:
+    server.users, server.bearer = {NAME: SECRET}, True
+    docker_config(tmp_path, auths={server.address: auth()})
+    server.fault("GET", "/token", code, 1000)
+    with pytest.raises(RosmlError, match=rf"cannot log in with the account .*{code}") as caught:
+        registry.manifest("a", "x")
+    assert f"docker login {server.address}" in caught.value.remedy
+    assert server.count("/token") <= 2, "it is told at once"
 
 
 def test_no_password_goes_elsewhere(server: StandIn, registry: Registry, tmp_path: Path) -> None:

@@ -45,11 +45,11 @@ from rosml.images.image_set import ImageSet
 from rosml.machine import base_images, buildx
 from rosml.machine.services import Services
 from rosml.matrix import names
-from rosml.publish import pipeline, plan_file, status
+from rosml.publish import pipeline, plan_file, promote, status
 from rosml.publish.pipeline import Pipeline
 from rosml.publish.steps import STEPS
 from rosml.records import store
-from rosml.registry import repositories
+from rosml.registry import oci, repositories
 
 
 @pytest.fixture
@@ -255,6 +255,71 @@ def test_tags_of_images_move_side_by_side(
     monkeypatch.setattr(registry.registry, "tag", tag)
     run = registry.publish(image_set, only=["alpha-core", "alpha-base"])
     assert not run.failed and {"alpha-core", "alpha-base"} <= registry.tagged("ros").keys()
+
+
+@pytest.mark.parametrize("what", ["index", "record"])
+def test_indexes_are_made_and_records_attached_side_by_side(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, what: str
+) -> None:
+    """One after the other, those of hundreds of images take longer than a job may on a registry that is far away."""
+    both, met = threading.Barrier(2, timeout=20), threading.local()
+
+    def meet() -> None:
+        if not hasattr(met, "once"):
+            met.once = True
+            both.wait()
+
+    def put(repository: str, reference: str, content: Any, media_type: str = oci.IMAGE) -> str:
+        if what == "index" and media_type == oci.INDEX:
+            meet()
+        return put_manifest(repository, reference, content, media_type)
+
+    def attach(repository: str, subject: Any, artifact_type: str, *rest: Any) -> str:
+        if what == "record" and artifact_type == store.ARTIFACT:
+            meet()
+        return attached(repository, subject, artifact_type, *rest)
+
+    put_manifest, attached = registry.registry.put_manifest, registry.registry.attach
+    monkeypatch.setattr(registry.registry, "put_manifest", put)
+    monkeypatch.setattr(registry.registry, "attach", attach)
+    monkeypatch.setattr(pipeline, "READERS", 2)
+    run = registry.publish(image_set, only=["alpha-core", "alpha-base"])
+    assert not run.failed and {"alpha-core", "alpha-base"} <= registry.tagged("ros").keys()
+
+
+def test_side_by_side_nothing_more_is_asked_for(
+    project: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nor told in another order."""
+    found = []
+    for number in (1, 16):
+        monkeypatch.setattr(pipeline, "READERS", number)
+        here = place(project, services(project), monkeypatch)
+        run = here.publish(image_set)
+        told = [(outcome.step, outcome.target, outcome.state, outcome.reason) for outcome in run.outcomes]
+        found.append((here.registry.reads, here.registry.writes, told))
+    assert found[0] == found[1]
+
+
+def test_tags_of_the_first_images_move_before_the_last_ones_are_prepared(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run that is ended by a limit of time has moved theirs, and undo knows them."""
+
+    def attach(repository: str, subject: Any, artifact_type: str, *rest: Any) -> str:
+        if artifact_type == store.ARTIFACT and registry.tagged("ros"):
+            raise Killed
+        return attached(repository, subject, artifact_type, *rest)
+
+    attached = registry.registry.attach
+    monkeypatch.setattr(registry.registry, "attach", attach)
+    monkeypatch.setattr(promote, "BATCH", 2)
+    with pytest.raises(Killed):
+        registry.publish(image_set)
+    assert {"alpha-core", "alpha-base"} <= registry.tagged("ros").keys()
+    monkeypatch.undo()
+    registry.undo()
+    assert registry.tagged("ros") == {}
 
 
 def test_a_run_past_midnight_has_one_date(

@@ -1,5 +1,6 @@
-"""What regctl does in a registry: it makes indexes, and reads what is needed once. Tags move, and go, with the client of
-`registry/oci.py`, which reads in bulk, joins and attaches as well: `undo` needs it where there is no regctl."""
+"""What regctl does in a registry: it reads what builds and tests need once, and joins base images that are made offline. A
+publishing run makes indexes and tags with the client of `registry/oci.py`, which
+reads in bulk, joins and attaches as well: there is no regctl where nothing is built."""
 
 from __future__ import annotations
 

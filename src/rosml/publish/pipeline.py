@@ -9,14 +9,16 @@ from __future__ import annotations
 
 import hashlib
 import json
+import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, TypeVar
 
 from rosml.base import progress_bar
 from rosml.base.clock import now
@@ -27,13 +29,12 @@ from rosml.build.maker import BuildKitMaker, Made, Maker
 from rosml.images import apt_source
 from rosml.images.image_set import Image, Part, repository_of
 from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title
-from rosml.machine import regctl
 from rosml.publish import provenance, same_content
 from rosml.publish.plan import ELSEWHERE, Item, Plan
 from rosml.publish.sign import PATIENCE, Signer, SignerFailed
-from rosml.records.store import DATE, INDEX, INPUTS, Entry, Records
-from rosml.registry import repositories
-from rosml.registry.oci import Registry
+from rosml.records.store import DATE, INDEX, INPUTS, READERS, Entry, Records
+from rosml.registry import oci, repositories
+from rosml.registry.oci import Manifest, Registry
 from rosml.scan import judge as scanning
 from rosml.scan import sarif
 from rosml.scan.policy import Rules
@@ -43,6 +44,8 @@ from rosml.scan.trivy import ScannerFailed, Trivy
 
 State = Literal["done", "failed", "waits"]
 
+T = TypeVar("T")
+R = TypeVar("R")
 
 SUPERSEDED = 20
 """From so many digests on that an entry has taken the place of, those that are gone from the registry are forgotten."""
@@ -102,6 +105,7 @@ class Pipeline:
     """How often the signer failed, one time after the other."""
     maker: Maker | None = None
     _may_push: bool = False
+    _signing: Any = field(default_factory=threading.Lock)  # one signature at a time
 
     @cached_property
     def _maker(self) -> Maker:
@@ -132,7 +136,7 @@ class Pipeline:
     @property
     def uploaded(self) -> int:
         """Bytes that the registry got since its client was made: layers that it did not have, configs, manifests, what is
-        attached, the records. Without what regctl and cosign send: indexes and signatures, of about 1 kB each.
+        attached, indexes, the records. Without signatures, which cosign sends, of about 1 kB each.
         """
         return self.pushed + self.registry.uploaded
 
@@ -414,46 +418,65 @@ class Pipeline:
     # ---- Indexes and tags --------------------------------------------------------------------------------------------
 
     def index(self) -> None:
-        """Makes an index of every image whose architectures are all there, tested and alike; nobody sees it yet."""
+        """Makes an index of every image whose architectures are all there, tested and alike; nobody sees it yet. Images side by
+        side: one after the other, hundreds take hours on a registry that is far away."""
+        before, wanted = len(self.outcomes), list[Image | Part]()
         for thing in self.plan.things():
             if reason := self.plan.unready(thing, self.serving):
                 self.outcomes.append(Outcome("index", thing.target, "", "waits", reason))
-                continue
-            started = time.monotonic()
-            entries = [self.plan.known[key] for key in self.members(thing)]
-            digests = {entry.architecture: entry.digest for entry in entries}
-            inputs = self.plan.inputs.together(thing)
-            entry = self.plan.known.get((thing.target, INDEX)) or Entry(thing.target, INDEX)
-            if self._indexed(entry, digests, inputs):
-                continue
-            try:
-                digest = self._index(thing, entries, inputs)
-                facts = {
-                    "inputs": inputs,
-                    "repository": repository_of(thing),
-                    "parts": digests,
-                    "date": self.plan.date,
-                }
-                entry = entry.made(digest, **facts)
-                state: State = "done"
-                reason = f"{len(entries)} architecture{'s'[: len(entries) != 1]}"
-            except RosmlError as error:
-                entry = replace(entry, failed={"step": "index", "reason": _short(error), "remedy": error.remedy})
-                state, reason = "failed", error.message
-            entry = self._remembered(replace(entry, changed=self.plan.date))
-            self.records.write(entry, {})
-            self.plan.known[thing.target, INDEX] = entry
-            self.plan.present.add((thing.target, INDEX))
-            self.outcomes.append(Outcome("index", thing.target, "", state, reason, time.monotonic() - started))
-            if state == "done":
-                self.signed(thing)
+            elif not self._indexed(thing):
+                wanted.append(thing)
+        side_by_side(self._do_index, wanted)
+        self.put_in_order(before)
 
-    def _indexed(self, entry: Entry, digests: Mapping[str, str], inputs: str) -> bool:
-        """Whether an index's entry is of these very images, and the index is there."""
-        key = entry.target, INDEX
-        if key not in self.plan.present or (self.plan.force and entry.date != self.plan.date):
+    def _do_index(self, thing: Image | Part) -> None:
+        """Makes and signs the index of an image, and writes down what came of it."""
+        started = time.monotonic()
+        entries, inputs = self._members(thing), self.plan.inputs.together(thing)
+        entry = self.plan.known.get((thing.target, INDEX)) or Entry(thing.target, INDEX)
+        try:
+            digest = self._index(thing, entries, inputs)
+            facts = {
+                "inputs": inputs,
+                "repository": repository_of(thing),
+                "parts": {entry.architecture: entry.digest for entry in entries},
+                "date": self.plan.date,
+            }
+            entry = entry.made(digest, **facts)
+            state: State = "done"
+            reason = f"{len(entries)} architecture{'s'[: len(entries) != 1]}"
+        except RosmlError as error:
+            entry = replace(entry, failed={"step": "index", "reason": _short(error), "remedy": error.remedy})
+            state, reason = "failed", error.message
+        entry = self._remembered(replace(entry, changed=self.plan.date))
+        self.records.write(entry, {})
+        self.plan.known[thing.target, INDEX] = entry
+        self.plan.present.add((thing.target, INDEX))
+        self.outcomes.append(Outcome("index", thing.target, "", state, reason, time.monotonic() - started))
+        if state == "done":
+            self.signed(thing)
+
+    def put_in_order(self, before: int) -> None:
+        """Gives outcomes the order of images again, which were done side by side.
+
+        Args:
+            before: how many outcomes there were before that.
+        """
+        order = {thing.target: number for number, thing in enumerate(self.plan.things())}
+        self.outcomes[before:] = sorted(self.outcomes[before:], key=lambda outcome: order[outcome.target])
+
+    def _indexed(self, thing: Image | Part) -> bool:
+        """Whether an image's index is of these very images, and there."""
+        key = thing.target, INDEX
+        entry = self.plan.known.get(key)
+        if entry is None or key not in self.plan.present or (self.plan.force and entry.date != self.plan.date):
             return False
-        return entry.parts == digests and entry.inputs == inputs and not entry.failed
+        digests = {entry.architecture: entry.digest for entry in self._members(thing)}
+        return entry.parts == digests and entry.inputs == self.plan.inputs.together(thing) and not entry.failed
+
+    def _members(self, thing: Image | Part) -> list[Entry]:
+        """Entries of what an index of an image is made of."""
+        return [self.plan.known[key] for key in self.members(thing)]
 
     def signed(self, thing: Image | Part, moving: bool = False) -> bool:
         """Whether an image's index has the signature that it needs, which is made if it lacks it.
@@ -465,18 +488,20 @@ class Pipeline:
         entry = self.plan.known[thing.target, INDEX]
         if self.signer is None or (self.signer.identity in entry.signed and not moving):
             return True
-        if self.refused >= PATIENCE:
-            self.outcomes.append(Outcome("sign", thing.target, "", "waits", f"the signer failed {PATIENCE} times"))
-            return False
-        started = time.monotonic()
-        try:
-            made = self.signer.ensure(f"{self.reference(entry.repository)}@{entry.digest}")
-        except SignerFailed as error:
-            self.refused += 1
-            self.say(f"failed: {error.message}; {error.remedy}")
-            self.outcomes.append(Outcome("sign", thing.target, "", "failed", error.message, time.monotonic() - started))
-            return False
-        self.refused = 0
+        with self._signing:
+            if self.refused >= PATIENCE:
+                self.outcomes.append(Outcome("sign", thing.target, "", "waits", f"the signer failed {PATIENCE} times"))
+                return False
+            started = time.monotonic()
+            try:
+                made = self.signer.ensure(f"{self.reference(entry.repository)}@{entry.digest}")
+            except SignerFailed as error:
+                self.refused += 1
+                self.say(f"failed: {error.message}; {error.remedy}")
+                seconds = time.monotonic() - started
+                self.outcomes.append(Outcome("sign", thing.target, "", "failed", error.message, seconds))
+                return False
+            self.refused = 0
         if self.signer.identity not in entry.signed:
             signed = {**entry.signed, self.signer.identity: self.plan.date}
             self.plan.known[thing.target, INDEX] = replace(entry, signed=signed)
@@ -497,7 +522,8 @@ class Pipeline:
             RosmlError: its architectures do not hold the same; or the records name another image's manifest.
         """
         repository = self.repository(repository_of(thing))
-        configs = {entry.architecture: self._config(repository, entry.digest) for entry in entries}
+        images = {entry.architecture: self._image(repository, entry.digest) for entry in entries}
+        configs = {architecture: config for architecture, (_, config) in images.items()}
         for entry in entries:
             _require_own(thing, entry, configs[entry.architecture])
         versions = {entry.architecture: entry.versions for entry in entries}
@@ -506,8 +532,9 @@ class Pipeline:
         labels = (configs[entries[0].architecture].get("config") or {}).get("Labels") or {}
         annotations = self._checkout | {name: text for name, text in labels.items() if name.startswith(OCI)}
         annotations |= {INPUTS: inputs, DATE: self.plan.date}
-        services = self.plan.services
-        return regctl.create_index(services, f"{self.host}/{repository}", [e.digest for e in entries], annotations)
+        members = [{**manifest.descriptor, "platform": _platform(config)} for manifest, config in images.values()]
+        content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": members, "annotations": annotations}
+        return self.registry.put_manifest(repository, "", content, oci.INDEX)
 
     @property
     def _checkout(self) -> dict[str, str]:
@@ -518,12 +545,29 @@ class Pipeline:
         said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}
         return {name: text for name, text in said.items() if text}
 
-    def _config(self, repository: str, digest: str) -> dict[str, Any]:
+    def _image(self, repository: str, digest: str) -> tuple[Manifest, dict[str, Any]]:
+        """A manifest and its config."""
         manifest = self.registry.manifest(repository, digest)
         if manifest is None:
             raise RosmlError(f"{repository}@{digest} is not in the registry any more", "run 'build' and 'join' again")
         content = json.loads(self.registry.blob(repository, manifest.content["config"]["digest"]))
-        return content if isinstance(content, dict) else {}
+        return manifest, content if isinstance(content, dict) else {}
+
+
+def side_by_side(work: Callable[[T], R], items: Iterable[T]) -> list[R]:
+    """Does some work for each of several things, some at a time; gives the results in the order of the things. After an error
+    nothing more is begun."""
+    pool = ThreadPoolExecutor(READERS)
+    try:
+        return list(pool.map(work, items))
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _platform(config: Mapping[str, Any]) -> dict[str, str]:
+    """What an index says of where an image runs."""
+    found = {"os": config.get("os") or "linux"} | {name: config.get(name) for name in ("architecture", "variant")}
+    return {name: str(value) for name, value in found.items() if value}
 
 
 def _require_own(thing: Image | Part, entry: Entry, config: Mapping[str, Any]) -> None:

@@ -20,10 +20,13 @@ from rosml.images import labels
 from rosml.images.image_set import Image, Part, tags_of
 from rosml.images.labels import TITLE
 from rosml.matrix.names import dated
-from rosml.publish.pipeline import Outcome, Pipeline
+from rosml.publish.pipeline import Outcome, Pipeline, side_by_side
 from rosml.records import store
 from rosml.records.store import ANNOTATION, INDEX, READERS, Entry
 from rosml.records.tag_moves import Move, read_moves, record_name
+
+BATCH = 64
+"""So many images are prepared, and their moves recorded, before their tags move."""
 
 
 class Promotion:
@@ -39,41 +42,51 @@ class Promotion:
     def run(self) -> list[Move]:
         """Moves the tags of all images whose index is as it should be. One that the registry refuses is no other's trouble.
 
+        Images side by side. The first ones have their tags before the last ones are looked at: a run that is ended, as by a
+        limit of time, has moved theirs.
+
         Raises:
-            RosmlError: the registry does not answer, or takes no record of where tags were; no tag was moved.
+            RosmlError: the registry does not answer, or takes no record of where tags were; then none of those moves.
         """
+        before, every = len(self.pipeline.outcomes), list[Move]()
         self._there = self._pointing()
-        planned: list[tuple[Image | Part, list[Move]]] = []
-        for thing in self.pipeline.plan.things():
-            entry = self.pipeline.plan.known.get((thing.target, INDEX))
-            if reason := self.pipeline.plan.unready(thing, self.pipeline.serving):
-                self._say(thing, "waits", reason)
-            elif entry is None or not self._current(thing, entry):
-                self._say(thing, "waits", "its index is not made yet")
-            elif entry.held:
-                self._say(
-                    thing,
-                    "waits",
-                    f"its tags were moved back on {entry.held[:10]}; a change, or --force, makes it anew",
-                )
-            else:
-                moves = list(self._moves(thing, entry))
-                if (moves or self.pipeline.signer) and (wrong := self._wrong(thing, entry)):
-                    self._say(thing, "failed", wrong)
-                elif self.pipeline.signed(thing, moving=bool(moves)) and moves and self._attached(thing):
-                    planned.append((thing, moves))
-        every = [move for _, moves in planned for move in moves]
-        if every:
-            self._record(every)
-        # Tags of one image in their order, images side by side.
-        pool = ThreadPoolExecutor(READERS)
-        try:
-            for (thing, moves), (seconds, reason) in zip(planned, pool.map(self._move, planned), strict=True):
-                tags = ", ".join(move.tag for move in moves)
-                self._say(thing, "failed" if reason else "done", reason or tags, seconds)
-        finally:
-            pool.shutdown(cancel_futures=True)
+        ready = [thing for thing in self.pipeline.plan.things() if self._ready(thing)]
+        while ready:
+            batch, ready = ready[:BATCH], ready[BATCH:]
+            planned = [item for item in side_by_side(self._prepared, batch) if item[1]]
+            moves = [move for _, several in planned for move in several]
+            if moves:
+                self._record(moves)
+            every += moves
+            side_by_side(self._move, planned)  # tags of one image in their order
+        self.pipeline.put_in_order(before)
         return every
+
+    def _ready(self, thing: Image | Part) -> bool:
+        """Whether an image's index is as it should be; if not, that is reported."""
+        entry = self.pipeline.plan.known.get((thing.target, INDEX))
+        if reason := self.pipeline.plan.unready(thing, self.pipeline.serving):
+            self._say(thing, "waits", reason)
+        elif entry is None or not self._current(thing, entry):
+            self._say(thing, "waits", "its index is not made yet")
+        elif entry.held:
+            self._say(
+                thing, "waits", f"its tags were moved back on {entry.held[:10]}; a change, or --force, makes it anew"
+            )
+        else:
+            return True
+        return False
+
+    def _prepared(self, thing: Image | Part) -> tuple[Image | Part, list[Move]]:
+        """The moves of an image, whose index is signed by then, with what the records say attached; none where one of that
+        fails."""
+        entry = self.pipeline.plan.known[thing.target, INDEX]
+        moves = list(self._moves(thing, entry))
+        if (moves or self.pipeline.signer) and (wrong := self._wrong(thing, entry)):
+            self._say(thing, "failed", wrong)
+        elif self.pipeline.signed(thing, moving=bool(moves)) and moves and self._attached(thing):
+            return thing, moves
+        return thing, []
 
     def _say(self, thing: Image | Part, state: Any, reason: str, seconds: float = 0.0) -> None:
         self.pipeline.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
@@ -174,16 +187,17 @@ class Promotion:
         text = json.dumps(content, sort_keys=True)
         self.pipeline.records.artifact(name, text.encode(), {ANNOTATION: json.dumps({"undo": self.date})})
 
-    def _move(self, planned: tuple[Image | Part, list[Move]]) -> tuple[float, str]:
-        """Moves the tags of an image; gives the seconds that it took, and why one did not move. A tag that is protected, or an
-        index that somebody removed, is no other image's fault.
+    def _move(self, planned: tuple[Image | Part, list[Move]]) -> None:
+        """Moves the tags of an image. A tag that is protected, or an index that somebody removed, is no other image's fault.
 
         Raises:
             RosmlError: the registry does not answer.
         """
         started = time.monotonic()
+        thing, moves = planned
+        reason = ""
         try:
-            for move in planned[1]:
+            for move in moves:
                 if self._silent:
                     raise self._silent
                 self.registry.tag(self.pipeline.repository(move.repository), move.new, move.tag)
@@ -193,8 +207,9 @@ class Promotion:
             except RosmlError as silent:
                 self._silent = silent
                 raise
-            return time.monotonic() - started, error.message
-        return time.monotonic() - started, ""
+            reason = error.message
+        tags = ", ".join(move.tag for move in moves)
+        self._say(thing, "failed" if reason else "done", reason or tags, time.monotonic() - started)
 
 
 def _members(index: Any) -> dict[str, str]:

@@ -16,7 +16,8 @@ import random
 import re
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections import defaultdict
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeVar
 
@@ -52,6 +53,9 @@ ATTEMPTS_UNREACHED = 3
 WAIT, LONGEST_WAIT = 0.5, 30.0
 """Seconds before the second attempt, which double with every further one; and what a registry may ask for at most."""
 
+ATTEMPTS_REFUSED = 5
+"""The same, while the registry refuses what it may take a moment later: over about eight seconds."""
+
 ANSWER_SECONDS = 60.0
 """Longest pause within an answer, and before it."""
 
@@ -59,6 +63,9 @@ CONNECTIONS = 32
 """Open connections to one registry."""
 
 _TRANSIENT = (429, 500, 502, 503, 504)
+_SETTLED = frozenset(range(300, 600)).difference(_TRANSIENT)
+_UNKNOWN = {"BLOB_UNKNOWN", "MANIFEST_BLOB_UNKNOWN", "MANIFEST_UNKNOWN"}
+_REDIRECTS = 5
 _BLOCK = 1 << 20
 _TAG = r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}"
 _DIGEST = r"sha256:[0-9a-f]{64}|sha512:[0-9a-f]{128}"
@@ -69,6 +76,7 @@ _CHALLENGE = re.compile(r'(\w+)\s*=\s*(?:"([^"]*)"|([^\s,"]+))')
 
 # httpx logs whole addresses, and those of a registry's storage are signed.
 logging.getLogger("httpx").setLevel(logging.WARNING)
+_LOG = logging.getLogger(__name__)
 
 T = TypeVar("T")
 
@@ -246,17 +254,42 @@ class Undeletable(RosmlError):
     """The registry deletes no manifest, whichever it is."""
 
 
+class _Busy(RosmlError):
+    """The registry answered each time that it cannot answer now."""
+
+
 class _Transient(Exception):
     """Something that may be gone a moment later.
 
     Attributes:
         after: seconds that the registry asks to wait. connected: whether there was somebody at all.
+        final: the kind of error that it is, if it stays.
     """
 
-    def __init__(self, message: str, after: float = 0.0, connected: bool = True) -> None:
+    def __init__(
+        self, message: str, after: float = 0.0, connected: bool = True, final: type[RosmlError] = RosmlError
+    ) -> None:
         super().__init__(message)
         self.after = after
         self.connected = connected
+        self.final = final
+
+
+class _Refused(_Transient):
+    """What the registry may take a moment later, as when another machine makes the repository, or when a part of the registry
+    has not heard yet of a blob that another part has.
+
+    Attributes:
+        error: what is wrong, if it stays.
+    """
+
+    def __init__(self, error: RosmlError) -> None:
+        super().__init__(error.message)
+        self.error = error
+
+
+class _Denied(_Refused):
+    """What is denied to an account that the registry knows. There may be no such repository yet."""
 
 
 class _Untrusted(_Transient):
@@ -315,10 +348,14 @@ class Registry:
         self._tokens: dict[frozenset[str], tuple[str, float]] = {}
         self._lock = threading.Lock()  # of its own state; never held while somebody is asked
         self._asking = threading.Lock()
-        self._attaching = threading.Lock()
+        self._attaching: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)  # by the tag of a list
         self._reached = False
         self.uploaded = 0
         self._keeping: set[str] = set()  # repositories that did not discard something
+        self._there: set[str] = set()  # repositories that have a manifest, or had
+        self._logged_in = False  # it has taken the credentials
+        self._warned = False
+        self._keeps_account: bool | None = None  # of referrers; None until it was asked
 
     def __repr__(self) -> str:
         return f"Registry({self.host!r})"
@@ -341,10 +378,8 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses; or what it sends is damaged.
         """
-        answer = self._ask(
-            "GET", f"{repository}/manifests/{reference}", repository, headers={"Accept": _ACCEPT}, allow=(404,)
-        )
-        if answer.status_code == 404:
+        answer = self._look("GET", f"{repository}/manifests/{reference}", repository)
+        if answer is None:
             return None
         if is_digest(reference):
             _verified(answer.content, reference)
@@ -379,6 +414,7 @@ class Registry:
             content=data,
             push=True,
         )
+        self._there.add(repository)
         return digest, answer.headers
 
     def tag(self, repository: str, digest: str, name: str) -> None:
@@ -387,9 +423,8 @@ class Registry:
         Raises:
             RosmlError: it is not there; the registry does not answer or refuses.
         """
-        path, accept = f"{repository}/manifests/", {"Accept": _ACCEPT}
-        answer = self._ask("GET", path + digest, repository, headers=accept, allow=(404,))
-        if answer.status_code == 404:
+        answer = self._look("GET", f"{repository}/manifests/{digest}", repository)
+        if answer is None:
             raise RosmlError(f"{self.host}/{repository}@{digest} is not there, so no tag can point at it")
         _verified(answer.content, digest)
         self.put_manifest(repository, name, answer.content, answer.headers.get("content-type", IMAGE))
@@ -400,9 +435,8 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        path, accept = f"{repository}/manifests/{reference}", {"Accept": _ACCEPT}
-        answer = self._ask("HEAD", path, repository, headers=accept, allow=(404,))
-        if answer.status_code == 404:
+        answer = self._look("HEAD", f"{repository}/manifests/{reference}", repository)
+        if answer is None:
             return ""
         if digest := answer.headers.get("docker-content-digest", ""):
             return str(digest)
@@ -478,8 +512,7 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        path = f"{repository}/blobs/{digest}"
-        return self._ask("HEAD", path, repository, allow=(404,)).status_code != 404
+        return self._look("HEAD", f"{repository}/blobs/{digest}", repository) is not None
 
     def put_blob(self, repository: str, data: bytes) -> str:
         """Puts a blob, unless it is there. Gives its digest.
@@ -564,12 +597,32 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
+        if repository not in self._there and not self.head(repository, digest):
+            return []  # in a repository that does not exist, the registry may deny anything
         query = f"?artifactType={_quoted(artifact_type)}" if artifact_type else ""
-        pages = list(self._pages(f"{repository}/referrers/{digest}{query}", repository, _Referrers))
+        path = f"{repository}/referrers/{digest}{query}"
+        pages = list(self._pages(path, repository, _Referrers)) if self._has_referrers(path, repository) else []
         if not pages and (fallback := self.manifest(repository, _fallback_tag(digest))):
             pages = [fallback.content]
         found = [entry for page in pages for entry in page.get("manifests") or []]
         return [entry for entry in found if artifact_type in ("", entry.get("artifactType"))]
+
+    def _has_referrers(self, path: str, repository: str) -> bool:
+        """Whether the registry has the API for what is attached. It is asked once, by the first request of that kind.
+
+        Anything but an index says that it has not. ghcr.io redirects to a page for people, which may be missing, or
+        answer 429 for hours.
+        """
+        if self._keeps_account is None:
+            try:
+                answer = self._ask("GET", path, repository, allow=_SETTLED)
+                content = docker.json_object(answer.content) if answer.status_code == 200 else None
+                found = content is not None and not _misfit(content, _Referrers)
+            except _Busy:
+                found = False
+            with self._lock:  # an artifact that was put meanwhile knows it better
+                self._keeps_account = self._keeps_account or found
+        return self._keeps_account
 
     def attach(
         self,
@@ -595,7 +648,9 @@ class Registry:
             self.put_blob(repository, data)
         data = encoded(artifact(artifact_type, part, media_type, annotations, subject))
         digest, headers = self.send_manifest(repository, "", data, IMAGE)
-        if headers.get("oci-subject") != subject["digest"]:  # this registry keeps no account of referrers
+        if headers.get("oci-subject") == subject["digest"]:
+            self._keeps_account = True
+        else:  # this registry keeps no account of referrers
             noted = {"annotations": dict(annotations)} if annotations else {}
             self._list(
                 repository, subject["digest"], {**descriptor(IMAGE, data), "artifactType": artifact_type, **noted}
@@ -626,7 +681,9 @@ class Registry:
             there = list(found.content.get("manifests") or []) if found else []
             return found.digest if found else "", there, entry["digest"] in [item["digest"] for item in there]
 
-        with self._attaching:
+        with self._lock:
+            turn = self._attaching[f"{repository}:{tag}"]
+        with turn:
             for _ in range(ATTEMPTS):
                 digest, there, known = read()
                 if known:
@@ -658,7 +715,7 @@ class Registry:
         *,
         headers: Mapping[str, str] | None = None,
         content: bytes | None = None,
-        allow: tuple[int, ...] = (),
+        allow: Container[int] = (),
         push: bool = False,
         also: Iterable[str] = (),
     ) -> httpx.Response:
@@ -671,13 +728,47 @@ class Registry:
 
         return self._retried(once)
 
+    def _look(self, method: str, path: str, repository: str) -> httpx.Response | None:
+        """A request for what may not be there; None where it is not.
+
+        ghcr.io may deny what is in a repository that does not exist yet, instead of saying so. What is denied to an account
+        that it knows is not there either, therefore, and people are warned: a push says whether the account lacks a right. Not
+        so in a repository of which this client saw, or put, a manifest: it exists, and what is taken for missing there would
+        have its tag moved without a look at where it was.
+        """
+        scopes, accept = self._scopes(repository), {"Accept": _ACCEPT} if "/manifests/" in path else {}
+
+        def once() -> httpx.Response | None:
+            try:
+                answer = self._send(method, self._address(path), scopes, headers=accept)
+                return self._expect(answer, (404,), repository, push=False)
+            except _Denied as denied:
+                if repository in self._there:
+                    raise
+                self._warn(denied)
+                return None
+
+        answer = self._retried(once)
+        if answer is None or answer.status_code == 404:
+            return None
+        if not path.startswith(f"{repository}/blobs/"):  # those may be there before the repository is
+            self._there.add(repository)
+        return answer
+
+    def _warn(self, denied: _Denied) -> None:
+        """Tells people once that what is denied counts as missing."""
+        with self._lock:
+            warned, self._warned = self._warned, True
+        if not warned:
+            _LOG.warning("%s: taken for a repository that does not exist yet, as others like it", denied)
+
     def _pages(self, path: str, repository: str, shape: type[_Shape]) -> Iterator[dict[str, Any]]:
         """All pages of a list; none if the registry knows no such list."""
         seen: set[str] = set()
         while path and path not in seen:  # a registry that links to where we were would never end
             seen.add(path)
-            answer = self._ask("GET", path, repository, allow=(404,))
-            if answer.status_code == 404:
+            answer = self._look("GET", path, repository)
+            if answer is None:
                 return
             yield self._shaped(answer, self._object(answer), shape)
             following = answer.links.get("next", {}).get("url", "")
@@ -694,11 +785,13 @@ class Registry:
             except _Transient as error:
                 attempt += 1
                 self._reached = self._reached or error.connected
+                if isinstance(error, _Refused) and attempt >= ATTEMPTS_REFUSED:
+                    raise error.error from None
                 if attempt >= (ATTEMPTS if self._reached else ATTEMPTS_UNREACHED):
                     remedy = "run it again; what is finished is kept"
                     if not self._reached:
                         remedy = "check its name, the network and the proxies (HTTPS_PROXY)"
-                    raise RosmlError(f"{self.host}: {error}", remedy) from None
+                    raise error.final(f"{self.host}: {error}", remedy) from None
                 backoff = WAIT * 2 ** (attempt - 1) + random.uniform(0, WAIT)
                 time.sleep(min(max(backoff, error.after), LONGEST_WAIT))
 
@@ -754,13 +847,28 @@ class Registry:
         if header:
             request.headers["Authorization"] = header
         with _transport(request.method, request.url):
-            answer = self._client.send(request, stream=True, follow_redirects=request.method in ("GET", "HEAD"))
+            answer = self._followed(request)
         with self._lock:
             self._reached = True
             self.uploaded += int(request.headers.get("content-length", 0))
         return answer, header
 
-    def _expect(self, answer: httpx.Response, allow: tuple[int, ...], repository: str, push: bool) -> httpx.Response:
+    def _followed(self, request: httpx.Request) -> httpx.Response:
+        """Sends a request, and follows redirects: of a blob to any storage, of anything else within the registry. Who else
+        answers knows nothing of manifests, and would say that one is missing."""
+        reads = request.method in ("GET", "HEAD")
+        if reads and request.url.path.rpartition("/")[0].endswith("/blobs"):
+            return self._client.send(request, stream=True, follow_redirects=True)
+        answer = self._client.send(request, stream=True)
+        for _ in range(_REDIRECTS):
+            following = answer.next_request
+            if not reads or following is None or _origin(following.url) != _origin(request.url):
+                break
+            answer.close()
+            answer = self._client.send(following, stream=True)
+        return answer
+
+    def _expect(self, answer: httpx.Response, allow: Container[int], repository: str, push: bool) -> httpx.Response:
         """An answer, if it is a success or one of `allow`.
 
         Raises:
@@ -772,12 +880,21 @@ class Registry:
             return answer
         said = f"{answer.request.method} {answer.request.url.path}: {code}{_reason(answer)}"
         if code in _TRANSIENT:
-            raise _Transient(said, _after(answer))
+            raise _Transient(said, _after(answer), final=_Busy)
+        if answer.has_redirect_location and not push:
+            raise _Transient(f"{said}: a redirect to {httpx.URL(answer.headers['location']).host or 'another place'}")
         if code in (401, 403):
-            raise self._denied(f"{'push to' if push else 'pull from'} {repository}", said)
+            error = self._denied(f"{'push to' if push else 'pull from'} {repository}", said)
+            passing = code == 403 and self._credentials and answer.request.method != "DELETE"
+            raise _Denied(error) if passing else error
         if self.base.scheme == "http" and code == 400 and "https" in answer.text.lower():
             raise RosmlError(f"{self.host} does not speak plain http", certificates.remedy(self.host, ""))
-        raise RosmlError(f"{self.host}: {said}", "check that this is there: see the reference" if code == 404 else "")
+        refused = RosmlError(
+            f"{self.host}: {said}", "check that this is there: see the reference" if code == 404 else ""
+        )
+        if push and answer.request.method != "DELETE" and (code in (404, 409) or _codes(answer) & _UNKNOWN):
+            raise _Refused(refused)
+        raise refused
 
     def _denied(self, what: str, said: str) -> RosmlError:
         known = "with the account that is logged in" if self._credentials else "without an account"
@@ -800,10 +917,8 @@ class Registry:
         Raises:
             RosmlError: it has not.
         """
-        try:
-            shape.model_validate(content)
-        except ValidationError as error:
-            text = f"{self.host} does not answer as a registry: GET {answer.request.url.path}: {first_of(error)}"
+        if wrong := _misfit(content, shape):
+            text = f"{self.host} does not answer as a registry: GET {answer.request.url.path}: {wrong}"
             remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push anew what is damaged there"
             raise RosmlError(text, remedy) from None
         return content
@@ -865,8 +980,14 @@ class Registry:
                 answer = self._client.get(realm.copy_with(params=query), auth=password)
         if answer.status_code in _TRANSIENT:
             raise _Transient(f"asking for a token: {answer.status_code}", _after(answer))
+        said = f"asking for a token: {answer.status_code}"
+        if answer.status_code == 403 and known and scopes:
+            if not self._logged_in:  # without a repository, it is the log-in alone that can be refused
+                self._token(challenge, frozenset(), known)
+            raise _Denied(self._denied(f"have {' '.join(sorted(scopes))}", said))
         if not answer.is_success:
-            raise self._denied("log in", f"asking for a token: {answer.status_code}")
+            raise self._denied("log in", said)
+        self._logged_in = True
         content = self._object(answer)
         token = content.get("token") or content.get("access_token")
         if not isinstance(token, str) or not token:
@@ -946,6 +1067,14 @@ def _reason(answer: httpx.Response) -> str:
     return f" ({said[:300]})"
 
 
+def _codes(answer: httpx.Response) -> set[str]:
+    """The codes of the errors of an answer."""
+    errors = (docker.json_object(answer.content) or {}).get("errors")
+    return (
+        {str(error.get("code")) for error in errors if isinstance(error, dict)} if isinstance(errors, list) else set()
+    )
+
+
 def _after(answer: httpx.Response) -> float:
     """Seconds that a registry asks to wait: `Retry-After` has them, or a date."""
     text = answer.headers.get("retry-after", "")
@@ -955,6 +1084,15 @@ def _after(answer: httpx.Response) -> float:
         return email.utils.parsedate_to_datetime(text).timestamp() - time.time()
     except (TypeError, ValueError):
         return 0.0
+
+
+def _misfit(content: Mapping[str, Any], shape: type[_Shape]) -> str:
+    """What of an answer has another form than the distribution API gives it; empty where nothing has."""
+    try:
+        shape.model_validate(content)
+    except ValidationError as error:
+        return first_of(error)
+    return ""
 
 
 def _hash(digest: str) -> Any:

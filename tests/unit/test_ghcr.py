@@ -1,0 +1,116 @@
+"""Two nights against a registry that does, over HTTP, what ghcr.io does or may do: it denies what does not exist yet, has no
+referrers, deletes nothing, forgets tokens, has no time, and learns of blobs a moment late. Never run against ghcr.io itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any, cast
+
+import pytest
+from memory_registry import DAY, NEXT, PREFIX, Place, Run, place
+from registry_stand_in import DENIED, StandIn, standing_in
+from stubs import services
+
+from rosml.base.errors import RosmlError
+from rosml.images.image_set import ImageSet
+from rosml.publish.steps import STEPS
+from rosml.registry import oci
+from rosml.registry.credentials import Credentials
+
+NAME, SECRET = "somebody", "s3cret-Pass"
+UNKNOWN = b'{"errors": [{"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unknown to registry"}]}'
+
+
+@pytest.fixture(params=["registry", "token"])
+def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[StandIn]:
+    """The registry, and who denies what does not exist yet."""
+    monkeypatch.setattr(oci, "WAIT", 0.001)
+    monkeypatch.setattr(oci, "LONGEST_WAIT", 0.02)
+    with standing_in() as people, standing_in() as found:
+        found.hides, found.users, found.bearer, found.scoped = request.param, {NAME: SECRET}, True, True
+        found.expires, found.deletes, found.people = 3.0, False, f"http://{people.address}/me"
+        yield found
+        assert people.requests == [], "nobody asks a page for people"
+
+
+class Night:
+    """The jobs of a night, each a machine of its own, which shares nothing with the others but the registry."""
+
+    def __init__(self, server: StandIn, image_set: ImageSet, here: Place, date: str, *only: str) -> None:
+        self.server, self.image_set, self.here, self.date, self.only = server, image_set, here, date, only
+
+    def job(self, *steps: str, architectures: tuple[str, ...] = ("amd64", "arm64")) -> list[Run]:
+        """Steps of a job: a process, with a client, for each."""
+        runs = []
+        for step in steps:
+            with oci.Registry(self.server.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+                where = Place(self.here.services, cast(Any, client), self.here.upstream)
+                run = where.run(self.image_set, self.date, only=self.only, architectures=architectures)
+                if step != "plan":
+                    STEPS[step](run)
+                runs.append(run)
+        return runs
+
+    def whole(self) -> list[Run]:
+        """All jobs; those of the architectures at the same time."""
+        runs = self.job("plan")
+        with ThreadPoolExecutor(2) as pool:
+            shards = [
+                pool.submit(self.job, "build", "join", "test", architectures=(architecture,))
+                for architecture in ("amd64", "arm64")
+            ]
+        return [*runs, *(run for shard in shards for run in shard.result()), *self.job("index", "promote")]
+
+
+def tags(server: StandIn) -> dict[str, dict[str, str]]:
+    """Where tags point, without the lists of what is attached."""
+    return {
+        repository: {name: digest for name, digest in named.items() if not name.startswith("sha256-")}
+        for repository, named in server.tags.items()
+    }
+
+
+def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    here = place(project, services(project), monkeypatch)
+    later = {"Retry-After": "1"}
+    elsewhere = {"Location": "http://127.0.0.1:1/elsewhere"}
+    ghcr.fault("POST", "/uploads/", 403, 1000, each=3, body=DENIED)  # somebody makes the repository just now
+    ghcr.fault("PUT", r"/uploads/\d*5\?", 404, 1000)
+    ghcr.fault("PUT", "/manifests/", 404, 1000, each=2, body=UNKNOWN)  # a part of the registry knows no blobs yet
+    ghcr.fault("GET", "/manifests/", 429, 1000, each=1, headers=later)
+    ghcr.fault("HEAD", "/manifests/", 307, 1000, each=1, headers=elsewhere)
+    ghcr.fault("GET", "/token", 503, 1000, each=1)
+    first = Night(ghcr, image_set, here, DAY).whole()
+    assert [outcome for run in first for outcome in run.outcomes if outcome.state == "failed"] == []
+    assert all(fault.times < 1000 for fault in ghcr.faults), "something did not go wrong"
+    assert ghcr.count("/referrers/") <= len(first), "each process asks once"
+    found = tags(ghcr)
+    assert found[f"{PREFIX}/ros"].keys() >= {"alpha-core", "alpha-core-20261122", "alpha", "latest", "omega-base"}
+    assert found[f"{PREFIX}/ros-torch"].keys() >= {"alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "latest"}
+    with oci.Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
+        whole = Place(here.services, cast(Any, client))
+        monkeypatch.setattr(whole, "tagged", lambda repository: found[f"{PREFIX}/{repository}"])
+        whole.check(image_set)
+    before = ghcr.count("^(PUT|POST|DELETE)")
+    second = Night(ghcr, image_set, here, NEXT).whole()
+    assert [outcome for run in second for outcome in run.outcomes if outcome.state != "waits"] == []
+    assert [run.made for run in second if run.made] == []
+    assert (tags(ghcr), ghcr.count("^(PUT|POST|DELETE)")) == (found, before)
+
+
+def test_a_tag_that_is_denied_to_a_reader_does_not_move(
+    ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It may point at something newer, or at more architectures."""
+    here = place(project, services(project), monkeypatch)
+    Night(ghcr, image_set, here, NEXT, "alpha-core").whole()
+    found = tags(ghcr)
+    here.upstream["alpha"] = "tuesday"
+    older = Night(ghcr, image_set, here, DAY, "alpha-core")
+    older.job("build", "join", "test", "index")
+    ghcr.fault("HEAD", f"/{PREFIX}/ros/manifests/alpha-core$", 403, 1000, body=DENIED)
+    with pytest.raises(RosmlError, match="access denied: cannot pull from rosml/ros with the account"):
+        older.job("promote")
+    assert tags(ghcr)[f"{PREFIX}/ros"] == found[f"{PREFIX}/ros"]
