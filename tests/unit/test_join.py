@@ -228,7 +228,8 @@ def test_attestations_are_no_platform(place: Place) -> None:
     base = oci.parse(place.ros())
     index = place.registry.manifest(base.repository, base.reference)
     assert index
-    unknown = {"platform": {"os": "unknown", "architecture": "unknown"}, "digest": "sha256:" + "1" * 64}
+    attestation = place.registry.put_manifest(base.repository, "", {"schemaVersion": 2})
+    unknown = {"platform": {"os": "unknown", "architecture": "unknown"}, "digest": attestation}
     content = {
         **index.content,
         "manifests": [*index.content["manifests"], {**unknown, "mediaType": oci.IMAGE, "size": 1}],

@@ -34,12 +34,13 @@ def hub() -> Iterator[StandIn]:
 
 def push(hub: StandIn, repository: str, tag: str, architectures: tuple[str, ...] = BOTH, mark: str = "") -> str:
     """Puts an index under a tag; gives its digest."""
-    manifests = [
-        {"mediaType": oci.IMAGE, "digest": OLD, "size": 2, "platform": {"os": "linux", "architecture": name}}
-        for name in architectures
-    ]
-    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": manifests, "annotations": {"mark": mark}}
     with Registry(hub.address) as registry:
+        member = registry.put_manifest(repository, "", {"schemaVersion": 2})
+        manifests = [
+            {"mediaType": oci.IMAGE, "digest": member, "size": 2, "platform": {"os": "linux", "architecture": name}}
+            for name in architectures
+        ]
+        content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": manifests, "annotations": {"mark": mark}}
         return registry.put_manifest(repository, tag, content, oci.INDEX)
 
 
