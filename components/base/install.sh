@@ -23,6 +23,8 @@ packages=(
   x11-apps
 )
 apt-get update
+# What was mended since the base image was made, whose digest moves with a pull request alone.
+apt-get upgrade --yes
 apt-get install --yes "${packages[@]}"
 
 # git-lfs writes its settings in an order of its own every time.
