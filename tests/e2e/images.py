@@ -21,13 +21,26 @@ NATIVE = base_images.native_architecture()
 PLATFORM = f"linux/{NATIVE}"
 
 
+def ca_secret(services: Services) -> list[str]:
+    """Options of buildx that hand a company's certificates to build steps, where there are any."""
+    return ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
+
+
 def build(services: Services, folder: Path, *options: str) -> str:
     """Builds a folder's Dockerfile as a user would; returns what the builder said: of every step, because what another run or
     another test left in the cache says nothing."""
     if not any(option.startswith("--no-cache") for option in options):
         options = ("--no-cache", *options)
-    secret = ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
-    command = [*services.buildx, "build", "--progress", "plain", "--output", "type=cacheonly", *secret, *options]
+    command = [
+        *services.buildx,
+        "build",
+        "--progress",
+        "plain",
+        "--output",
+        "type=cacheonly",
+        *ca_secret(services),
+        *options,
+    ]
     outcome = run(*command, str(folder), env=services.environment())
     assert outcome.code == 0, outcome.err
     return outcome.err

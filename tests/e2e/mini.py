@@ -31,6 +31,7 @@ from rosml.records.store import ARTIFACT, INDEX, Records
 from rosml.records.tag_moves import UNDO
 from rosml.registry import oci
 from tests.e2e.conftest import CHECKOUT, Run, run
+from tests.e2e.images import ca_secret
 
 NOTHING = "#!/usr/bin/env bash\n"
 
@@ -279,7 +280,6 @@ def base(services: Services, image_set: ImageSet) -> tuple[str, str]:
                 shutil.copy(ROOT / name, target)
             (Path(folder) / "Dockerfile").write_text(recipe)
             output = f"type=image,push=true,name={services.registry}/{repository}:bookworm"
-            secret = ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
             command = [
                 *services.buildx,
                 "build",
@@ -288,7 +288,7 @@ def base(services: Services, image_set: ImageSet) -> tuple[str, str]:
                 "--provenance=false",
                 "--output",
                 output,
-                *secret,
+                *ca_secret(services),
             ]
             outcome = run(*command, folder, env=services.environment())
             assert outcome.code == 0, outcome.err

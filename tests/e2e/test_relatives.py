@@ -14,7 +14,7 @@ from rosml import ROOT
 from rosml.build.push import COMPRESSION
 from rosml.machine.services import Services
 from tests.e2e.conftest import NAMESPACE, run
-from tests.e2e.images import NATIVE, build
+from tests.e2e.images import NATIVE, build, ca_secret
 
 pytestmark = pytest.mark.full(proof="relatives")
 
@@ -41,9 +41,8 @@ def told(services: Services, folder: Path, suite: str, python: str, monkeypatch:
         AssertionError: the build or a check failed, with what was said.
     """
     reference = f"{services.registry}/{NAMESPACE}/relative:{suite}"
-    secret = ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
-    base = [*services.buildx, "build", "--progress", "plain", "--target", "base", "--build-arg", "NUMPY=<3", *secret]
-    base += ["--build-arg", f"SOURCE_DATE_EPOCH={debian.EPOCH}"]
+    base = [*services.buildx, "build", "--progress", "plain", "--target", "base", "--build-arg", "NUMPY=<3"]
+    base += ["--build-arg", f"SOURCE_DATE_EPOCH={debian.EPOCH}", *ca_secret(services)]
     base += ["--build-context", f"os=docker-image://{base_image(services, suite, monkeypatch)}"]
     base += ["--output", f"type=image,push=true,name={reference},{COMPRESSION}"]
     done = run(*base, str(ROOT), env=services.environment())

@@ -74,10 +74,10 @@ def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     return mini
 
 
-ROSML = """\
+ROSML = f"""\
 if [ "$1" = setup ]; then exit; fi
 code=0
-{python} src "$@" || code=$?
+{shlex.quote(sys.executable)} src "$@" || code=$?
 cat "$GITHUB_STEP_SUMMARY" >>"$ARTIFACTS/../summary.md"
 exit $code
 """
@@ -117,7 +117,7 @@ def night(
     mini: Mini, folder: Path, only: str = "", lost: str = "", rosml: str = ROSML, checkout: Path | None = None
 ) -> Played:
     """A run of the workflow, its commands for real."""
-    programs = {"make": '[ "$1" = test-scanner ]', "rosml": rosml.format(python=shlex.quote(sys.executable))}
+    programs = {"make": '[ "$1" = test-scanner ]', "rosml": rosml}
     host, _, place = mini.registry.partition("/")
     variables = {"ROSML_REGISTRY": host, "ROSML_NAMESPACE": place, "ROSML_SERVE": NATIVE, "ROSML_SHARDS": "2"}
     played = play(
@@ -200,7 +200,7 @@ def test_jobs_set_themselves_up(mini: Mini) -> None:
         played = night(
             mini,
             folder / "night",
-            rosml=rosml.replace("{", "{{").replace("}", "}}"),
+            rosml=rosml,
             checkout=own_checkout(mini, folder / "checkout"),
         )
         assert played.results == {**dict.fromkeys(played.results, "success"), "pages": "skipped"}

@@ -22,7 +22,9 @@ def client(**options: Any) -> httpx.Client:
             be read (exit code 2).
     """
     try:
-        return httpx.Client(**{"verify": trusted(), **options})
+        if "verify" not in options:  # who speaks plain http reads no certificates
+            options["verify"] = trusted()
+        return httpx.Client(**options)
     except (ImportError, ValueError) as error:
         named = [f"{name}={os.environ[name].rpartition('@')[2]}" for name in PROXIES if os.environ.get(name)]
         text = f"a proxy of the environment cannot be used: {', '.join(named) or error}"

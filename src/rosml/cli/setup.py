@@ -116,25 +116,29 @@ def main(context: click.Context) -> None:
     if context.invoked_subcommand is None:
         checkout.require()
         bootstrap()
-        _up(_state())
+        state = _state()
+        _up(state, _docker_hub(state))
 
 
 @main.command()
 def tools() -> None:
     """Finds the tools that builds need, installs those that are missing."""
-    _tools(_state())
+    state = _state()
+    _tools(state, _docker_hub(state))
 
 
 @main.command()
 def up() -> None:
     """Finds or installs the tools, then starts the local registry and the builder."""
-    _up(_state())
+    state = _state()
+    _up(state, _docker_hub(state))
 
 
 @main.command()
 def suite() -> None:
     """Does what `up` does, for `make test`: with Docker, Chromium and actionlint where there are none."""
-    _up(_state(), tests=True)
+    state = _state()
+    _up(state, _docker_hub(state), tests=True)
 
 
 @main.command()
@@ -161,12 +165,13 @@ def linters() -> None:
 @main.command()
 def emulate() -> None:
     """Lets this machine build and test for the other architecture, with QEMU."""
-    from rosml.machine.setup import builder, emulation, network
+    from rosml.machine.setup import builder, emulation
 
     state = _state()
-    if emulation.ensure(_installer(state), network.docker_hub_answers(state.ca_bundle)):
+    hub = _docker_hub(state)
+    if emulation.ensure(_installer(state), hub):
         builder.stop(state)  # it looks once which architectures there are
-    _up(state)
+    _up(state, hub)
 
 
 @main.command()
@@ -254,22 +259,27 @@ def _installer(state: State) -> Installer:
     return Installer(state)
 
 
-def _tools(state: State, tests: bool = False) -> Services:
+def _docker_hub(state: State) -> bool:
+    """Whether Docker Hub answers. Docker needs it for the builder; without Docker, base images are made here at once."""
     from rosml.machine.setup import network
-    from rosml.machine.setup.tools import docker_is_there, install
+    from rosml.machine.setup.tools import docker_is_there
 
-    # Docker needs it for the builder; without Docker, base images are made here at once.
-    hub = network.docker_hub_answers(state.ca_bundle, attempts=3 if docker_is_there(_installer(state)) else 1)
+    return network.docker_hub_answers(state.ca_bundle, attempts=3 if docker_is_there(_installer(state)) else 1)
+
+
+def _tools(state: State, hub: bool, tests: bool = False) -> Services:
+    from rosml.machine.setup.tools import install
+
     state.say("Docker Hub: answers" if hub else "Docker Hub: does not answer; Debian base images are made here")
     return install(state, hub, tests)
 
 
-def _up(state: State, tests: bool = False) -> None:
+def _up(state: State, hub: bool, tests: bool = False) -> None:
     from rosml.base.units import duration
     from rosml.machine.setup import services
 
     started = time.monotonic()
-    services.up(state, _tools(state, tests))
+    services.up(state, _tools(state, hub, tests))
     state.say(f"set-up: done in {duration(time.monotonic() - started)}")
 
 
