@@ -764,6 +764,74 @@ def test_what_moves_between_two_steps_is_the_next_runs(registry: Place, image_se
     assert ("alpha-core", "amd64") in steps(following, "build")
 
 
+BEFORE = "2026-11-20T21:14:09Z, ubuntu noble 0123456789abcdef"
+AFTER = "2026-11-22T03:30:00Z, ubuntu noble 0123456789abcdef"
+
+
+def live(registry: Place, run: Run, syncs: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> Run:
+    """A run whose builds fail, as `require_sync` does, where ROS's repository is of another time than they are told.
+
+    Args:
+        syncs: what the repository of alpha becomes when a target is first about to be built.
+    """
+    assert run.maker
+    build = run.maker.build_image
+
+    def build_image(image: sets.Image, architecture: str, parts: dict[str, str], moment: str) -> maker.Made:
+        if when := syncs.pop(image.target, ""):
+            registry.upstream["alpha"] = when
+        if registry.upstream[image.distribution] != moment:
+            raise RosmlError(f"{image.target}: http://packages.example is of another time", "run it again")
+        return build(image, architecture, parts, moment)
+
+    monkeypatch.setattr(run.maker, "build_image", build_image)
+    return run
+
+
+def test_a_sync_between_plan_and_build_costs_no_night(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The row is begun anew: all of its components are of one moment, on each of two machines."""
+    registry.upstream = {"alpha": BEFORE, "omega": BEFORE}
+    known = dict(registry.run(image_set).plan.upstream)
+    for architecture, syncs in (("amd64", {"alpha-base": AFTER}), ("arm64", {})):
+        run = live(registry, registry.run(image_set, upstream=known, architectures=(architecture,)), syncs, monkeypatch)
+        for step in ("build", "join", "test"):
+            STEPS[step](run)
+        assert not run.failed
+        built = [target for step, target, _ in run.made if step == "build" and target.startswith("alpha")]
+        again = ["alpha-core"] if syncs == {} and architecture == "amd64" else []
+        assert built == [*again, "alpha-core", "alpha-base"]
+        assert {outcome.reason for outcome in run.outcomes if outcome.state == "waits"} <= {"it is not made yet"}
+    rest = registry.run(image_set, upstream=known)
+    for step in ("index", "promote"):
+        STEPS[step](rest)
+    assert [outcome for outcome in rest.outcomes if outcome.state != "done"] == []
+    assert registry.tagged("ros").keys() >= {"alpha-core", "alpha", "omega-base"}
+    book = store.Records(registry.registry, PREFIX)
+    for target, moment in (("alpha-core", AFTER), ("alpha-base", AFTER), ("omega-base", BEFORE)):
+        for architecture in ("amd64", "arm64"):
+            entry = book.read(target, architecture)
+            assert entry and entry.upstream == moment
+    assert registry.publish(image_set, date=NEXT).made == []
+
+
+def test_a_repository_that_never_rests_fails_its_row_alone(
+    registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    registry.upstream = {"alpha": BEFORE, "omega": BEFORE}
+    run = live(registry, registry.run(image_set), {}, monkeypatch)
+    hours = iter(range(10))
+    monkeypatch.setattr(
+        "rosml.build.package_state.state",
+        lambda _matrix, name: f"2026-11-22T0{next(hours)}:00:00Z" if name == "alpha" else BEFORE,
+    )
+    registry.upstream["alpha"] = "2026-11-23T00:00:00Z"
+    run.build()
+    assert {outcome.target for outcome in run.outcomes if outcome.state == "failed"} == {"alpha-core"}
+    assert {target for target, _ in steps(run, "build")} >= {"omega-core", "omega-base"}
+
+
 def test_a_run_that_may_not_push_is_told_before_its_first_work(registry: Place, image_set: ImageSet) -> None:
     registry.registry.refuses.add("push")
     run = registry.run(image_set)

@@ -47,8 +47,15 @@ State = Literal["done", "failed", "waits"]
 T = TypeVar("T")
 R = TypeVar("R")
 
+SYNCS = 2
+"""So often a row is begun anew in a run because ROS published new packages while it was built."""
+
 SUPERSEDED = 20
 """From so many digests on that an entry has taken the place of, those that are gone from the registry are forgotten."""
+
+
+class _Synced(Exception):
+    """ROS published new packages since the plan was made."""
 
 
 @dataclass(frozen=True)
@@ -105,6 +112,8 @@ class Pipeline:
     """How often the signer failed, one time after the other."""
     maker: Maker | None = None
     _may_push: bool = False
+    _ask_anew: bool = False  # whether a failed build asks if ROS published new packages
+    _synced: bool = False  # it did
     _signing: Any = field(default_factory=threading.Lock)  # one signature at a time
 
     @cached_property
@@ -143,8 +152,20 @@ class Pipeline:
     # ---- Items -------------------------------------------------------------------------------------------------------
 
     def build(self) -> None:
-        """Builds ROS images and parts that are not as they should be, and pushes them by digest."""
-        self._each("build", [item for item in self.plan.items if item.kind != "joined"], self._build)
+        """Builds ROS images and parts that are not as they should be, and pushes them by digest.
+
+        Where ROS publishes new packages after the plan, the row is built of these, all of its components: an image's packages
+        are of one moment.
+        """
+        items = [item for item in self.plan.items if item.kind != "joined"]
+        for number in range(SYNCS + 1):
+            before, self._ask_anew = len(self.outcomes), number < SYNCS
+            self._synced = False
+            self._each("build", items, self._build)
+            if not self._synced:
+                return
+            # What stands on what was not built waits no more: all are gone through once again.
+            self.outcomes[before:] = [outcome for outcome in self.outcomes[before:] if outcome.state != "waits"]
 
     def join(self) -> None:
         """Puts images with frameworks together, in the registry."""
@@ -191,6 +212,9 @@ class Pipeline:
             entry = replace(entry, failed={"step": step, "reason": _short(error), "remedy": error.remedy})
             state = "failed"
             self.say(f"failed: {error.message}" + (f"; {error.remedy}" if error.remedy else ""))
+        except _Synced as news:
+            self.say(str(news))
+            return
         seconds = time.monotonic() - started
         entry = replace(entry, changed=self.plan.date, seconds={**entry.seconds, step: round(seconds, 2)})
         self._write(item, entry)
@@ -217,11 +241,34 @@ class Pipeline:
             made = self._maker.build_part(item.thing, item.architecture)
         else:  # packages whose repository did not answer are taken for those of the last build
             moment = self.plan.upstream.get(item.thing.distribution, entry.upstream)
-            made = self._maker.build_image(item.thing, item.architecture, self._parts(item), moment)
+            try:
+                made = self._maker.build_image(item.thing, item.architecture, self._parts(item), moment)
+            except RosmlError:
+                self._ask_again(item.thing.distribution, moment)
+                raise
         self.pushed += self._new_bytes(item, entry, made)
         self._attest(item, made, started)
         self.plan.forced.add(item.key)
         return entry.made(made.digest, **self._facts(item, made.digest, made.parts), upstream=made.upstream)
+
+    def _ask_again(self, distribution: str, moment: str) -> None:
+        """Asks, after a build failed, whether ROS published new packages since the plan was made.
+
+        Raises:
+            _Synced: it did, and the row is to be built of these.
+        """
+        if not self._ask_anew:
+            return
+        try:
+            now = upstreams.state(self.plan.image_set.matrix, distribution)
+        except RosmlError:  # what the build said stands
+            return
+        if upstreams.ros_date(now) > upstreams.ros_date(moment):
+            self.plan.upstream[distribution] = now
+            self._synced = True
+            raise _Synced(
+                f"ROS published new packages of {distribution} meanwhile ({now}); its images are built of these"
+            )
 
     def _new_bytes(self, item: Item, before: Entry, made: Made) -> int:
         """Bytes of the layers of what was built, without those of what it stands on and of what was in its place."""

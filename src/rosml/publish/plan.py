@@ -212,6 +212,9 @@ class Plan:
     def _moved(self, item: Item, entry: Entry) -> str:
         assert isinstance(item.thing, Image)
         now = self.upstream.get(item.thing.distribution, "")
+        # Another machine of this run may have found packages that ROS published after the plan.
+        if entry.changed == self.date and upstreams.ros_date(entry.upstream) > upstreams.ros_date(now):
+            return ""
         return (
             f"packages moved from {entry.upstream or 'nobody knows when'} to {now}"
             if now not in ("", entry.upstream)
@@ -342,8 +345,8 @@ def survey(
         scanning: digest of the scanner's policy; empty where nothing is scanned.
         date: of the run.
         inputs: of the image set's targets, where they were read before.
-        upstream: of when the packages of distributions are, by a plan. All steps of a run take them to be of one moment:
-            what moves between two of them is the next run's.
+        upstream: of when the packages of distributions are, by a plan. All steps of a run take them to be of that moment;
+            what moves after the plan is the next run's, unless a build can have it no other way.
         whole: what images stand on is judged for all of its architectures.
 
     Raises:
