@@ -31,7 +31,7 @@ SUITE := started=$$(date +%s); $(SETUP) suite; .venv/bin/python -m tests.suite -
 help: ## this list
 	@awk -F ':.* ## ' '/^[a-z-]+:.* ## / { printf "  make %-12s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST)); echo "All other commands: ./rosml --help"
 
-image: ## set up, build, test and tag one image: make image TARGET=bookworm-base-torch-cu128 PLATFORM=linux/arm64
+image: ## set up, build, test and tag one image: make image TARGET=ros1-bookworm-base-torch-cu128 PLATFORM=linux/arm64
 	@./rosml image $(if $(PLATFORM),--platform "$$PLATFORM") -- "$$TARGET"
 
 test: ## what every change must pass: linters, unit tests, the catalogue's page, real images
@@ -52,7 +52,7 @@ unit: ## the linters and the unit tests, without a builder; COVERAGE=1 fails bel
 page: ## tests of the catalogue's page in a browser; installs Chromium where there is none
 	@$(SETUP) browser; .venv/bin/python -m tests.suite --phase page
 
-bench: ## our images beside those with RUN pip install: make bench TARGET=bookworm-base-torch-cu128
+bench: ## our images beside those with RUN pip install: make bench TARGET=ros1-bookworm-base-torch-cu128
 	@$(SETUP) linters; $(SETUP) up; .venv/bin/python -m bench --target="$$TARGET"
 
 test-scanner: ## that trivy finds what it must, before a scan relies on it; building trivy takes 10 minutes, once

@@ -1,8 +1,8 @@
 # Generated from matrix.yaml by scripts/generate_bake.py, with src/rosml/bake/graph.hcl below it: change one of them, then run
 #   rosml generate
 #
-#   PLATFORM=linux/amd64 docker buildx bake bookworm-core   builds an image, and what it stands on, for one platform
-#   docker buildx bake bookworm-core-test                   runs its structure tests inside the build
+#   PLATFORM=linux/amd64 docker buildx bake ros1-bookworm-core   builds an image, and what it stands on, for one platform
+#   docker buildx bake ros1-bookworm-core-test                   runs its structure tests inside the build
 #   docker buildx bake --print <target>                     shows what would be built
 #   docker buildx bake --list targets                       lists all targets, --list variables what can be set
 
@@ -251,11 +251,11 @@ source          = null
 short_component = "base"
 releases        = ["torch", "tensorflow"]
 
-# short: the stack of a framework's short tags. covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
+# short: the stack of a framework's short tags. aliases: names that it had. covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
 distributions = {
   noetic = {
     os = "ubuntu-20.04", ros = "1", ros_distro = "noetic", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["noetic"], experimental = false
+    tags = ["noetic"], aliases = [], experimental = false
     short = { cuda = "cu121", torch = "cu121" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-noetic-ros-core", base = "ros-noetic-ros-base", robot = "ros-noetic-robot", perception = "ros-noetic-perception", desktop = "ros-noetic-desktop", desktop-full = "ros-noetic-desktop-full" }
@@ -266,7 +266,7 @@ distributions = {
   }
   foxy = {
     os = "ubuntu-20.04", ros = "2", ros_distro = "foxy", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["foxy"], experimental = false
+    tags = ["foxy"], aliases = [], experimental = false
     short = { cuda = "cu121", torch = "cu121" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-foxy-ros-core", base = "ros-foxy-ros-base", desktop = "ros-foxy-desktop" }
@@ -277,7 +277,7 @@ distributions = {
   }
   humble = {
     os = "ubuntu-22.04", ros = "2", ros_distro = "humble", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["humble"], experimental = false
+    tags = ["humble"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-humble-ros-core", base = "ros-humble-ros-base", perception = "ros-humble-perception", desktop = "ros-humble-desktop", desktop-full = "ros-humble-desktop-full" }
@@ -288,7 +288,7 @@ distributions = {
   }
   iron = {
     os = "ubuntu-22.04", ros = "2", ros_distro = "iron", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["iron"], experimental = false
+    tags = ["iron"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-iron-ros-core", base = "ros-iron-ros-base", perception = "ros-iron-perception", desktop = "ros-iron-desktop", desktop-full = "ros-iron-desktop-full" }
@@ -299,7 +299,7 @@ distributions = {
   }
   jazzy = {
     os = "ubuntu-24.04", ros = "2", ros_distro = "jazzy", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["jazzy"], experimental = false
+    tags = ["jazzy", "latest"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-jazzy-ros-core", base = "ros-jazzy-ros-base", perception = "ros-jazzy-perception", desktop = "ros-jazzy-desktop", desktop-full = "ros-jazzy-desktop-full" }
@@ -310,7 +310,7 @@ distributions = {
   }
   kilted = {
     os = "ubuntu-24.04", ros = "2", ros_distro = "kilted", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["kilted"], experimental = false
+    tags = ["kilted"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-kilted-ros-core", base = "ros-kilted-ros-base", perception = "ros-kilted-perception", desktop = "ros-kilted-desktop", desktop-full = "ros-kilted-desktop-full" }
@@ -321,7 +321,7 @@ distributions = {
   }
   lyrical = {
     os = "ubuntu-26.04", ros = "2", ros_distro = "lyrical", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["lyrical", "latest"], experimental = false
+    tags = ["lyrical"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-lyrical-ros-core", base = "ros-lyrical-ros-base", perception = "ros-lyrical-perception", desktop = "ros-lyrical-desktop", desktop-full = "ros-lyrical-desktop-full" }
@@ -332,7 +332,7 @@ distributions = {
   }
   rolling = {
     os = "ubuntu-26.04", ros = "2", ros_distro = "rolling", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["rolling"], experimental = false
+    tags = ["rolling"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-rolling-ros-core", base = "ros-rolling-ros-base", perception = "ros-rolling-perception", desktop = "ros-rolling-desktop", desktop-full = "ros-rolling-desktop-full" }
@@ -341,9 +341,9 @@ distributions = {
     covered = []
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
-  bookworm = {
+  ros1-bookworm = {
     os = "bookworm", ros = "1", ros_distro = "Debian", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["bookworm"], experimental = false
+    tags = ["ros1-bookworm", "bookworm"], aliases = ["bookworm"], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-core ros-core-dev ros-core-python-dev", base = "ros-base ros-base-dev ros-base-python-dev", robot = "ros-robot ros-robot-dev ros-robot-python-dev", perception = "ros-perception ros-perception-dev ros-perception-python-dev", desktop = "ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev" }
@@ -352,9 +352,9 @@ distributions = {
     covered = ["torch-cu128", "tensorflow-cu128"]
     unlocked = { torch-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them", ml-cpu = "cannot be built yet: no lock; run 'rosml locks' where the package indexes answer, PyTorch's own among them" }
   }
-  trixie = {
+  ros1-trixie = {
     os = "trixie", ros = "1", ros_distro = "Debian", platforms = ["linux/amd64", "linux/arm64"]
-    tags = ["trixie"], experimental = false
+    tags = ["ros1-trixie", "trixie"], aliases = ["trixie"], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
     packages = { core = "ros-core ros-core-dev ros-core-python-dev", base = "ros-base ros-base-dev ros-base-python-dev", robot = "ros-robot ros-robot-dev ros-robot-python-dev", perception = "ros-perception ros-perception-dev ros-perception-python-dev", desktop = "ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev" }
@@ -365,7 +365,7 @@ distributions = {
   }
   jazzy-wheels = {
     os = "bookworm", ros = "2", ros_distro = "jazzy", platforms = ["linux/amd64"]
-    tags = [], experimental = true
+    tags = [], aliases = [], experimental = true
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6", tools = "python3-rosdep2 vcstool python3-numpy python3-empy colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
     packages = { core = "" }
@@ -438,7 +438,7 @@ parts = [
   { kind = "tensorflow", stack = "cpu", python = "3.13", os = "trixie", platforms = ["linux/amd64", "linux/arm64"] },
 ]
 
-group "default" { targets = ["bookworm-core"] }
+group "default" { targets = ["ros1-bookworm-core"] }
 group "noetic" { targets = having("distribution", "noetic") }
 group "foxy" { targets = having("distribution", "foxy") }
 group "humble" { targets = having("distribution", "humble") }
@@ -447,8 +447,8 @@ group "jazzy" { targets = having("distribution", "jazzy") }
 group "kilted" { targets = having("distribution", "kilted") }
 group "lyrical" { targets = having("distribution", "lyrical") }
 group "rolling" { targets = having("distribution", "rolling") }
-group "bookworm" { targets = having("distribution", "bookworm") }
-group "trixie" { targets = having("distribution", "trixie") }
+group "ros1-bookworm" { targets = having("distribution", "ros1-bookworm") }
+group "ros1-trixie" { targets = having("distribution", "ros1-trixie") }
 group "jazzy-wheels" { targets = having("distribution", "jazzy-wheels") }
 group "core" { targets = having("component", "core") }
 group "base" { targets = having("component", "base") }
@@ -592,11 +592,14 @@ images = flatten([for kind in kinds : [for component, packages in kind.row.packa
 # Those that can be built, since all their locks are there. Only these are in groups.
 built = [for image in images : image if image.unlocked == ""]
 
-# All tags of an image. The short ones are those of one component, on the distribution's stack for them.
+# All tags of an image, also with the names that its distribution had. The short ones are those of one component, on the
+# distribution's stack for them.
 function "tags" {
   params = [image]
   result = [for tag in distinct(concat(
-    [image.main, image.spelled],
+    flatten([for name in concat([image.distribution], image.row.aliases) : [
+      for tag in [image.main, image.spelled] : "${name}${trimprefix(tag, image.distribution)}"
+    ]]),
     image.component == short_component && contains(["", try(image.row.short[image.framework], "")], image.stack) ?
     image.row.tags : []
   )) : "${REGISTRY}/${image.repository}:${tag}"]

@@ -4,7 +4,7 @@
 Examples:
   uv run python -m bench --generator       the generator alone: no registry, no builder
   uv run python -m bench                   all, with a small image (make bench)
-  uv run python -m bench --target bookworm-base-torch-cu128
+  uv run python -m bench --target ros1-bookworm-base-torch-cu128
                                            with one that has CUDA: 35 GB of free disk
 
 A page with charts is written as well: .state/bench/report/report.md, and report.json beside it.
@@ -27,7 +27,7 @@ from rosml.base.errors import RosmlError
 from rosml.images import load
 from rosml.machine.services import Services
 
-TARGET = "bookworm-base-tensorflow-cpu"
+TARGET = "ros1-bookworm-base-tensorflow-cpu"
 """What is built in both ways: the smallest with a framework. One with CUDA takes several times as long."""
 
 REPORT = ROOT / ".state/bench/report"

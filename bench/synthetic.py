@@ -43,7 +43,7 @@ def _head() -> str:
     lines = [
         "version: 1",
         "registry: localhost:5000",
-        "default: {target: d0-core-torch-cu128, assembler: os-0, group: [d0-core]}",
+        "default: {targets: [d0-core-torch-cu128], assembler: os-0, group: [d0-core]}",
         "architectures:",
         "  amd64: {platform: linux/amd64, wheels: x86_64-manylinux_2_28, runner: amd64}",
         "  arm64: {platform: linux/arm64, wheels: aarch64-manylinux_2_28, runner: arm64}",

@@ -151,7 +151,7 @@ class Mini:
                 found |= {("test", entry.target)} if entry.passed else set()
         return found
 
-    def put_other(self, target: str = "bookworm-core", **labels: str) -> str:
+    def put_other(self, target: str = "ros1-bookworm-core", **labels: str) -> str:
         """Puts what a runner for the other architecture would have left: an image, here of this one's layers, and its entry, with tests
         that passed. Gives its digest.
 
@@ -236,9 +236,9 @@ SOURCE = "https://example.org/images"
 """Where the small project says that it lives."""
 
 OCI = {
-    "title": r"bookworm-(core|base)(-tensorflow-cpu)?",
-    "description": r"ROS 1 (core|base) \(bookworm\)(, TensorFlow 2\.20\.0)?",
-    "version": r"bookworm-(core|base)(-cpu-tf2\.20\.0)?",
+    "title": r"ros1-bookworm-(core|base)(-tensorflow-cpu)?",
+    "description": r"ROS 1 (core|base) \(ros1-bookworm\)(, TensorFlow 2\.20\.0)?",
+    "version": r"ros1-bookworm-(core|base)(-cpu-tf2\.20\.0)?",
     "created": r"2026-01-01T00:00:00Z",
     "licenses": r"Apache-2\.0",
     "base.name": r"\S*debian:bookworm",
@@ -306,8 +306,10 @@ def make(folder: Path, services: Services) -> Mini:
     for file in (folder / "tests/structure").glob("*.yaml"):
         file.write_text(TEST.format(path="/etc/os-release"))
     matrix = yaml.safe_load((ROOT / "matrix.yaml").read_text())
-    matrix["distributions"] = {"bookworm": matrix["distributions"]["bookworm"] | {"components": ["core", "base"]}}
-    matrix["distributions"]["bookworm"]["default_stack"] = "cpu"
+    matrix["distributions"] = {
+        "ros1-bookworm": matrix["distributions"]["ros1-bookworm"] | {"components": ["core", "base"]}
+    }
+    matrix["distributions"]["ros1-bookworm"]["default_stack"] = "cpu"
     image, digest = base(services, load.load(ROOT / "matrix.yaml"))
     matrix["operating_systems"] = {
         "bookworm": matrix["operating_systems"]["bookworm"] | {"image": image, "digest": digest}
@@ -320,7 +322,7 @@ def make(folder: Path, services: Services) -> Mini:
     parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name != "torch"}
     matrix["disk"] |= {"parts": {"cpu": parts}, "budgets": {}}
     matrix["source"] = SOURCE
-    matrix["default"] = {"target": "bookworm-core", "group": ["bookworm-core"], "assembler": "bookworm"}
+    matrix["default"] = {"targets": ["ros1-bookworm-core"], "group": ["ros1-bookworm-core"], "assembler": "bookworm"}
     (folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
     (folder / ".state").mkdir()
     (ROOT / ".state" / "base").mkdir(exist_ok=True)  # base images are made once, by whoever is the first

@@ -121,7 +121,7 @@ def archive(files: Sequence[str], content: str) -> bytes:
     return gzip.compress(stream.getvalue(), mtime=0)
 
 
-def ros(distribution: str = "bookworm", component: str = "core", python: str = "3.11", **more: object) -> Tiny:
+def ros(distribution: str = "ros1-bookworm", component: str = "core", python: str = "3.11", **more: object) -> Tiny:
     """A ROS image. `more`: what else `Tiny` has."""
     said = {
         **labels.named(distribution, component, "1", "none", None, []),

@@ -17,7 +17,7 @@ OTHER = "amd64" if base_images.native_architecture() == "arm64" else "arm64"
 
 @pytest.mark.full(proof="arm64")
 def test_both_frameworks_on_the_other_architecture() -> None:
-    outcome = publish("bookworm-core-ml-cpu", "--platform", f"linux/{OTHER}")
+    outcome = publish("ros1-bookworm-core-ml-cpu", "--platform", f"linux/{OTHER}")
     assert outcome.code == 0, outcome.err
     result = json.loads(outcome.out)
     assert result["failed"] == 0

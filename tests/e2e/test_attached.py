@@ -24,7 +24,7 @@ from tests.e2e import secure
 from tests.e2e.conftest import LOG, run
 from tests.e2e.mini import NATIVE, Mini
 
-ONLY = ("--only", "bookworm-core-tensorflow-cpu")
+ONLY = ("--only", "ros1-bookworm-core-tensorflow-cpu")
 
 
 @pytest.fixture(scope="module")
@@ -114,7 +114,7 @@ def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
         assert sum("sigstore" in kind for kind in kinds) == 1, kinds
     assert mini.all(*ONLY, "--sign", env=cosign)["outcomes"] == []
 
-    image = known["bookworm-core", NATIVE]
+    image = known["ros1-bookworm-core", NATIVE]
     with pytest.raises(SignerFailed, match="has no signature"):
         signer.verify(f"{mini.services.registry}/{mini.prefix}/ros@{image.digest}")
     pruned = json.loads(mini.publish("prune", "--days", "0", "--newest", "0", "--json").out)

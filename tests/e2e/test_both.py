@@ -19,7 +19,7 @@ from tests.e2e.images import Publish, build, build_on, push
 
 pytestmark = pytest.mark.full(proof="cuda")
 
-BOTH = "bookworm-perception-ml-cu128"
+BOTH = "ros1-bookworm-perception-ml-cu128"
 """An image with cv_bridge and both frameworks."""
 
 TALK_SECONDS = 600

@@ -16,7 +16,7 @@ from tests.e2e import engine
 from tests.e2e.conftest import Run
 from tests.e2e.images import Publish
 
-TARGET = "bookworm-core"
+TARGET = "ros1-bookworm-core"
 WORKSPACE = "/docker-ros/ws"
 
 
@@ -467,7 +467,7 @@ def test_a_start_takes_few_processes(
 # ---- Other images: the same contract on frameworks, and on a ROS that has something to source ---------------------------
 
 OTHERS = {
-    "bookworm-core-tensorflow-cpu": "import tensorflow as tf, rospy; assert tf.reduce_sum(tf.ones(3)).numpy() == 3",
+    "ros1-bookworm-core-tensorflow-cpu": "import tensorflow as tf, rospy; assert tf.reduce_sum(tf.ones(3)).numpy() == 3",
     "jazzy-wheels-core": "import rclpy; rclpy.init(); print(rclpy.create_node('node')); rclpy.shutdown()",
 }
 
@@ -482,7 +482,7 @@ STARTED_BY = {
 @pytest.fixture(
     scope="module",
     params=[
-        pytest.param("bookworm-core-tensorflow-cpu", marks=pytest.mark.full(proof="contract")),
+        pytest.param("ros1-bookworm-core-tensorflow-cpu", marks=pytest.mark.full(proof="contract")),
         pytest.param("jazzy-wheels-core", marks=pytest.mark.full(proof="wheels")),
     ],
 )

@@ -20,7 +20,7 @@ from tests.e2e.conftest import NAMESPACE, Published, run
 from tests.e2e.images import Publish, build
 from tests.pages import SHELLS, Block, blocks, commands
 
-TENSORFLOW = "bookworm-core-tensorflow-cpu"
+TENSORFLOW = "ros1-bookworm-core-tensorflow-cpu"
 CPP = ROOT / "docs/cpp.md"
 
 
@@ -88,7 +88,7 @@ def node(services: Services, image: Published, folder: Path) -> None:
 
 @pytest.mark.full(proof="cuda")
 def test_cplusplus_with_pytorch(services: Services, published: Publish, tmp_path: Path) -> None:
-    image = published("bookworm-core-torch-cu128")
+    image = published("ros1-bookworm-core-torch-cu128")
     (tmp_path / "example").mkdir()
     example(services, image, tmp_path / "example", "PyTorch")
     node(services, image, tmp_path / "node")
@@ -143,7 +143,7 @@ def test_ci_of_a_package(services: Services, published: Publish, tmp_path: Path,
     (source / "CMakeLists.txt").write_text(CMAKE)
     (source / "test_example.py").write_text(TEST)
     exported = " ".join(f"{key}={shlex.quote(value)}" for key, value in environment.items())
-    image = published("bookworm-core")
+    image = published("ros1-bookworm-core")
     lines = [f"FROM {image.result['reference']}", "COPY checkout /checkout", "WORKDIR /checkout"]
     lines += [f"RUN --network=none export {exported} && {step}" for step in steps]
     (tmp_path / "Dockerfile").write_text("\n".join(lines) + "\n")
@@ -170,8 +170,8 @@ catkin_install_python(PROGRAMS detector.py DESTINATION ${CATKIN_PACKAGE_BIN_DEST
 
 
 def test_dockerfiles_of_users(services: Services, published: Publish, tmp_path: Path) -> None:
-    """Both of the page, line by line as they stand there, but for the image: bookworm-core, which has no framework."""
-    image = published("bookworm-core").result["reference"]
+    """Both of the page, line by line as they stand there, but for the image: ros1-bookworm-core, which has no framework."""
+    image = published("ros1-bookworm-core").result["reference"]
     page = ROOT / "docs/use.md"
     plain = next(block.text for block in section(page, "In a Dockerfile") if block.language == "dockerfile")
     [container] = [block.text for block in blocks(page) if block.title == ".devcontainer/Dockerfile"]
@@ -232,7 +232,7 @@ def test_parts_are_compared(services: Services) -> None:
 
 def test_an_image_is_carried_over(services: Services, published: Publish, tmp_path: Path) -> None:
     """Out of a registry into a file, and out of the file into another repository: the same digest."""
-    image = published("bookworm-core")
+    image = published("ros1-bookworm-core")
     found = [command for block in section(ROOT / "docs/registry.md", "Air-gapped") for command in commands(block)]
     assert [command.split()[:3] for command in found] == [["regctl", "image", "export"], ["regctl", "image", "import"]]
     moved = f"{services.registry}/{NAMESPACE}/carried:over"

@@ -16,7 +16,7 @@ from rosml.machine.services import Services
 from tests.e2e.conftest import HANGS, NAMESPACE, Published, publish, run, small_file_system
 from tests.e2e.images import NATIVE
 
-TARGET = "bookworm-core"
+TARGET = "ros1-bookworm-core"
 
 
 def test_a_failing_structure_test_leaves_every_tag(
@@ -116,7 +116,7 @@ def full_disk(checkout: Path, services: Services) -> Iterator[Path]:
 
 
 def test_a_disk_without_room(full_disk: Path) -> None:
-    outcome = publish("bookworm-core-torch-cu128", root=full_disk)
+    outcome = publish("ros1-bookworm-core-torch-cu128", root=full_disk)
     assert outcome.code == 1
     assert "not enough disk space" in outcome.err
     assert "are needed" in outcome.err and "are free" in outcome.err

@@ -36,7 +36,7 @@ def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     found = minis.make(tmp_path_factory.mktemp("fleet"), beside)
     matrix = found.folder / "matrix.yaml"
     content = yaml.safe_load(matrix.read_text())
-    content["distributions"]["other"] = copy.deepcopy(content["distributions"]["bookworm"])
+    content["distributions"]["other"] = copy.deepcopy(content["distributions"]["ros1-bookworm"])
     matrix.write_text(yaml.safe_dump(content, sort_keys=False))
     return found
 
@@ -69,8 +69,8 @@ def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Servic
     assert mini.publish("plan", "--output", str(plan), "--shards", "4").code == 0
     shards = [shard for shard in json.loads(plan.read_text())["shards"] if shard["architecture"] == NATIVE]
     assert [shard["distributions"] for shard in shards] in (
-        [["bookworm"], ["other"]],
-        [["other"], ["bookworm"]],
+        [["ros1-bookworm"], ["other"]],
+        [["other"], ["ros1-bookworm"]],
     )
     with ExitStack() as stack:
         machines = []
@@ -88,14 +88,16 @@ def test_two_builders_build_two_shards_side_by_side(mini: Mini, services: Servic
             done = {item["target"] for item in json.loads(out)["outcomes"] if item["state"] == "done"}
             (distribution,) = shard["distributions"]
             assert {f"{distribution}-core", f"{distribution}-base"} <= done
-            assert not any(name.startswith("other" if distribution == "bookworm" else "bookworm") for name in done)
+            assert not any(
+                name.startswith("other" if distribution == "ros1-bookworm" else "ros1-bookworm") for name in done
+            )
     for step in ("join-images", "index", "promote"):
         assert mini.publish(step, "--plan", str(plan), "--serve", NATIVE).code == 0
     assert mini.tags() == {}, "nothing was tested"
     made = {
         entry["target"] for entry in json.loads(mini.publish("plan", "--json").out)["tasks"] if "test" in entry["steps"]
     }
-    assert {"bookworm-core", "other-base"} <= made, "something is to be built again"
+    assert {"ros1-bookworm-core", "other-base"} <= made, "something is to be built again"
 
 
 def published(mini: Mini, *only: str) -> dict[str, str]:
@@ -103,18 +105,18 @@ def published(mini: Mini, *only: str) -> dict[str, str]:
     mini.all(*(word for name in only for word in ("--only", name)))
     mini.mark(ros="2")
     tags = mini.tags()
-    assert "ros:bookworm-core" in tags
+    assert "ros:ros1-bookworm-core" in tags
     return tags
 
 
 def test_a_builder_that_dies(mini: Mini, services: Services, tmp_path: Path) -> None:
     """Tags stay where they were, at whole images; the next run makes what is missing."""
-    tags = published(mini, "bookworm-core")
+    tags = published(mini, "ros1-bookworm-core")
     name = f"mortal-{os.getpid()}"
     with builder(name, tmp_path / name, services) as mortal:
         machine = on(mini, tmp_path / "machine", builder=name, builder_kind="user")
         (machine.folder / "components/base/install.sh").write_text(NOTHING + "sleep 60\n")
-        command = machine.command("build", "--only", "bookworm-core", "--registry", mini.registry)
+        command = machine.command("build", "--only", "ros1-bookworm-core", "--registry", mini.registry)
         process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(5)  # wherever it is then
         assert process.poll() is None
@@ -130,27 +132,27 @@ def _mended(mini: Mini, tags: dict[str, str]) -> None:
     """Nothing good was lost by a run that failed, and the next one does its work."""
     assert mini.tags() == tags
     mini.check()
-    mini.all("--only", "bookworm-core")
+    mini.all("--only", "ros1-bookworm-core")
     mini.check()
     moved = mini.tags()
-    assert moved.keys() >= tags.keys() and moved["ros:bookworm-core"] != tags["ros:bookworm-core"]
+    assert moved.keys() >= tags.keys() and moved["ros:ros1-bookworm-core"] != tags["ros:ros1-bookworm-core"]
 
 
 def test_a_builder_without_room(mini: Mini, services: Services, tmp_path: Path) -> None:
     disk = tmp_path / "disk"
     disk.mkdir()
     small_file_system(disk, "60m", services)
-    tags = published(mini, "bookworm-core")
+    tags = published(mini, "ros1-bookworm-core")
     try:
         name = f"small-{os.getpid()}"
         with builder(name, tmp_path / name, services, disk / "root"):
             machine = on(mini, tmp_path / "machine", builder=name, builder_kind="user")
-            outcome = machine.publish("build", "--only", "bookworm-core")
+            outcome = machine.publish("build", "--only", "ros1-bookworm-core")
     finally:
         subprocess.run(["umount", "--lazy", str(disk)], check=True)
     assert outcome.code == 1
     assert "no space left on device" in outcome.err and "Traceback" not in outcome.err
-    said = mini.publish("status", "--only", "bookworm-core", "--json")
+    said = mini.publish("status", "--only", "ros1-bookworm-core", "--json")
     assert json.loads(said.out)["images"][0]["state"] == "failed"
     _mended(mini, tags)
 
@@ -224,14 +226,14 @@ def moody(upstream: str, mood: Mood) -> Iterator[str]:
 
 def test_a_registry_that_fails_now_and_then(mini: Mini, services: Services) -> None:
     """Every seventh answer is none: the run works on, or ends with an error and the next one finishes."""
-    tags = published(mini, "bookworm-core*")
+    tags = published(mini, "ros1-bookworm-core*")
     faults, recorded, date = ("500", "429", "hang up"), set[tuple[str, str]](), now()
     with moody(services.registry, lambda number: faults[number // 7 % 3] if number % 7 == 0 else "") as address:
         for _attempt in range(4):
             place = f"{address}/{mini.prefix}"
             outcome = run(
                 *mini.command(
-                    "all", "--only", "bookworm-core*", "--serve", NATIVE, "--registry", place, "--date", date
+                    "all", "--only", "ros1-bookworm-core*", "--serve", NATIVE, "--registry", place, "--date", date
                 ),
                 cwd=mini.folder,
             )
@@ -243,13 +245,13 @@ def test_a_registry_that_fails_now_and_then(mini: Mini, services: Services) -> N
             if outcome.code == 0:
                 break
         assert outcome.code == 0, outcome.err
-    assert {("build", "bookworm-core"), ("join", "bookworm-core-tensorflow-cpu")} <= recorded
+    assert {("build", "ros1-bookworm-core"), ("join", "ros1-bookworm-core-tensorflow-cpu")} <= recorded
     moved = mini.tags()
-    assert all(moved[name] != tags[name] for name in ("ros:bookworm-core", "ros-tf:bookworm-core-cpu"))
+    assert all(moved[name] != tags[name] for name in ("ros:ros1-bookworm-core", "ros-tf:ros1-bookworm-core-cpu"))
 
 
 def test_a_registry_that_is_gone(mini: Mini) -> None:
-    command = mini.command("all", "--only", "bookworm-core", "--registry", f"127.0.0.1:9/{mini.prefix}")
+    command = mini.command("all", "--only", "ros1-bookworm-core", "--registry", f"127.0.0.1:9/{mini.prefix}")
     outcome = run(*command, cwd=mini.folder)
     assert outcome.code == 1
     assert "127.0.0.1:9" in outcome.err and "Traceback" not in outcome.err

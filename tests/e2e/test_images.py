@@ -42,13 +42,13 @@ class Pair:
 
 
 CPU = Pair(
-    "bookworm-core-tensorflow-cpu",
-    "bookworm-base-tensorflow-cpu",
+    "ros1-bookworm-core-tensorflow-cpu",
+    "ros1-bookworm-base-tensorflow-cpu",
     "import tensorflow as tf; assert tf.reduce_sum(tf.ones(3)).numpy() == 3; print(tf.__version__)",
 )
 CUDA = Pair(
-    "bookworm-core-torch-cu128",
-    "bookworm-base-torch-cu128",
+    "ros1-bookworm-core-torch-cu128",
+    "ros1-bookworm-base-torch-cu128",
     "import torch; assert (torch.ones(2) @ torch.ones(2)).item() == 2; print(torch.__version__)",
 )
 
@@ -85,8 +85,8 @@ def test_an_image_is_built_tested_and_published(pair: Pair, published: Publish, 
 
 def test_make_image(published: Publish, services: Services) -> None:
     """The front door, as it stands in the README; with a builder that has built the image before."""
-    image = published("bookworm-core")
-    done = run("make", "image", "TARGET=bookworm-core", cwd=ROOT)
+    image = published("ros1-bookworm-core")
+    done = run("make", "image", "TARGET=ros1-bookworm-core", cwd=ROOT)
     assert done.code == 0, done.err
     reference = f"{services.registry}/rosml/{image.image.tags[0]}"
     assert re.search(rf"^FROM +{re.escape(reference)}$", done.out, re.MULTILINE), done.out
@@ -146,7 +146,7 @@ def test_parts_are_added_to_an_image_of_ones_own(
 
 def test_the_committed_bake_file_works_by_itself(services: Services, published: Publish) -> None:
     """`buildx bake <target>-test`, without our commands: as on a laptop, but for the base image's place."""
-    image = published("bookworm-core")
+    image = published("ros1-bookworm-core")
     arguments = [*services.buildx, "bake", "--progress", "plain"]
     if services.ca_bundle:
         arguments += ["--allow", f"fs.read={services.ca_bundle}"]
@@ -157,8 +157,8 @@ def test_the_committed_bake_file_works_by_itself(services: Services, published: 
         "PLATFORM": PLATFORM,
     }
     # Of when packages are, which the publisher tells the builder: so that what it built is taken from the cache.
-    moment = ("--set", f"*.contexts.upstream={services.state / 'upstream/bookworm'}")
-    outcome = run(*arguments, *moment, "bookworm-core-test", env=env)
+    moment = ("--set", f"*.contexts.upstream={services.state / 'upstream/ros1-bookworm'}")
+    outcome = run(*arguments, *moment, "ros1-bookworm-core-test", env=env)
     assert outcome.code == 0, outcome.err
 
 

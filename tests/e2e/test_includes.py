@@ -22,11 +22,11 @@ def test_headers_of_torch(services: Services, published: Publish, tmp_path: Path
         "cat /includes/torch.txt /includes/cuda.txt >/tmp/list.txt",
         f"{COMPILE} /includes/torch_fails.txt --rest /tmp/list.txt -- {flags}",
     ]
-    said = build_on(services, published("bookworm-core-torch-cu130"), tmp_path, steps, "includes")
+    said = build_on(services, published("ros1-bookworm-core-torch-cu130"), tmp_path, steps, "includes")
     assert said.count("they compile") == 3
 
 
 def test_headers_of_tensorflow(services: Services, published: Publish, tmp_path: Path) -> None:
     step = f"{COMPILE} /includes/tensorflow_fails.txt --rest /includes/tensorflow.txt -- $(pkg-config --cflags tensorflow_cc)"
-    said = build_on(services, published("bookworm-core-tensorflow-cpu"), tmp_path, [step], "includes")
+    said = build_on(services, published("ros1-bookworm-core-tensorflow-cpu"), tmp_path, [step], "includes")
     assert said.count("they compile") == 3

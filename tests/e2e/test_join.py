@@ -69,12 +69,12 @@ def config(client: oci.Registry, repository: str, reference: str) -> tuple[list[
 def test_as_a_build_would_make_it(mini: Mini) -> None:
     """Layers, environment, entrypoint, labels: a joined image and one of `buildx bake` are the same."""
     client = mini.client()
-    target = "bookworm-core-tensorflow-cpu"
+    target = "ros1-bookworm-core-tensorflow-cpu"
     namespace = f"{mini.prefix}/built"
     outcome = run(*mini.command("image", target, "--namespace", namespace, "--json"), cwd=mini.folder)
     assert outcome.code == 0, outcome.err
     built = config(client, f"{namespace}/ros-tf", json.loads(outcome.out)["manifest"])
-    ours = config(client, f"{mini.prefix}/ros-tf", "bookworm-core-cpu")
+    ours = config(client, f"{mini.prefix}/ros-tf", "ros1-bookworm-core-cpu")
     assert ours[0] == built[0]
     for name in ("Entrypoint", "Cmd", "WorkingDir", "Labels"):
         assert ours[1]["config"].get(name) == built[1]["config"].get(name), name
@@ -88,9 +88,9 @@ def test_as_a_build_would_make_it(mini: Mini) -> None:
 def test_for_users(mini: Mini) -> None:
     """Under ten kilobytes, whatever the order; a second call changes nothing."""
     tag = f"{mini.registry}/mine:latest"
-    said = small(mini.folder, tag, f"{mini.registry}/ros:bookworm-core", *parts(mini))
+    said = small(mini.folder, tag, f"{mini.registry}/ros:ros1-bookworm-core", *parts(mini))
     assert said["mounted"] == said["layers"]
-    again = joined(mini.folder, f"{mini.registry}/ros:bookworm-core", *parts(mini)[::-1], "--tag", tag, "--json")
+    again = joined(mini.folder, f"{mini.registry}/ros:ros1-bookworm-core", *parts(mini)[::-1], "--tag", tag, "--json")
     assert json.loads(again.out)["digest"] == said["digest"]
     layers, found = config(mini.client(), f"{mini.prefix}/mine", "latest")
     assert len(layers) == len(found["rootfs"]["diff_ids"])
@@ -99,15 +99,15 @@ def test_for_users(mini: Mini) -> None:
 
 
 def test_what_does_not_go_together(mini: Mini) -> None:
-    ros, tag = f"{mini.registry}/ros:bookworm-core", f"{mini.registry}/mine:never"
+    ros, tag = f"{mini.registry}/ros:ros1-bookworm-core", f"{mini.registry}/mine:never"
     common, cc, tensorflow = parts(mini)
     for arguments, words in {
         (ros, tensorflow): "common",
         (ros, common, cc, tensorflow, tensorflow): "twice",
         (common, cc): "is a part",
         (ros, ros): "is a ROS image",
-        (f"{mini.registry}/ros-tf:bookworm-core-cpu", common): "already",
-        (f"{mini.registry}/ros:bookworm-corn", common): "did you mean 'bookworm-core'",
+        (f"{mini.registry}/ros-tf:ros1-bookworm-core-cpu", common): "already",
+        (f"{mini.registry}/ros:bookworm-corn", common): "did you mean 'ros1-bookworm-core'",
     }.items():
         outcome = joined(mini.folder, *arguments, "--tag", tag)
         assert outcome.code == 2, (arguments, outcome.err)
@@ -137,7 +137,7 @@ def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
     client.attach(repository, changed.descriptor, file_lists.ARTIFACT, others, file_lists.MEDIA_TYPE)
     arguments = [f"{mini.registry}/part@{digest}", *parts(mini)[1:]]
     outcome = joined(
-        mini.folder, f"{mini.registry}/ros:bookworm-core", *arguments, "--tag", f"{mini.registry}/mine:never"
+        mini.folder, f"{mini.registry}/ros:ros1-bookworm-core", *arguments, "--tag", f"{mini.registry}/mine:never"
     )
     assert outcome.code == 2
     assert "both carry /opt/mini-part/tensorflow-cc" in outcome.err
@@ -146,8 +146,8 @@ def test_two_parts_that_carry_the_same_file(mini: Mini) -> None:
 def test_two_hundred_images(mini: Mini) -> None:
     """Each of a ROS image of its own: a config of its own over layers that are there."""
     client = mini.client()
-    layers, found = config(client, f"{mini.prefix}/ros", "bookworm-core")
-    index = client.manifest(f"{mini.prefix}/ros", "bookworm-core")
+    layers, found = config(client, f"{mini.prefix}/ros", "ros1-bookworm-core")
+    index = client.manifest(f"{mini.prefix}/ros", "ros1-bookworm-core")
     assert index
     manifest = client.manifest(f"{mini.prefix}/ros", index.content["manifests"][0]["digest"])
     assert manifest and layers
@@ -179,7 +179,7 @@ def test_a_real_one_runs(
     services: Services, published: Callable[[str], Published], image_set: ImageSet, tmp_path: Path
 ) -> None:
     """ROS and TensorFlow as they are: the layers of the built image, and a program that uses both."""
-    image, ros = published("bookworm-core-tensorflow-cpu"), published("bookworm-core")
+    image, ros = published("ros1-bookworm-core-tensorflow-cpu"), published("ros1-bookworm-core")
     client = oci.Registry(services.registry)
     place = f"{services.registry}/{NAMESPACE}"
     images = {"ros": ros.result["manifest"]}
@@ -193,7 +193,7 @@ def test_a_real_one_runs(
         assert file_lists.ARTIFACT in listed, "other tools find the list as well"
     tag = f"{place}/joined:latest"
     parts = [f"{place}/part:{name}" for name in image.image.parts]
-    small(ROOT, tag, f"{place}/ros:bookworm-core", *parts)
+    small(ROOT, tag, f"{place}/ros:ros1-bookworm-core", *parts)
     layers, found = config(client, f"{NAMESPACE}/joined", "latest")
     assert layers == image.layers
     built = config(client, f"{NAMESPACE}/{image.image.repository}", image.result["manifest"])[1]

@@ -22,13 +22,13 @@ CV_BRIDGE = "install-packages python3-cv-bridge"
 @pytest.mark.parametrize(
     ("target", "packages"),
     [
-        ("bookworm-core-tensorflow-cpu", FEW),
+        ("ros1-bookworm-core-tensorflow-cpu", FEW),
         *(
             pytest.param(target, packages, marks=pytest.mark.full(proof="everyday"))
             for target, packages in (
-                ("bookworm-core-tensorflow-cpu", f"{ANY} {OF_TENSORFLOW}"),
-                ("bookworm-core-torch-cu128", f"{ANY} {OF_TORCH}"),
-                ("bookworm-perception-ml-cu128", f"{ANY} {OF_TORCH} {OF_TENSORFLOW}"),
+                ("ros1-bookworm-core-tensorflow-cpu", f"{ANY} {OF_TENSORFLOW}"),
+                ("ros1-bookworm-core-torch-cu128", f"{ANY} {OF_TORCH}"),
+                ("ros1-bookworm-perception-ml-cu128", f"{ANY} {OF_TORCH} {OF_TENSORFLOW}"),
             )
         ),
     ],
@@ -44,7 +44,7 @@ def test_everyday_packages_leave_what_is_installed_as_it_is(
 def test_another_release_for_who_says_so(services: Services, published: Publish, tmp_path: Path) -> None:
     """By pip and by uv: refused as it stands, installed with the word, and TensorFlow still computes."""
     steps = ["online /everyday/unpinned.sh keras 3.13.2 3.14.0", "python3 /everyday/computes.py tensorflow"]
-    said = build_on(services, published("bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
+    said = build_on(services, published("ros1-bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
     assert "unpinned: keras 3.14.0" in said and "computes: tensorflow" in said
 
 
@@ -58,7 +58,7 @@ def test_another_tensorflow_is_whole(services: Services, published: Publish, tmp
         "! cmake -S /everyday/tensorflow -B /tmp/tensorflow >/tmp/said 2>&1",
         "grep -w replaced /tmp/said",
     ]
-    said = build_on(services, published("bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
+    said = build_on(services, published("ros1-bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
     assert "computes: tensorflow 2.19.1" in said
 
 
@@ -75,5 +75,5 @@ def test_another_torch_is_whole(services: Services, published: Publish, tmp_path
         "! cmake -S /everyday/torch -B /tmp/torch >/tmp/said 2>&1",
         "grep -w replaced /tmp/said",
     ]
-    said = build_on(services, published("bookworm-core-torch-cu128"), tmp_path, steps, "everyday")
+    said = build_on(services, published("ros1-bookworm-core-torch-cu128"), tmp_path, steps, "everyday")
     assert "computes: torch 2.9.1" in said and "computes: torch 2.12.1" in said

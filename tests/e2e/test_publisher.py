@@ -24,7 +24,12 @@ from tests.e2e.mini import NATIVE, OTHER, Mini, begun
 LIVES = [(0.6, 5.0)] * 6 + [(5.0, 20.0)] * 2
 """Seconds that the runs of one night live, if they do not end before; the one after them is left alone, however long other
 builds in the same builder make it wait."""
-IMAGES = ["bookworm-core", "bookworm-base", "bookworm-core-tensorflow-cpu", "bookworm-base-tensorflow-cpu"]
+IMAGES = [
+    "ros1-bookworm-core",
+    "ros1-bookworm-base",
+    "ros1-bookworm-core-tensorflow-cpu",
+    "ros1-bookworm-base-tensorflow-cpu",
+]
 
 
 @pytest.fixture(scope="module")
@@ -53,9 +58,9 @@ def test_all_then_nothing_then_what_changed(mini: Mini) -> None:
     mini.check()
     tags = mini.tags()
     assert {
-        "ros:bookworm-core",
-        "ros:bookworm",
-        "ros-tf:bookworm-base-cpu",
+        "ros:ros1-bookworm-core",
+        "ros:ros1-bookworm",
+        "ros-tf:ros1-bookworm-base-cpu",
         "part:tensorflow-cpu-py311",
     } <= tags.keys()
     client = mini.client()
@@ -68,9 +73,9 @@ def test_all_then_nothing_then_what_changed(mini: Mini) -> None:
     assert did(changed, "join") == IMAGES[2:] == did(changed, "test")
     assert 0 < changed["uploaded"] < 0.05 * first["uploaded"]
     now = mini.tags()
-    assert now["ros:bookworm-core"] == tags["ros:bookworm-core"]
-    assert now["ros-tf:bookworm-core-cpu"] != tags["ros-tf:bookworm-core-cpu"]
-    index = client.manifest(f"{mini.prefix}/ros-tf", "bookworm-core-cpu")
+    assert now["ros:ros1-bookworm-core"] == tags["ros:ros1-bookworm-core"]
+    assert now["ros-tf:ros1-bookworm-core-cpu"] != tags["ros-tf:ros1-bookworm-core-cpu"]
+    index = client.manifest(f"{mini.prefix}/ros-tf", "ros1-bookworm-core-cpu")
     assert index and index.content["annotations"]["io.rosml.date"] == changed["date"]
     undone = mini.publish("undo", "--json")
     assert undone.code == 0
@@ -79,11 +84,11 @@ def test_all_then_nothing_then_what_changed(mini: Mini) -> None:
 
 
 def test_status_says_how_things_stand(mini: Mini) -> None:
-    mini.all("--only", "bookworm-core")
+    mini.all("--only", "ros1-bookworm-core")
     mini.mark(ros="2")
     said = json.loads(mini.publish("status", "--json").out)
     states = {item["target"]: item["state"] for item in said["images"]}
-    assert states["bookworm-core"] == "outdated" and states["bookworm-base"] == "missing"
+    assert states["ros1-bookworm-core"] == "outdated" and states["ros1-bookworm-base"] == "missing"
 
 
 def test_a_poisoned_image_keeps_its_tags(mini: Mini) -> None:
@@ -95,10 +100,10 @@ def test_a_poisoned_image_keeps_its_tags(mini: Mini) -> None:
     assert outcome.code == 1
     mini.check()
     now = mini.tags()
-    assert {name: now[name] for name in tags if "-base" in name or name == "ros:bookworm"} == {
-        name: digest for name, digest in tags.items() if "-base" in name or name == "ros:bookworm"
+    assert {name: now[name] for name in tags if "-base" in name or name == "ros:ros1-bookworm"} == {
+        name: digest for name, digest in tags.items() if "-base" in name or name == "ros:ros1-bookworm"
     }
-    assert now["ros:bookworm-core"] != tags["ros:bookworm-core"], "another image's fault"
+    assert now["ros:ros1-bookworm-core"] != tags["ros:ros1-bookworm-core"], "another image's fault"
     assert "tests failed" in outcome.out
     changed = json.loads(outcome.out)
     assert set(did(changed, "build")) == set(IMAGES[:2]), "only ROS images changed"
@@ -106,7 +111,7 @@ def test_a_poisoned_image_keeps_its_tags(mini: Mini) -> None:
     mini.poison(poisoned=False)
     mended = mini.all()
     assert did(mended, "build") == did(mended, "join") == []
-    assert mini.tags()["ros:bookworm-base"] != tags["ros:bookworm-base"]
+    assert mini.tags()["ros:ros1-bookworm-base"] != tags["ros:ros1-bookworm-base"]
 
 
 @pytest.mark.parametrize("kills", [8, pytest.param(30, marks=pytest.mark.full(proof="kills"))])
@@ -174,7 +179,7 @@ def platforms(mini: Mini, tag: str) -> dict[str, str]:
 
 def test_a_tag_has_both_architectures_or_stays(mini: Mini) -> None:
     """Without --serve an image's index is for all that the matrix has. The other one comes from another machine."""
-    only = ("--only", "bookworm-core", "--json")
+    only = ("--only", "ros1-bookworm-core", "--json")
 
     def publish(*steps: str) -> list[int]:
         return [mini.publish(step, *only).code for step in steps]
@@ -191,7 +196,7 @@ def test_a_tag_has_both_architectures_or_stays(mini: Mini) -> None:
     arm = mini.put_other()
     assert publish("index", "promote") == [0, 0]
     mini.check()
-    tags, both = mini.tags(), platforms(mini, "ros:bookworm-core")
+    tags, both = mini.tags(), platforms(mini, "ros:ros1-bookworm-core")
     assert both.keys() == {NATIVE, OTHER} and both[OTHER] == arm != both[NATIVE]
     mini.mark(ros="2")
     assert publish("all") == [0]
@@ -199,7 +204,7 @@ def test_a_tag_has_both_architectures_or_stays(mini: Mini) -> None:
     arm = mini.put_other()
     assert publish("index", "promote") == [0, 0]
     mini.check()
-    moved = platforms(mini, "ros:bookworm-core")
+    moved = platforms(mini, "ros:ros1-bookworm-core")
     assert moved[OTHER] == arm and not set(moved.values()) & set(both.values())
 
 
@@ -217,7 +222,7 @@ def test_the_steps_one_by_one_on_several_machines(mini: Mini, tmp_path: Path) ->
         outcome = mini.publish(step, "--plan", str(plan), "--serve", NATIVE)
         assert outcome.code == 0, outcome.err
     mini.check()
-    found = mini.client().manifest(f"{mini.prefix}/ros-tf", "bookworm-base-cpu")
+    found = mini.client().manifest(f"{mini.prefix}/ros-tf", "ros1-bookworm-base-cpu")
     assert found and found.content["annotations"]["io.rosml.date"] == content["date"]
 
 

@@ -34,7 +34,7 @@ from tests.e2e.mini import Mini
 from tests.e2e.parts import CREATED, Tiny
 from tests.registry_calls import CALLS
 
-ONLY = ("--only", "bookworm-core", "--only", "bookworm-base")
+ONLY = ("--only", "ros1-bookworm-core", "--only", "ros1-bookworm-base")
 NIGHTS = tuple((datetime.now(UTC) - timedelta(days=number)).strftime("%Y-%m-%dT03:00:00Z") for number in (4, 3, 2))
 HERE = native_architecture()
 
@@ -122,7 +122,7 @@ def test_a_registry_that_refuses_to_delete(project: Mini, tmp_path: Path) -> Non
         night(mini, NIGHTS[1])
         second = mini.tags()
         mini.check()
-        assert second["ros:bookworm-core"] != first["ros:bookworm-core"]
+        assert second["ros:ros1-bookworm-core"] != first["ros:ros1-bookworm-core"]
 
         called(elsewhere, mini, "undo")
         back = mini.tags()

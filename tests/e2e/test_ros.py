@@ -20,7 +20,7 @@ from tests.e2e.images import NATIVE, Publish, build, build_on
 
 
 @pytest.mark.full(proof="rebuild")
-@pytest.mark.parametrize("target", ["bookworm-core"])
+@pytest.mark.parametrize("target", ["ros1-bookworm-core"])
 def test_the_same_packages_give_the_same_layers(
     target: str, published: Publish, services: Services, image_set: ImageSet
 ) -> None:
@@ -46,12 +46,12 @@ def test_one_more_package_from_the_images_own_apt_source(
         "rosrun tf2_ros static_transform_publisher 1 2 3 0 0 0 1 base camera >/dev/null 2>&1 & "
         "timeout 60 rostopic echo -n 1 /tf_static'"
     )
-    said = build_on(services, published("bookworm-core"), tmp_path, ["install-packages tf2-tools", talk])
+    said = build_on(services, published("ros1-bookworm-core"), tmp_path, ["install-packages tf2-tools", talk])
     assert 'child_frame_id: "camera"' in said
 
 
 @pytest.mark.full(proof="desktop")
-@pytest.mark.parametrize("target", ["bookworm-desktop", "trixie-desktop"])
+@pytest.mark.parametrize("target", ["ros1-bookworm-desktop", "ros1-trixie-desktop"])
 def test_windows_open(services: Services, published: Publish, tmp_path: Path, target: str) -> None:
     """rviz and a program of Qt's on a virtual display, which no image has: the structure tests have no network."""
     steps = ["install-packages xvfb x11-utils", "timeout --kill-after=10 400 /entrypoint.sh /desktop/run.sh"]
@@ -62,7 +62,7 @@ def test_windows_open(services: Services, published: Publish, tmp_path: Path, ta
 
 def test_a_containerizers_flow(services: Services, published: Publish, tmp_path: Path) -> None:
     """dependencies, install, dev, build, run, as docker-ros does it."""
-    image = published("bookworm-core")
+    image = published("ros1-bookworm-core")
     shutil.copytree(Path(__file__).parent / "docker_ros", tmp_path, dirs_exist_ok=True)
     shutil.copytree(ROOT / "tests/structure/programs/workspace/src", tmp_path / "src")
     shutil.copy(ROOT / "components/build/network.sh", tmp_path)

@@ -64,7 +64,7 @@ class Joined:
 
 @pytest.fixture(scope="module")
 def joined(services: Services, image_set: ImageSet, registry: Any, published: Callable[[str], Published]) -> Joined:
-    ros = published("bookworm-core")
+    ros = published("ros1-bookworm-core")
     item = building.find(image_set, "common-cu128-py311")
     made = building.publish(services, image_set, item, LOG.info, NAMESPACE)
     index = registry.manifest(f"{NAMESPACE}/part", made.digest).content
@@ -73,7 +73,7 @@ def joined(services: Services, image_set: ImageSet, registry: Any, published: Ca
     )
     path, _, digest = ros.reference.removeprefix(services.registry).partition("@")
     parts = (
-        Part("bookworm-core", services.registry, path.removeprefix("/"), digest, True),
+        Part("ros1-bookworm-core", services.registry, path.removeprefix("/"), digest, True),
         Part(item.name, services.registry, f"{NAMESPACE}/part", wheels, False),
     )
     repository = f"{NAMESPACE}/joined"
@@ -122,14 +122,14 @@ def test_parts_are_scanned(
     trivy: Trivy, rules: policy.Rules, database: Database, registry: Any, joined: Joined
 ) -> None:
     """Debian's packages and Python's wheels; what no version mends is listed, and what is mended here is not."""
-    image = judge.Image("bookworm-core-common-cu128", NATIVE, joined.parts)
+    image = judge.Image("ros1-bookworm-core-common-cu128", NATIVE, joined.parts)
     shelf = sbom.Shelf(registry, f"trivy {trivy.version}")
     facts: dict[str, Any] = {"now": datetime.now(UTC), "whole": True, "say": LOG.info}
     run = judge.scan_images([image], rules, trivy, shelf, **facts)
     (scanned,) = run.images
     assert scanned.outcome is Outcome.POLICY_FAILED, scanned.reason
     assert {(it.id, it.part) for it in scanned.failing} == {
-        ("CVE-2026-90001", "bookworm-core"),
+        ("CVE-2026-90001", "ros1-bookworm-core"),
         ("CVE-2026-90004", "common-cu128-py311"),
     }
     assert "libc6" in {it.package for it in scanned.findings if it.id == "CVE-2026-90002"}
@@ -139,7 +139,7 @@ def test_parts_are_scanned(
     said: list[str] = []
     again = judge.scan_images([image], rules, trivy, shelf, **{**facts, "say": said.append})
     assert again.images == run.images
-    assert said == ["scan bookworm-core", "scan common-cu128-py311"]  # no layer was read again
+    assert said == ["scan ros1-bookworm-core", "scan common-cu128-py311"]  # no layer was read again
 
 
 def test_by_sbom_and_by_digest_the_same_is_found(
@@ -176,7 +176,7 @@ def test_a_damaged_database(trivy: Trivy, joined: Joined, database: Database, tm
     file.write_bytes(file.read_bytes()[:5000])
     content = trivy.sbom(joined.parts[0].reference)
     with pytest.raises(ScannerFailed):
-        damaged.scan(json.dumps(content).encode(), "bookworm-core")
+        damaged.scan(json.dumps(content).encode(), "ros1-bookworm-core")
 
 
 def test_an_image_that_is_not_there(trivy: Trivy, joined: Joined) -> None:

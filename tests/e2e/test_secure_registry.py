@@ -28,7 +28,7 @@ from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
 
 pytestmark = pytest.mark.usefixtures("own_builders")
 
-ONLY = ("--only", "bookworm-core*", "--serve", NATIVE)
+ONLY = ("--only", "ros1-bookworm-core*", "--serve", NATIVE)
 SECRETS = (PASSWORD, encoded(NAME, PASSWORD), encoded(NAME, "wrong-" + PASSWORD), json.dumps(PASSWORD)[1:-1])
 HELPER = '#!/bin/sh\ntest "$1" = get || exit 1\nread -r server\nprintf "%s" "$(cat "$0.secret")"\n'
 
@@ -156,22 +156,22 @@ def test_everything(company: Company, tmp_path: Path) -> None:
     assert first.code == 0, first.err
     company.check()
     tags = company.tags()
-    assert {"ros:bookworm-core", "ros-tf:bookworm-core-cpu", "part:tensorflow-cpu-py311"} <= tags.keys()
+    assert {"ros:ros1-bookworm-core", "ros-tf:ros1-bookworm-core-cpu", "part:tensorflow-cpu-py311"} <= tags.keys()
     status = company.publish("status", *ONLY, "--json")
     assert {item["state"] for item in json.loads(status.out)["images"]} == {"published"}
     company.mark(ros="2")
     second = company.publish("all", *ONLY, "--json")
     assert second.code == 0, second.err
-    assert company.tags()["ros:bookworm-core"] != tags["ros:bookworm-core"]
+    assert company.tags()["ros:ros1-bookworm-core"] != tags["ros:ros1-bookworm-core"]
     undone = company.publish("undo", "--json")
     assert undone.code == 0, undone.err
-    assert company.tags()["ros:bookworm-core"] == tags["ros:bookworm-core"]
+    assert company.tags()["ros:ros1-bookworm-core"] == tags["ros:ros1-bookworm-core"]
     pruned = company.publish("prune", "--days", "0", "--newest", "0", "--apply")
     assert pruned.code == 0, pruned.err
     script, mine = str(company.folder / "scripts/join.py"), f"{company.registry}/mine:latest"
     parts = [f"{company.registry}/part:{name}-cpu" for name in ("common", "tensorflow-cc", "tensorflow")]
     parts = [part if part.endswith("cc-cpu") else f"{part}-py311" for part in parts]
-    joined = run(sys.executable, script, f"{company.registry}/ros:bookworm-core", *parts, "--tag", mine, "--json")
+    joined = run(sys.executable, script, f"{company.registry}/ros:ros1-bookworm-core", *parts, "--tag", mine, "--json")
     assert joined.code == 0, joined.err
     assert company.client().head(f"{company.prefix}/mine", "latest") == json.loads(joined.out)["digest"]
     nothing_secret(company, first, status, second, undone, pruned, joined)
@@ -185,9 +185,9 @@ def test_a_credential_helper(company: Company, tmp_path: Path, monkeypatch: pyte
     (tmp_path / f"{helper.name}.secret").write_text(json.dumps(secret))
     monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
     company.login(credHelpers={company.secure.host: "local replacement"})
-    outcome = company.publish("all", "--only", "bookworm-core", "--serve", NATIVE)
+    outcome = company.publish("all", "--only", "ros1-bookworm-core", "--serve", NATIVE)
     assert outcome.code == 0, outcome.err
-    assert "ros:bookworm-core" in company.tags()
+    assert "ros:ros1-bookworm-core" in company.tags()
     nothing_secret(company, outcome)
 
 
@@ -196,9 +196,9 @@ def test_the_environment(company: Company, monkeypatch: pytest.MonkeyPatch) -> N
     company.login(auths={company.secure.host: {"auth": encoded(NAME, "wrong-" + PASSWORD)}})
     right = {"auths": {company.secure.host: {"auth": encoded(NAME, PASSWORD)}}}
     monkeypatch.setenv("DOCKER_AUTH_CONFIG", json.dumps(right))
-    outcome = company.publish("all", "--only", "bookworm-core", "--serve", NATIVE)
+    outcome = company.publish("all", "--only", "ros1-bookworm-core", "--serve", NATIVE)
     assert outcome.code == 0, outcome.err
-    assert "ros:bookworm-core" in company.tags()
+    assert "ros:ros1-bookworm-core" in company.tags()
     nothing_secret(company, outcome)
 
 
@@ -222,7 +222,7 @@ def test_tokens_by_scope(company: Company, issuing: Secure) -> None:
     outcome = company.publish("all", *ONLY, "--json")
     assert outcome.code == 0, outcome.err
     company.check()
-    assert {"ros:bookworm-core", "ros-tf:bookworm-core-cpu"} <= company.tags().keys()
+    assert {"ros:ros1-bookworm-core", "ros-tf:ros1-bookworm-core-cpu"} <= company.tags().keys()
     assert f"repository:{company.prefix}/ros-tf:pull,push" in issuing.scopes
     nothing_secret(company, outcome)
 
@@ -283,10 +283,10 @@ def test_a_bundle_for_everything(
     (machine / ".state/services.json").write_text(json.dumps(facts | told))
     company.folder = machine
     with builder(name, tmp_path / name, services, env={"SSL_CERT_FILE": str(bundle)}):
-        outcome = company.publish("build", "--only", "bookworm-core", "--json")
+        outcome = company.publish("build", "--only", "ros1-bookworm-core", "--json")
     assert outcome.code == 0, outcome.err
     book = Records(oci.Registry(host, ca_bundle=str(bundle)), company.prefix)
-    entry = book.read("bookworm-core", NATIVE)
+    entry = book.read("ros1-bookworm-core", NATIVE)
     assert entry
     layers = images.layers(Services.load(machine), f"{host}/{company.prefix}/ros@{entry.digest}")
     assert sum(layer.size for layer in layers) == entry.size
@@ -301,7 +301,7 @@ def test_a_builder_that_was_not_told(company: Company, services: Services, tmp_p
     told = {"builder": services.builder, "builder_kind": services.builder_kind}
     (machine / ".state/services.json").write_text(json.dumps(facts | told))
     company.folder = machine
-    outcome = company.publish("build", "--only", "bookworm-core")
+    outcome = company.publish("build", "--only", "ros1-bookworm-core")
     assert outcome.code == 1
     assert "x509: certificate signed by unknown authority" in outcome.err and "then run 'rosml setup'" in outcome.err
     assert company.tags() == {}

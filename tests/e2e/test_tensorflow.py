@@ -18,8 +18,8 @@ from tests.e2e.images import Publish, build, push_part
 @pytest.mark.parametrize(
     "target",
     [
-        "bookworm-core-tensorflow-cpu",
-        pytest.param("trixie-core-tensorflow-cpu", marks=pytest.mark.full(proof="trixie")),
+        "ros1-bookworm-core-tensorflow-cpu",
+        pytest.param("ros1-trixie-core-tensorflow-cpu", marks=pytest.mark.full(proof="trixie")),
     ],
 )
 def test_tensorflow_without_cuda(services: Services, published: Publish, target: str) -> None:
@@ -32,7 +32,7 @@ def test_tensorflow_without_cuda(services: Services, published: Publish, target:
 
 @pytest.mark.full(proof="trixie")
 def test_the_cplusplus_part_of_tensorflow_is_the_same_for_every_python(published: Publish) -> None:
-    older, newer = published("bookworm-core-tensorflow-cpu"), published("trixie-core-tensorflow-cpu")
+    older, newer = published("ros1-bookworm-core-tensorflow-cpu"), published("ros1-trixie-core-tensorflow-cpu")
     layers = [image.layers[-len(image.image.parts) :] for image in (older, newer)]
     shared = older.image.parts.index("tensorflow-cc-cpu")
     assert [one == other for one, other in zip(*layers, strict=True)] == [
@@ -45,7 +45,7 @@ def test_a_part_for_arm64_is_assembled_without_emulation(
     services: Services, published: Publish, image_set: ImageSet, tmp_path: Path
 ) -> None:
     """Libraries of that architecture and bytecode, looked at on this one."""
-    image = published("bookworm-core-tensorflow-cpu")
+    image = published("ros1-bookworm-core-tensorflow-cpu")
     part = image_set.part_by_name["torch-cpu-py311"]
     push_part(services, image, part, variables={"PLATFORM": "linux/arm64"})
     (tmp_path / "Dockerfile").write_text(
@@ -85,7 +85,7 @@ def test_a_part_assembled_again_elsewhere_has_the_same_digest(
     parts: list[str], published: Publish, services: Services, image_set: ImageSet, checkout: Path
 ) -> None:
     """Without any cache, in another folder: the same lock gives the same layer."""
-    image = published("bookworm-core-tensorflow-cpu")
+    image = published("ros1-bookworm-core-tensorflow-cpu")
     elsewhere = replace(services, root=checkout)
     layers = dict(zip(image.image.parts, image.layers[-len(image.image.parts) :], strict=True))
     for name in parts:

@@ -158,7 +158,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     scanned = first.artifacts / "scan"
     assert {path.name for path in scanned.iterdir()} == {"scan.json", "reports"}
     book = Records(mini.client(), mini.prefix)
-    before = book.read("bookworm-base-tensorflow-cpu", NATIVE)
+    before = book.read("ros1-bookworm-base-tensorflow-cpu", NATIVE)
     assert before and before.digest and not before.scanned, "the scan wrote nothing"
 
     time.sleep(1.1)  # another date
@@ -166,23 +166,25 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     expected = {**dict.fromkeys(second.results, "success"), "images": "skipped", "pages": "skipped"}
     assert second.results == expected
     assert steps(second, "promote") == ["record", "index", "promote", "status"]
-    assert {"ros:bookworm-core", "ros:bookworm-base", "ros-tf:bookworm-base-cpu"} <= mini.tags().keys()
+    assert {"ros:ros1-bookworm-core", "ros:ros1-bookworm-base", "ros-tf:ros1-bookworm-base-cpu"} <= mini.tags().keys()
     mini.check()
     date = json.loads((second.artifacts / "plan/plan.json").read_text())["date"]
-    found = mini.client().manifest(f"{mini.prefix}/ros-tf", "bookworm-base-cpu")
+    found = mini.client().manifest(f"{mini.prefix}/ros-tf", "ros1-bookworm-base-cpu")
     assert found and found.content["annotations"]["io.rosml.date"] == date
-    after = book.read("bookworm-base-tensorflow-cpu", NATIVE)
+    after = book.read("ros1-bookworm-base-tensorflow-cpu", NATIVE)
     assert after and (after.digest, after.scanned) == (before.digest, "clean")
     summary = (tmp_path / "second/summary.md").read_text()
     assert f"## Plan of {date}" in summary
-    assert "| promote | `bookworm-base-tensorflow-cpu` |" in summary
+    assert "| promote | `ros1-bookworm-base-tensorflow-cpu` |" in summary
     assert "rosml catalogue" in " ".join(second.commands["catalogue"])
     public = second.artifacts / "catalogue/public"
     assert (public / "index.html").is_file()
     images = json.loads((public / "catalogue.json").read_text())["images"]
     shown = {image["target"]: image["builds"][0]["digest"] for image in images if image["status"] == "built"}
-    assert shown["bookworm-base-tensorflow-cpu"] == found.digest
-    (platform,) = next(i for i in images if i["target"] == "bookworm-base-tensorflow-cpu")["builds"][0]["platforms"]
+    assert shown["ros1-bookworm-base-tensorflow-cpu"] == found.digest
+    (platform,) = next(i for i in images if i["target"] == "ros1-bookworm-base-tensorflow-cpu")["builds"][0][
+        "platforms"
+    ]
     assert (platform["digest"], platform["scan"]["outcome"]) == (after.digest, "clean")
     assert platform["size"]["compressed"] == after.size
 
@@ -204,12 +206,16 @@ def test_jobs_set_themselves_up(mini: Mini) -> None:
             checkout=own_checkout(mini, folder / "checkout"),
         )
         assert played.results == {**dict.fromkeys(played.results, "success"), "pages": "skipped"}
-        assert {"ros:bookworm-core", "ros:bookworm-base", "ros-tf:bookworm-base-cpu"} <= mini.tags().keys()
+        assert {
+            "ros:ros1-bookworm-core",
+            "ros:ros1-bookworm-base",
+            "ros-tf:ros1-bookworm-base-cpu",
+        } <= mini.tags().keys()
         mini.check()
 
 
 def test_no_plan_no_night(mini: Mini, tmp_path: Path) -> None:
-    played = night(mini, tmp_path / "night", only="bookworm-core no-*")
+    played = night(mini, tmp_path / "night", only="ros1-bookworm-core no-*")
     others = ("images", "scan", "promote", "prune", "catalogue", "pages")
     assert played.results == {"plan": "failure", **dict.fromkeys(others, "skipped")}
 

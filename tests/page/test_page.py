@@ -23,7 +23,7 @@ from rosml.images import load
 from tests.page.conftest import NARROW, NOW, REGISTRY, WIDE, Window, Windows, expect
 
 LOG = logging.getLogger("page")
-TORCH = "bookworm-base-torch-cu128"
+TORCH = "ros1-bookworm-base-torch-cu128"
 ROUTES = {
     "list": "#/",
     "none": "#/?q=nothing-has-this-name",
@@ -31,7 +31,7 @@ ROUTES = {
     "absent": "#/image/jazzy-base-torch-cu128",
     "unknown": "#/image/nothing",
     "compare": "#/compare",
-    "compared": f"#/compare?a={TORCH}&b=trixie-base-torch-cu128",
+    "compared": f"#/compare?a={TORCH}&b=ros1-trixie-base-torch-cu128",
     "layers": "#/layers",
 }
 
@@ -75,8 +75,8 @@ FILTERS: dict[str, tuple[dict[str, str], Callable[[Image], bool]]] = {
     "architecture": ({"architecture": "arm64"}, lambda i: "linux/arm64" in i.platforms),
     "status": ({"status": "built"}, lambda i: i.status == "built"),
     "two groups": (
-        {"distribution": "trixie", "framework": "torch"},
-        lambda i: (i.distribution, i.framework) == ("trixie", "torch"),
+        {"distribution": "ros1-trixie", "framework": "torch"},
+        lambda i: (i.distribution, i.framework) == ("ros1-trixie", "torch"),
     ),
 }
 
@@ -107,18 +107,18 @@ def test_two_values_of_a_group_give_both(window: Windows) -> None:
 
 def test_a_published_image_has_the_platforms_of_its_index(browser: Any, published: Published, tmp_path: Path) -> None:
     """What else the matrix allows is said apart."""
-    item = image(published, "bookworm-core")
+    item = image(published, "ros1-bookworm-core")
     build = item.builds[0].model_copy(update={"platforms": item.builds[0].platforms[:1]})
     alone = item.model_copy(update={"builds": (build, *item.builds[1:])})
     images = tuple(alone if i is item else i for i in published.images)
     site.write(tmp_path / "page", published.model_copy(update={"images": images}))
     windows = Windows(browser, tmp_path / "page")
     page = windows().open()
-    assert texts(page, 'tr:has(a[href="#/image/bookworm-core"]) td:nth-child(3)') == ["amd64not published: arm64"]
-    assert texts(page, 'tr:has(a[href="#/image/bookworm-base"]) td:nth-child(3)') == ["amd64, arm64"]
+    assert texts(page, 'tr:has(a[href="#/image/ros1-bookworm-core"]) td:nth-child(3)') == ["amd64not published: arm64"]
+    assert texts(page, 'tr:has(a[href="#/image/ros1-bookworm-base"]) td:nth-child(3)') == ["amd64, arm64"]
     page.locator('fieldset[data-group="architecture"] input[value="arm64"]').check()
-    assert "bookworm-base" in listed(page) and "bookworm-core" not in listed(page)
-    page = windows().open("#/image/bookworm-core")
+    assert "ros1-bookworm-base" in listed(page) and "ros1-bookworm-core" not in listed(page)
+    page = windows().open("#/image/ros1-bookworm-core")
     assert "linux/amd64not published: linux/arm64" in texts(page, ".facts dd")
     for context, _ in windows.opened:
         context.close()
@@ -127,9 +127,9 @@ def test_a_published_image_has_the_platforms_of_its_index(browser: Any, publishe
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("TRIXIE torch cu128 base", {"trixie-base-torch-cu128", "trixie-base-ml-cu128"}),
-        ("ros-ml:bookworm-desktop-cu128", {"bookworm-desktop-ml-cu128"}),
-        ("numpy 1.26.4 ros-tf:bookworm-core-cpu", {"bookworm-core-tensorflow-cpu"}),
+        ("TRIXIE torch cu128 base", {"ros1-trixie-base-torch-cu128", "ros1-trixie-base-ml-cu128"}),
+        ("ros-ml:ros1-bookworm-desktop-cu128", {"ros1-bookworm-desktop-ml-cu128"}),
+        ("numpy 1.26.4 ros-tf:ros1-bookworm-core-cpu", {"ros1-bookworm-core-tensorflow-cpu"}),
         ("nothing-has-this-name", set()),
     ],
 )
@@ -149,12 +149,12 @@ def test_a_digest_finds_its_image(window: Windows, published: Published) -> None
 def test_a_search_can_be_linked_to_and_cleared(window: Windows, published: Published) -> None:
     first = window().open()
     first.get_by_label("Search names").fill("base")
-    first.locator('input[value="bookworm"]').check()
+    first.locator('input[value="ros1-bookworm"]').check()
     address = first.url
     second = window()
     page = second.open("#" + address.partition("#")[2])
     assert listed(page) == listed(first)
-    assert page.locator('input[value="bookworm"]').is_checked()
+    assert page.locator('input[value="ros1-bookworm"]').is_checked()
     page.get_by_role("button", name="Clear all filters").click()
     assert page.evaluate("document.activeElement.id") == "search"
     assert len(listed(page)) == len(published.images)
@@ -188,7 +188,7 @@ def test_more_rows_come_when_the_end_is_near(window: Windows) -> None:
 def test_the_from_line_is_copied(window: Windows) -> None:
     page = window().open(f"#/?q={TORCH}")
     page.get_by_role("button", name=f"Copy the FROM line of {TORCH}").click()
-    line = f"FROM {REGISTRY}/ros-torch:bookworm-base-cu128"
+    line = f"FROM {REGISTRY}/ros-torch:ros1-bookworm-base-cu128"
     page.get_by_text(f"Copied: {line}").wait_for()
     assert clipboard(page) == line
 
@@ -199,7 +199,7 @@ def test_without_the_browsers_clipboard_it_is_copied_as_well(window: Windows) ->
     page = opened.open(f"#/?q={TORCH}")
     page.get_by_role("button", name=f"Copy the FROM line of {TORCH}").click()
     page.get_by_text("Copied: FROM").wait_for()
-    assert clipboard(page) == f"FROM {REGISTRY}/ros-torch:bookworm-base-cu128"
+    assert clipboard(page) == f"FROM {REGISTRY}/ros-torch:ros1-bookworm-base-cu128"
 
 
 def test_any_tag_or_digest_can_be_copied(window: Windows, published: Published) -> None:
@@ -225,7 +225,7 @@ def test_any_tag_or_digest_can_be_copied(window: Windows, published: Published) 
 
 
 def test_an_image_shows_what_is_inside(window: Windows, published: Published) -> None:
-    item = image(published, "bookworm-core-tensorflow-cpu")
+    item = image(published, "ros1-bookworm-core-tensorflow-cpu")
     page = window().open(f"#/image/{item.target}")
     assert texts(page, ".platform h3") == ["linux/amd64", "linux/arm64"]
     for number, platform in enumerate(item.builds[0].platforms):
@@ -262,10 +262,10 @@ def test_history_tells_what_changed_between_two_nights(window: Windows) -> None:
     last, middle = (nights.nth(number).text_content() or "" for number in (0, 1))
     assert "torch-cu128-py311 is new; an update pulls 813 MB and keeps 6 of 7 layers" in last
     assert "numpy 1.26.4 → 1.26.5" in last
-    assert "bookworm-core, bookworm-base are new" in middle
+    assert "ros1-bookworm-core, ros1-bookworm-base are new" in middle
     assert "ROS's packages moved from lists-1 to lists-2" in middle
     assert "numpy" not in middle, "which was the same"
-    assert page.get_by_text("3 runs moved the tag bookworm-base-cu128").is_visible()
+    assert page.get_by_text("3 runs moved the tag ros1-bookworm-base-cu128").is_visible()
 
 
 def test_a_build_is_compared_with_the_one_before(window: Windows) -> None:
@@ -273,16 +273,16 @@ def test_a_build_is_compared_with_the_one_before(window: Windows) -> None:
     page.get_by_role("link", name="Compare the build of 2026-11-22 with the one before").click()
     verdict = page.locator("#verdict").text_content() or ""
     assert verdict == ("They share 6 of 7 layers, 2.32 GB. Whoever has the first pulls 813 MB for the second.")
-    assert page.get_by_role("combobox", name="First").input_value() == "ros-torch:bookworm-base-cu128-20261121"
+    assert page.get_by_role("combobox", name="First").input_value() == "ros-torch:ros1-bookworm-base-cu128-20261121"
 
 
 def test_two_tags_are_compared(window: Windows, published: Published) -> None:
     page = window().open("#/compare")
-    page.get_by_role("combobox", name="First").fill(f"{REGISTRY}/ros-torch:bookworm-base-cu128")
-    page.get_by_role("combobox", name="Second").fill("trixie-base-ml-cu128")
+    page.get_by_role("combobox", name="First").fill(f"{REGISTRY}/ros-torch:ros1-bookworm-base-cu128")
+    page.get_by_role("combobox", name="Second").fill("ros1-trixie-base-ml-cu128")
     page.get_by_role("button", name="Compare", exact=True).click()
     page.locator("#verdict").wait_for()
-    pair = [image(published, name).builds[0].platforms[0] for name in (TORCH, "trixie-base-ml-cu128")]
+    pair = [image(published, name).builds[0].platforms[0] for name in (TORCH, "ros1-trixie-base-ml-cu128")]
     shared = set(pair[0].layers) & set(pair[1].layers)
     pulled = sum(published.layers[position].compressed for position in set(pair[1].layers) - shared)
     verdict = page.locator("#verdict").text_content() or ""
@@ -309,10 +309,10 @@ def test_two_tags_are_compared(window: Windows, published: Published) -> None:
 
 def test_a_typo_is_told(window: Windows) -> None:
     page = window().open("#/compare")
-    page.get_by_role("combobox", name="First").fill("bookworm-core")
-    page.get_by_role("combobox", name="Second").fill("bookworm-cor")
+    page.get_by_role("combobox", name="First").fill("ros1-bookworm-core")
+    page.get_by_role("combobox", name="Second").fill("ros1-bookworm-cor")
     page.keyboard.press("Enter")
-    assert page.get_by_role("alert").text_content() == "No published tag or image is called bookworm-cor"
+    assert page.get_by_role("alert").text_content() == "No published tag or image is called ros1-bookworm-cor"
     assert page.evaluate("document.activeElement.id") == "second"
 
 
@@ -321,7 +321,7 @@ def test_every_tag_that_is_offered_can_be_compared(browser: Any, tmp_path: Path)
     shelf = Shelf(load.load(ROOT / "matrix.yaml", ROOT))
     for night in range(12):
         shelf.torch = str(night)
-        shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["bookworm"])
+        shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["ros1-bookworm"])
     found = Gatherer(shelf.image_set, shelf.registry, REGISTRY, "rosml").gather(NOW, [TORCH])
     site.write(tmp_path / "page", found)
     windows = Windows(browser, tmp_path / "page")
@@ -351,7 +351,7 @@ def test_a_tag_whose_build_cannot_be_read_is_told_so(browser: Any, published: Pu
 
 
 def test_first_and_second_are_swapped(window: Windows) -> None:
-    page = window().open(f"#/compare?a={TORCH}&b=bookworm-base")
+    page = window().open(f"#/compare?a={TORCH}&b=ros1-bookworm-base")
     page.get_by_role("button", name="Swap").click()
     expect(page).to_have_url(re.compile("#.*a=ros%3Abookworm-base"))
     assert "They share 4 of 7 layers" in (page.locator("#verdict").text_content() or "")
@@ -383,7 +383,7 @@ def test_a_part_leads_to_its_images(window: Windows) -> None:
     page = window().open("#/layers")
     row = page.locator("tr:has(th:text-is('torch-cu128-py311'))")
     row.locator("summary").click()
-    assert "bookworm-core-torch-cu128" in row.locator("a").all_text_contents()
+    assert "ros1-bookworm-core-torch-cu128" in row.locator("a").all_text_contents()
     row.get_by_role("link", name=TORCH).click()
     assert page.locator("h1").text_content() == TORCH
 
@@ -414,14 +414,14 @@ def test_narrow_screens_scroll_in_one_direction(route: str, window: Windows) -> 
 
 def test_a_narrow_list_can_be_used(window: Windows) -> None:
     page = window(NARROW).open()
-    assert not page.locator('input[value="bookworm"]').is_visible(), "filters are folded"
+    assert not page.locator('input[value="ros1-bookworm"]').is_visible(), "filters are folded"
     page.get_by_text("Filters", exact=True).click()
-    page.locator('input[value="trixie"]').check()
-    button = page.get_by_role("button", name="Copy the FROM line of trixie-core", exact=True)
+    page.locator('input[value="ros1-trixie"]').check()
+    button = page.get_by_role("button", name="Copy the FROM line of ros1-trixie-core", exact=True)
     box = button.bounding_box()
     assert box and box["x"] >= 0 and box["x"] + box["width"] <= NARROW["width"]
     button.click()
-    page.get_by_text(f"Copied: FROM {REGISTRY}/ros:trixie-core").wait_for()
+    page.get_by_text(f"Copied: FROM {REGISTRY}/ros:ros1-trixie-core").wait_for()
 
 
 def focused(page: Any) -> str:
@@ -452,9 +452,9 @@ def test_keyboard_alone(window: Windows) -> None:
     page.keyboard.press("/")
     assert page.evaluate("document.activeElement.id") == "search"
     page.keyboard.type("torch base")
-    tab_to(page, "bookworm")
+    tab_to(page, "ros1-bookworm")
     page.keyboard.press("Space")
-    assert page.locator('input[value="bookworm"]').is_checked()
+    assert page.locator('input[value="ros1-bookworm"]').is_checked()
     ring = page.evaluate("getComputedStyle(document.activeElement.closest('label')).outlineStyle")
     assert ring == "solid", "one sees where one is"
     tab_to(page, f"Copy the FROM line of {TORCH}")
@@ -467,14 +467,14 @@ def test_keyboard_alone(window: Windows) -> None:
     tab_to(page, "", most=3)  # the second field, which is empty
     page.keyboard.press("Shift+Tab")
     page.keyboard.press("Shift+Tab")
-    assert focused(page) == "ros-torch:bookworm-base-cu128-20261122"
+    assert focused(page) == "ros-torch:ros1-bookworm-base-cu128-20261122"
 
 
 def test_back_leads_back(window: Windows) -> None:
-    page = window().open("#/?q=trixie-core&status=built")
+    page = window().open("#/?q=ros1-trixie-core&status=built")
     before = listed(page)
-    page.get_by_role("link", name="trixie-core", exact=True).click()
-    page.wait_for_function("document.title.startsWith('trixie-core')")
+    page.get_by_role("link", name="ros1-trixie-core", exact=True).click()
+    page.wait_for_function("document.title.startsWith('ros1-trixie-core')")
     page.go_back()
     page.locator(".list").wait_for()
     assert listed(page) == before

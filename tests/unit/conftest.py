@@ -29,7 +29,7 @@ SMALL = f"""\
 version: 1
 registry: localhost:5000
 source: https://example.org/images
-default: {{target: alpha-core-torch-cu1, assembler: ubuntu-24.04, group: [alpha-core]}}
+default: {{targets: [alpha-core-torch-cu1], assembler: ubuntu-24.04, group: [alpha-core]}}
 architectures:
   amd64: {{platform: linux/amd64, wheels: x86_64-manylinux_2_28, runner: amd}}
   arm64: {{platform: linux/arm64, wheels: aarch64-manylinux_2_28, runner: arm}}

@@ -170,7 +170,7 @@ class Shelf:
 def shown(image_set: ImageSet) -> Shelf:
     """Three nights of two distributions: after the first, ROS's packages move; after the second, PyTorch."""
     shelf = Shelf(image_set)
-    everything = ("bookworm", "trixie")
+    everything = ("ros1-bookworm", "ros1-trixie")
     shelf.night(FIRST, everything)
     shelf.ros = "2"
     shelf.night(SECOND, everything)

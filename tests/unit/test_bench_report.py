@@ -24,7 +24,7 @@ GENERATOR: dict[str, Any] = {
     "growth": 1.0,
 }
 COMPARED = Comparison(
-    target="bookworm-base-torch-cu128",
+    target="ros1-bookworm-base-torch-cu128",
     ours=Side(2.0, 3_000, 0, 1.5, 60.0, 0.0, 1_200_000_000, 0.05, 0.012),
     usual=Side(90.0, 1_500_000_000, 1_500_000_100, 1.6, 95.0, 70.0, 1_600_000_000, 4.0, 0.012),
     versions={"torch": "2.10.0"},

@@ -350,8 +350,8 @@ def test_the_command(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pyte
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--target=bookworm-base"], "bookworm-base has no framework"),
-        (["--target=bookworm-bose-torch-cu128"], "bookworm-bose-torch-cu128"),
+        (["--target=ros1-bookworm-base"], "ros1-bookworm-base has no framework"),
+        (["--target=ros1-bookworm-bose-torch-cu128"], "ros1-bookworm-bose-torch-cu128"),
         (["--generator", "--target=x"], "leave --target out"),
     ],
 )

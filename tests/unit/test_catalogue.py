@@ -31,7 +31,7 @@ from rosml.records import store, tag_moves
 from rosml.registry import oci
 
 NOW = "2026-11-22T06:00:00Z"
-TORCH = "bookworm-base-torch-cu128"
+TORCH = "ros1-bookworm-base-torch-cu128"
 
 
 def gather(registry: MemoryRegistry, image_set: ImageSet, *only: str, history: int = 10) -> Published:
@@ -114,7 +114,9 @@ def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Place, Imag
 def test_every_image_of_the_matrix_is_there(found: Published, real: ImageSet) -> None:
     assert [item.target for item in found.images] == [item.target for item in real.images]
     published = {item.target for item in found.images if item.status == "built"}
-    assert published == {i.target for i in real.images if i.distribution in ("bookworm", "trixie") and i.locked}
+    assert published == {
+        i.target for i in real.images if i.distribution in ("ros1-bookworm", "ros1-trixie") and i.locked
+    }
     assert all(bool(item.builds) == (item.status == "built") for item in found.images)
 
 
@@ -122,7 +124,7 @@ def test_history(found: Published) -> None:
     item = image(found, TORCH)
     assert [build.created for build in item.builds] == [THIRD, SECOND, FIRST]
     assert [build.tags[-1] for build in item.builds] == [
-        f"bookworm-base-cu128-{day}" for day in (20261122, 20261121, 20261120)
+        f"ros1-bookworm-base-cu128-{day}" for day in (20261122, 20261121, 20261120)
     ]
     assert [move.run for move in item.moves] == [THIRD, SECOND, FIRST]
     assert [(move.old, move.new) for move in item.moves][:2] == [
@@ -138,7 +140,7 @@ def test_history_of_what_has_no_tag_ends_somewhere(real: ImageSet) -> None:
     shelf = shown(real)
     names = shelf.registry.names[f"{PREFIX}/ros-torch"]
     for day in (20261121, 20261120):
-        del names[f"bookworm-base-cu128-{day}"]
+        del names[f"ros1-bookworm-base-cu128-{day}"]
     item = image(gather(shelf.registry, shelf.image_set, TORCH, history=1), TORCH)
     assert [build.created for build in item.builds] == [THIRD, SECOND]
     assert [bool(build.tags) for build in item.builds] == [True, False]
@@ -149,7 +151,7 @@ def test_whatever_a_tag_points_at_is_described(real: ImageSet) -> None:
     shelf = Shelf(real)
     for night in range(12):
         shelf.torch = str(night)
-        shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["bookworm"])
+        shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["ros1-bookworm"])
     found = gather(shelf.registry, shelf.image_set, TORCH)
     torch = next(part for part in found.parts if part.name == "torch-cu128-py311")
     for item in (image(found, TORCH), torch):
@@ -163,8 +165,8 @@ def test_layers_are_those_of_the_part_that_brought_them(found: Published) -> Non
     (platform,) = item.builds[0].platforms
     parts = [found.layers[position].part for position in platform.layers]
     assert list(dict.fromkeys(parts)) == [
-        "bookworm-core",
-        "bookworm-base",
+        "ros1-bookworm-core",
+        "ros1-bookworm-base",
         "cuda-cu128",
         "common-cu128-py311",
         "torch-cu128-py311",
@@ -178,7 +180,7 @@ def test_unpacked_sizes_are_measured_or_not_told(found: Published, real: ImageSe
     parts = image(found, TORCH).builds[0].platforms[0].parts
     disk = {part.name: part.disk.unpacked * 1_000_000 for part in real.parts}
     assert parts["cuda-cu128"].unpacked == disk["cuda-cu128"], "what the image with CUDA alone has more than ROS"
-    assert parts["bookworm-base"].unpacked == real.matrix.disk.components["base"].unpacked * 1_000_000
+    assert parts["ros1-bookworm-base"].unpacked == real.matrix.disk.components["base"].unpacked * 1_000_000
     assert parts["torch-cu128-py311"].unpacked is None, "never without the common part, which nobody measured alone"
 
 
@@ -199,9 +201,9 @@ def test_only_some(shelf: Shelf) -> None:
     some = gather(shelf.registry, shelf.image_set, TORCH)
     assert [item.target for item in some.images] == [TORCH]
     assert {part.name for part in some.parts} == {"cuda-cu128", "common-cu128-py311", "torch-cu128-py311"}
-    assert "bookworm-core" in some.images[0].builds[0].platforms[0].parts, "though it was not asked for"
+    assert "ros1-bookworm-core" in some.images[0].builds[0].platforms[0].parts, "though it was not asked for"
     with pytest.raises(RosmlError, match="no image"):
-        gather(shelf.registry, shelf.image_set, "bookworm-cor")
+        gather(shelf.registry, shelf.image_set, "ros1-bookworm-cor")
 
 
 # ---- What is not as it should be -------------------------------------------------------------------------------------
@@ -216,24 +218,24 @@ def test_an_empty_registry(real: ImageSet) -> None:
 
 def test_one_damaged_image_hides_no_other(real: ImageSet) -> None:
     shelf = Shelf(real)
-    shelf.night(FIRST, ["bookworm"])
+    shelf.night(FIRST, ["ros1-bookworm"])
     path = f"{PREFIX}/ros"
-    index = shelf.registry.manifest(path, "bookworm-core")
+    index = shelf.registry.manifest(path, "ros1-bookworm-core")
     assert index
     del shelf.registry.manifests[path][index.content["manifests"][0]["digest"]]
     gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
     found = gatherer.gather(NOW)
     assert [remark.partition(" is left out")[0] for remark in gatherer.remarks] == [f"ros@{index.digest}"]
-    core = image(found, "bookworm-core")
+    core = image(found, "ros1-bookworm-core")
     assert (core.status, core.builds) == ("not built", ())
     assert index.digest in core.reason
-    assert image(found, "bookworm-base").status == "built"
+    assert image(found, "ros1-bookworm-base").status == "built"
 
 
 def test_a_registry_that_goes_away_is_no_damaged_image(real: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
     """A page that lacks half of the images, and nobody is told, would be worse than none."""
     shelf = Shelf(real)
-    shelf.night(FIRST, ["bookworm"])
+    shelf.night(FIRST, ["ros1-bookworm"])
     kept, blob = shelf.registry.head, shelf.registry.blob
     gone: list[str] = []
 
@@ -257,7 +259,7 @@ def test_a_registry_that_goes_away_is_no_damaged_image(real: ImageSet, monkeypat
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"moves": [{"fly": 1}]}'])
 def test_a_damaged_record_is_told(real: ImageSet, text: str) -> None:
     shelf = Shelf(real)
-    shelf.night(FIRST, ["bookworm"])
+    shelf.night(FIRST, ["ros1-bookworm"])
     book = store.Records(shelf.registry, PREFIX)
     book.artifact(tag_moves.record_name(SECOND), text.encode(), {})
     gatherer = Gatherer(real, shelf.registry, "ghcr.io/me", PREFIX)
@@ -277,19 +279,19 @@ def without_what_is_attached(registry: MemoryRegistry) -> MemoryRegistry:
 def test_an_image_without_a_run(real: ImageSet) -> None:
     """Of which the records know nothing, as of one that `rosml join` tagged; a tag at a manifest without an index is told."""
     shelf = Shelf(real)
-    shelf.night(FIRST, ["bookworm"])
+    shelf.night(FIRST, ["ros1-bookworm"])
     ros = f"{PREFIX}/ros"
-    index = shelf.registry.manifest(ros, "bookworm-core")
+    index = shelf.registry.manifest(ros, "ros1-bookworm-core")
     assert index
     member = index.content["manifests"][0]["digest"]
     bare = without_what_is_attached(shelf.registry)
-    bare.names[ros] = {"bookworm-core": member}
-    item = image(gather(bare, real), "bookworm-core")
+    bare.names[ros] = {"ros1-bookworm-core": member}
+    item = image(gather(bare, real), "ros1-bookworm-core")
     assert (item.status, item.builds) == ("not built", ())
     assert item.reason == f"its tag points at {member}, which cannot be read"
     content = {name: value for name, value in index.content.items() if name != "annotations"}
-    bare.names[ros] = {"bookworm-core": bare.put_manifest(ros, "", content, index.media_type)}
-    item = image(gather(bare, real), "bookworm-core")
+    bare.names[ros] = {"ros1-bookworm-core": bare.put_manifest(ros, "", content, index.media_type)}
+    item = image(gather(bare, real), "ros1-bookworm-core")
     platform = item.builds[0].platforms[0]
     assert (item.status, item.builds[0].created, platform.platform) == ("built", "", "linux/amd64")
     assert (platform.tests, platform.scan, platform.size.unpacked, platform.inputs) == (None, None, None, "")
@@ -299,19 +301,25 @@ def test_an_image_without_a_run(real: ImageSet) -> None:
 def test_an_image_that_was_published_by_itself(real: ImageSet) -> None:
     """What a run of another registry found out is attached to the image."""
     shelf = Shelf(real)
-    shelf.night(FIRST, ["bookworm"])
+    shelf.night(FIRST, ["ros1-bookworm"])
     ros = f"{PREFIX}/ros"
-    index = shelf.registry.manifest(ros, "bookworm-core")
+    index = shelf.registry.manifest(ros, "ros1-bookworm-core")
     assert index
     member = index.content["manifests"][0]["digest"]
     bare = without_what_is_attached(shelf.registry)
-    bare.names[ros] = {"bookworm-core": index.digest}
+    bare.names[ros] = {"ros1-bookworm-core": index.digest}
     entry = store.Entry(
-        "bookworm-core", "amd64", repository="ros", digest=member, passed=21, versions={"ros-distro": "x"}, date=FIRST
+        "ros1-bookworm-core",
+        "amd64",
+        repository="ros",
+        digest=member,
+        passed=21,
+        versions={"ros-distro": "x"},
+        date=FIRST,
     )
     book = store.Records(bare, PREFIX)
     book.attach(entry, {})
-    build = image(gather(bare, real), "bookworm-core").builds[0]
+    build = image(gather(bare, real), "ros1-bookworm-core").builds[0]
     assert (build.platforms[0].tests, build.platforms[0].versions) == (Ran(passed=21, failures=()), entry.versions)
     with pytest.raises(RosmlError, match="not in the registry"):
         book.attach(dataclasses.replace(entry, digest=f"sha256:{'0' * 64}"), {})
@@ -321,7 +329,7 @@ def test_status(real: ImageSet) -> None:
     assert status(real.image("jazzy-base"), True) == ("built", "")
     assert status(real.image("jazzy-base"), False) == ("not built", "nobody has built it yet")
     lacking = ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
-    assert status(real.image("bookworm-base-torch-cpu"), False) == lacking
+    assert status(real.image("ros1-bookworm-base-torch-cpu"), False) == lacking
 
 
 # ---- The format ------------------------------------------------------------------------------------------------------
@@ -442,7 +450,7 @@ def call(*arguments: str) -> Any:
 
 @pytest.mark.usefixtures("here")
 def test_the_command_writes_a_page(tmp_path: Path) -> None:
-    done = call("--output", str(tmp_path / "page"), "--only", f"{TORCH} bookworm-core")
+    done = call("--output", str(tmp_path / "page"), "--only", f"{TORCH} ros1-bookworm-core")
     assert done.exit_code == 0, done.output
     assert "2 images described, 2 of them published in ghcr.io/rosml" in done.stderr
     assert done.stdout.strip() == (tmp_path / "page/index.html").as_uri()

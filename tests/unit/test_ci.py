@@ -336,7 +336,7 @@ def test_no_image_changed(monkeypatch: pytest.MonkeyPatch, told: Path) -> None:
     assert done.exit_code == 0, done.output
     assert json.loads(done.stdout) == {"counts": {}, "outcomes": []}
     assert "0 images changed" in (told / ci.SUMMARY).read_text()
-    both = CliRunner().invoke(publish.main, ["all", "--since", "HEAD", "--only", "bookworm-core"])
+    both = CliRunner().invoke(publish.main, ["all", "--since", "HEAD", "--only", "ros1-bookworm-core"])
     assert both.exit_code == 2
     assert "leave --only out" in both.output
 

@@ -16,7 +16,7 @@ from rosml.matrix import rules
 def test_every_axis(real: ImageSet) -> None:
     """The axes of the design, and as many images as it asks for."""
     ubuntu = ["noetic", "foxy", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling"]
-    assert list(real.matrix.distributions) == [*ubuntu, "bookworm", "trixie", "jazzy-wheels"]
+    assert list(real.matrix.distributions) == [*ubuntu, "ros1-bookworm", "ros1-trixie", "jazzy-wheels"]
     assert list(real.matrix.components) == ["core", "base", "robot", "perception", "desktop", "desktop-full"]
     assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
     assert list(real.matrix.stacks) == ["cu128", "cu130", "cu132", "cu121", "cpu", "cpu38"]
@@ -35,7 +35,7 @@ def test_every_distribution_has_every_framework_that_its_facts_allow(real: Image
     ml = torch | {"tensorflow-cu128", "tensorflow-cpu", "ml-cu128", "ml-cpu"}
     for name in ("humble", "iron"):  # no PyTorch of CUDA 13.2 for Python 3.10
         assert kinds[name] == ml
-    for name in ("jazzy", "kilted", "bookworm", "trixie", "jazzy-wheels"):
+    for name in ("jazzy", "kilted", "ros1-bookworm", "ros1-trixie", "jazzy-wheels"):
         assert kinds[name] == ml | newest
     for name in ("lyrical", "rolling"):  # no TensorFlow for Python 3.14
         assert kinds[name] == torch | newest
@@ -43,12 +43,14 @@ def test_every_distribution_has_every_framework_that_its_facts_allow(real: Image
         assert kinds[name] == cuda | {"torch-cu121", "torch-cpu38", "tensorflow-cpu38"}
 
 
-def test_latest_is_the_newest_long_term_release(real: ImageSet) -> None:
+def test_latest_is_the_newest_long_term_release_with_every_framework(real: ImageSet) -> None:
     latest = {tag: image.target for image in real.images for tag in image.tags if tag.endswith(":latest")}
     assert latest == {
-        "ros:latest": "lyrical-base",
-        "ros-cuda:latest": "lyrical-base-cuda-cu130",
-        "ros-torch:latest": "lyrical-base-torch-cu130",
+        "ros:latest": "jazzy-base",
+        "ros-cuda:latest": "jazzy-base-cuda-cu130",
+        "ros-torch:latest": "jazzy-base-torch-cu130",
+        "ros-tf:latest": "jazzy-base-tensorflow-cu128",
+        "ros-ml:latest": "jazzy-base-ml-cu128",
     }
 
 
@@ -155,7 +157,7 @@ def test_every_framework_of_every_stack_has_a_budget(real: ImageSet) -> None:
 REAL_REASONS = {
     "lyrical-base-tensorflow-cpu": "no release of tensorflow has a wheel for Python 3.14, the Python of ubuntu-26.04",
     "jazzy-robot": "jazzy (ROS 2) has no robot metapackage; it has core, base, perception, desktop and desktop-full",
-    "bookworm-core-tensorflow-cu130": "stack cu130 has no release of tensorflow",
+    "ros1-bookworm-core-tensorflow-cu130": "stack cu130 has no release of tensorflow",
     "noetic-base-torch-cu128": "torch 2.10.0 has no wheel for Python 3.8, the Python of ubuntu-20.04 (2.4.1 has)",
     "noetic-base-ml-cpu38": "what framework ml needs of stack cpu38 does not go together (tensorflow 2.13.1 needs "
     "typing-extensions below 4.6, torch 2.4.1 needs 4.8)",
@@ -193,9 +195,17 @@ def test_a_workspace_is_built_with_every_framework_of_every_stack(real: ImageSet
     """In images with both, where such can be built; cu130 and cu132 have PyTorch alone, and the wheel tensorflow-cpu is in no image
     with both on bookworm as long as PyTorch's for the CPU of amd64 has no lock."""
     has = {image.target for image in real.images if "ros1-workspace" in image.tests}
-    assert {"bookworm-core", "bookworm-core-ml-cu128", "bookworm-core-torch-cu130", "bookworm-core-torch-cu132"} <= has
-    assert {"bookworm-core-tensorflow-cpu", "bookworm-desktop-full-tensorflow-cpu"} <= has
-    assert not {"bookworm-core-torch-cu128", "bookworm-core-tensorflow-cu128", "trixie-core-tensorflow-cpu"} & has
+    assert {
+        "ros1-bookworm-core",
+        "ros1-bookworm-core-ml-cu128",
+        "ros1-bookworm-core-torch-cu130",
+        "ros1-bookworm-core-torch-cu132",
+    } <= has
+    assert {"ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-desktop-full-tensorflow-cpu"} <= has
+    assert (
+        not {"ros1-bookworm-core-torch-cu128", "ros1-bookworm-core-tensorflow-cu128", "ros1-trixie-core-tensorflow-cpu"}
+        & has
+    )
     long = {1: {"ros1-workspace", "ros1-components", "pip"}, 2: {"ros2-workspace", "ros2-components", "pip"}}
     for image in real.images:
         if image.distribution == "jazzy-wheels":

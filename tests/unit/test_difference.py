@@ -201,21 +201,23 @@ def test_labels_are_told_where_nothing_else_changed() -> None:
 
 
 def test_tags_that_move(capsys: pytest.CaptureFixture[str]) -> None:
-    """A newer long-term release takes `latest`: nobody should learn of that from their own image."""
-    newer = changed("    apt: {channel: snapshot", "    eol: 2031-05-31\n    lts: true\n    apt: {channel: snapshot")
+    """Another stack takes the short tags: nobody should learn of that from their own image."""
+    newer = changed("    default_stack: cu1\n", "    default_stack: cpu\n")
     found = differences.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, parse(newer)))
     assert found.tags == {
-        "ros:latest": ("alpha-base", "omega-base"),
-        "ros-torch:latest": ("alpha-base-torch-cu1", "omega-base-torch-cpu"),
+        "ros-torch:alpha": ("alpha-base-torch-cu1", "alpha-base-torch-cpu"),
+        "ros-torch:latest": ("alpha-base-torch-cu1", "alpha-base-torch-cpu"),
+        "ros-ml:alpha": ("alpha-base-ml-cu1", "alpha-base-ml-cpu"),
+        "ros-ml:latest": ("alpha-base-ml-cu1", "alpha-base-ml-cpu"),
+        "ros-cuda:alpha": ("alpha-base-cuda-cu1", None),
         "ros-cuda:latest": ("alpha-base-cuda-cu1", None),
-        "ros-ml:latest": ("alpha-base-ml-cu1", None),
     }
     tables.print_difference(found)
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert lines[1:-1] == [
-        ["tag", "moved", "alpha-base", "→", "omega-base", "ros:latest"],
-        ["tag", "moved", "alpha-base-torch-cu1", "→", "omega-base-torch-cpu", "ros-torch:latest"],
-        ["2", "tags", "gone", "ros-cuda:latest,", "ros-ml:latest"],
+        ["tags", "moved", "alpha-base-torch-cu1", "→", "alpha-base-torch-cpu", "ros-torch:alpha,", "ros-torch:latest"],
+        ["tags", "moved", "alpha-base-ml-cu1", "→", "alpha-base-ml-cpu", "ros-ml:alpha,", "ros-ml:latest"],
+        ["2", "tags", "gone", "ros-cuda:alpha,", "ros-cuda:latest"],
     ]
 
 

@@ -99,8 +99,8 @@ def test_a_live_repository_that_is_not_pinned(real: ImageSet) -> None:
 
 
 def test_what_no_channel_can_change(real: ImageSet) -> None:
-    with pytest.raises(RosmlError, match="the ROS packages of bookworm are bookworm's own"):
-        explained(real, "bookworm-core", DAY)
+    with pytest.raises(RosmlError, match="the ROS packages of ros1-bookworm are bookworm's own"):
+        explained(real, "ros1-bookworm-core", DAY)
 
 
 def test_chain_skips_components_that_a_distribution_lacks(small: ImageSet) -> None:
@@ -147,6 +147,26 @@ def test_floating_tags(small: ImageSet) -> None:
     assert small.image("alpha-base-cuda-cu1").tags[1] == "ros-cuda:alpha-base-cu1-cuda12.8.90"
 
 
+def test_a_name_that_a_distribution_had(small: ImageSet) -> None:
+    renamed = parse(changed("  alpha:\n    os:", "  alpha:\n    aliases: [old]\n    os:"))
+    assert renamed.image("alpha-core").tags == ("ros:alpha-core", "ros:old-core")
+    assert renamed.image("alpha-base-torch-cu1").tags == tuple(
+        f"ros-torch:{tag}"
+        for tag in (
+            "alpha-base-cu1",
+            "alpha-base-cu1-torch2.10.0",
+            "old-base-cu1",
+            "old-base-cu1-torch2.10.0",
+            "alpha",
+            "old",
+            "latest",
+        )
+    )
+    assert [image.target for image in renamed.images] == [image.target for image in small.images]
+    assert why_not(renamed, "old-base-torch-cu1") == "old-base-torch-cu1 is called alpha-base-torch-cu1."
+    assert why_not(small, "old-base-torch-cu1") is None
+
+
 def test_no_long_term_release_no_latest() -> None:
     without = parse(changed("    lts: true\n", ""))
     assert not [tag for image in without.images for tag in image.tags if tag.endswith(":latest")]
@@ -156,6 +176,14 @@ def test_latest_is_of_a_distribution_that_has_the_component_of_the_short_tags() 
     newer = parse(changed("components: [core, base]\n    default_stack: cpu\n",
                           "components: [core]\n    default_stack: cpu\n    eol: 2040-01-01\n    lts: true\n"))  # fmt: skip
     assert [image.target for image in newer.images if "ros:latest" in image.tags] == ["alpha-base"]
+
+
+def test_latest_is_of_a_distribution_that_has_every_framework() -> None:
+    """The newer one has no TensorFlow, until a release of it has that Python."""
+    newer = changed("    apt: {channel: snapshot", "    eol: 2031-05-31\n    lts: true\n    apt: {channel: snapshot")
+    wheels = "python: [%s], wheels: {cu1: [amd64], cpu: [amd64, arm64]}"
+    for text, row in ((newer, "alpha"), (changed(wheels % '"3.12"', wheels % '"3.12", "3.14"', newer), "omega")):
+        assert [image.target for image in parse(text).images if "ros:latest" in image.tags] == [f"{row}-base"]
 
 
 def test_a_group_without_a_lock_is_explained(small: ImageSet) -> None:
@@ -368,7 +396,7 @@ def test_one_of_several_default_stacks_that_nothing_has() -> None:
 
 
 def test_the_default_group_can_be_built(real: ImageSet) -> None:
-    assert all(real.image(target).locked for target in (real.matrix.default.target, *real.matrix.default.group))
+    assert all(real.image(target).locked for target in (*real.matrix.default.targets, *real.matrix.default.group))
 
 
 def test_every_combination_exists_or_has_a_reason(small: ImageSet, real: ImageSet) -> None:

@@ -163,7 +163,7 @@ INDIFFERENT = {
     "end of life": ("eol: 2029-05-31", "eol: 2030-05-31"),
     "long-term support": ("lts: true", "lts: false"),
     "groups": ("group: [alpha-core]", "group: [alpha-base, omega-core]"),
-    "default": ("target: alpha-core-torch-cu1", "target: alpha-core"),
+    "default": ("targets: [alpha-core-torch-cu1]", "targets: [alpha-core]"),
     "tags": ("default_stack: cu1", "default_stack: cpu"),
     "repository": ("repository: ros-ml,", "repository: ros-all,"),
 }

@@ -40,7 +40,7 @@ class Place:
         self.registry = Registry(server.address)
         self.others: dict[str, Registry] = {server.address: self.registry}
 
-    def ros(self, tag: str = "bookworm-core", platforms: Sequence[str] = BOTH[:1], **facts: Any) -> str:
+    def ros(self, tag: str = "ros1-bookworm-core", platforms: Sequence[str] = BOTH[:1], **facts: Any) -> str:
         return ros(**facts).put(self.registry, "me/ros", tag, platforms)
 
     def stack(self, wanted: Sequence[str] = TORCH, name: str = "cu128", **facts: Any) -> list[str]:
@@ -124,12 +124,12 @@ def test_an_image(place: Place) -> None:
     ]
     assert config["config"]["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
     assert config["config"]["Labels"] == {
-        "org.opencontainers.image.title": "bookworm-core-torch-cu128",
-        "org.opencontainers.image.description": "ROS 1 core (bookworm), PyTorch 2.10.0, CUDA 12.8.90",
-        "org.opencontainers.image.version": "bookworm-core-cu128-torch2.10.0",
+        "org.opencontainers.image.title": "ros1-bookworm-core-torch-cu128",
+        "org.opencontainers.image.description": "ROS 1 core (ros1-bookworm), PyTorch 2.10.0, CUDA 12.8.90",
+        "org.opencontainers.image.version": "ros1-bookworm-core-cu128-torch2.10.0",
         "org.opencontainers.image.licenses": "Apache-2.0",
         "io.rosml.component": "core",
-        "io.rosml.distribution": "bookworm",
+        "io.rosml.distribution": "ros1-bookworm",
         "io.rosml.framework": "torch",
         "io.rosml.os": "bookworm",
         "io.rosml.python": "3.11",
@@ -147,7 +147,7 @@ def test_an_image(place: Place) -> None:
     index = place.registry.manifest("me/mine", "mine")
     assert index
     assert index.digest == found.digest
-    assert index.content["annotations"]["org.opencontainers.image.title"] == "bookworm-core-torch-cu128"
+    assert index.content["annotations"]["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-cu128"
     assert not any(name.startswith("io.rosml.") for name in index.content["annotations"])
 
 
@@ -351,7 +351,7 @@ def test_another_platform(place: Place) -> None:
     own = [place.put(part(kind), kind, ["linux/arm64"]) for kind in TORCH]
     error = place.refused(place.ros(), *own)
     assert "no platform in common" in error.message
-    assert "bookworm-core is for linux/amd64" in error.message
+    assert "ros1-bookworm-core is for linux/amd64" in error.message
     error = place.refused(place.ros(platforms=BOTH), *own, platforms=["linux/amd64"])
     assert "for linux/arm64, not for linux/amd64" in error.message
 
@@ -377,7 +377,7 @@ def test_an_image_that_has_it_already(place: Place) -> None:
     full = replace(full, labels={**full.labels, "io.rosml.framework": "torch", "io.rosml.stack": "cu128"})
     error = place.refused(full.put(place.registry, "me/ros-torch", "x"), *images[1:])
     assert "has framework torch of stack cu128 already" in error.message
-    assert error.remedy.endswith("ros:bookworm-core")
+    assert error.remedy.endswith("ros:ros1-bookworm-core")
 
 
 @pytest.mark.parametrize(

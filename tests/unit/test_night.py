@@ -113,12 +113,12 @@ def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
         tmp_path,
         {"make": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{seen}\n{ROSML}"},
         variables={"ROSML_SIGN": "true", "ROSML_PAGES": "true", "ROSML_SERVE": "amd64", "ROSML_SHARDS": "3"},
-        inputs={"only": "bookworm-* jazzy-core", "force": "true"},
+        inputs={"only": "ros1-bookworm-* jazzy-core", "force": "true"},
     )
     assert played.results == {**dict.fromkeys(ALL, "success"), "images": "skipped", "pages": "success"}
     assert {"signer", "test-signer"} <= set(steps(played, "promote"))
     assert len(played.caches) == 4, "of the scan, and of the signer: asked for, and kept"
     assert all(line.endswith(" .state/bin") for line in played.caches)
-    assert "--serve amd64 --only bookworm-* jazzy-core " in played.commands["plan"][-1]
+    assert "--serve amd64 --only ros1-bookworm-* jazzy-core " in played.commands["plan"][-1]
     assert "--shards 3 " in played.commands["plan"][-1]
-    assert (tmp_path / "calls.plan").read_text() == "true|bookworm-* jazzy-core\n"
+    assert (tmp_path / "calls.plan").read_text() == "true|ros1-bookworm-* jazzy-core\n"

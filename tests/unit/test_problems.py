@@ -19,7 +19,7 @@ WRONG = {
     "unknown assembler": (
         "assembler: ubuntu-24.04",
         "assembler: ubuntu-24.4",
-        "4:41: default.assembler: no operating system named 'ubuntu-24.4'; did you mean 'ubuntu-24.04' or "
+        "4:44: default.assembler: no operating system named 'ubuntu-24.4'; did you mean 'ubuntu-24.04' or "
         "'ubuntu-26.04'?",
     ),
     "no assembler": (
@@ -504,14 +504,14 @@ WRONG = {
     "default without a stack": (
         "alpha-core-torch-cu1",
         "alpha-core-torch",
-        "4:11: default.target: alpha-core-torch names no stack; there is alpha-core-torch-cu1 and alpha-core-torch-cpu.",
+        "4:21: default.targets[0]: alpha-core-torch names no stack; there is alpha-core-torch-cu1 and alpha-core-torch-cpu.",
     ),
     "default that nothing has, default that cannot be": (
         "[alpha-core]",
         "[alpha-cor, omega-robot]",
-        "4:74: default.group[0]: no image named 'alpha-cor'; did you mean 'alpha-core', 'alpha-core-ml-cu1' "
+        "4:77: default.group[0]: no image named 'alpha-cor'; did you mean 'alpha-core', 'alpha-core-ml-cu1' "
         "or 'alpha-core-ml-cpu'?\n"
-        "4:85: default.group[1]: omega-robot does not exist: omega (ROS 2) has no robot metapackage; "
+        "4:88: default.group[1]: omega-robot does not exist: omega (ROS 2) has no robot metapackage; "
         "it has core and base.",
     ),
     "anchor": (

@@ -17,7 +17,7 @@ from rosml.machine.progress import BuildProgress, Step
 
 DAY = "2026-11-21T11:03:"
 ROS = (
-    "[bookworm-core ros 1/2] RUN --mount=type=bind,source=components/base,target=/run/components/base     "
+    "[ros1-bookworm-core ros 1/2] RUN --mount=type=bind,source=components/base,target=/run/components/base     "
     "--mount=type=secret,id=ca-bundle     /run/components/ros/install.sh ros-core"
 )
 ESSENTIALS = "[_os-bookworm base 1/4] RUN --mount=type=bind,source=components/base,target=/x /x/install.sh"
@@ -25,9 +25,9 @@ TORCH = (
     "[_files-torch part-files 2/2] RUN --mount=type=bind,source=components/torch,target=/run/components/torch "
     "/run/components/part/assemble.sh"
 )
-JOIN = "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /"
+JOIN = "[ros1-bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /"
 TEST = (
-    "[bookworm-core-torch-cu128-test test-run 1/2] RUN --mount=type=bind,from=structure-test,source=/out,target=/x "
+    "[ros1-bookworm-core-torch-cu128-test test-run 1/2] RUN --mount=type=bind,from=structure-test,source=/out,target=/x "
     "/run/tests/run.sh /structure-report"
 )
 
@@ -75,19 +75,19 @@ def build() -> Build:
 @pytest.mark.parametrize(
     ("name", "label"),
     [
-        (ROS, "[bookworm-core ros 1/2] /run/components/ros/install.sh ros-core"),
+        (ROS, "[ros1-bookworm-core ros 1/2] /run/components/ros/install.sh ros-core"),
         (
             ROS.replace(" ros ", " ros-wheels "),
-            "[bookworm-core ros-wheels 1/2] /run/components/ros/install.sh ros-core",
+            "[ros1-bookworm-core ros-wheels 1/2] /run/components/ros/install.sh ros-core",
         ),
         (ESSENTIALS, "[_os-bookworm base 1/4] /x/install.sh"),
         (TORCH, "build part torch from its lock"),
-        (JOIN, "[bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /"),
+        (JOIN, "[ros1-bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /"),
         (
             TEST,
-            "[bookworm-core-torch-cu128-test test-run 1/2] /run/tests/run.sh /structure-report",
+            "[ros1-bookworm-core-torch-cu128-test test-run 1/2] /run/tests/run.sh /structure-report",
         ),
-        ("[bookworm-core] exporting to image", "[bookworm-core] exporting to image"),
+        ("[ros1-bookworm-core] exporting to image", "[ros1-bookworm-core] exporting to image"),
         ("pushing layers", "pushing layers"),
         ("[_os-bookworm base 3/4] WORKDIR /ws", "[_os-bookworm base 3/4] WORKDIR /ws"),
     ],
@@ -103,7 +103,7 @@ def test_words_for_a_step(name: str, label: str) -> None:
         "[internal] load local bake definitions",
         "[_os-bookworm internal] load build context",
         "[_os-bookworm context os] docker.io/library/debian:bookworm",
-        "[bookworm-core-torch-cu128 torch 1/1] LINK COPY --link --from=part-torch /out/ /",
+        "[ros1-bookworm-core-torch-cu128 torch 1/1] LINK COPY --link --from=part-torch /out/ /",
     ],
 )
 def test_bookkeeping_is_internal(name: str) -> None:
@@ -141,7 +141,7 @@ def test_a_line_when_a_step_ends(build: Build) -> None:
     build.clock.now += 75
     for _ in range(2):  # BuildKit repeats itself, once for each target that shares the step
         build.vertex(ROS, started=f"{DAY}10.25Z", completed=f"{DAY}42Z")
-    assert build.shown == "    1:15    31.8 s  [bookworm-core ros 1/2] /run/components/ros/install.sh ros-core\n"
+    assert build.shown == "    1:15    31.8 s  [ros1-bookworm-core ros 1/2] /run/components/ros/install.sh ros-core\n"
 
 
 def test_no_line_for_what_took_no_time(build: Build) -> None:
@@ -214,7 +214,7 @@ def test_heartbeat_of_a_build_that_is_silent(monkeypatch: pytest.MonkeyPatch) ->
 
     out = StringIO()
     BuildProgress(out).follow(lines())
-    assert "…      [bookworm-core ros 1/2]" in out.getvalue()
+    assert "…      [ros1-bookworm-core ros 1/2]" in out.getvalue()
 
 
 # ---- What goes wrong -------------------------------------------------------------------------------------------------

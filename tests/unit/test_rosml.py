@@ -237,7 +237,7 @@ def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
 
 def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
     with standing_in() as place, Registry(place.address) as client:
-        ros = parts.ros().put(client, "me/ros", "bookworm-core", ["linux/amd64"])
+        ros = parts.ros().put(client, "me/ros", "ros1-bookworm-core", ["linux/amd64"])
         own = parts.stack(client, "me/part", ("cuda", "common", "torch"), "cu128")
         tag = f"{place.address}/me/mine:latest"
         done = installed(wheel, tmp_path, "join", ros, *own, "--tag", tag)

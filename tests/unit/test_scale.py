@@ -47,5 +47,5 @@ def test_a_second_run_over_the_whole_matrix_does_nothing(tmp_path: Path, monkeyp
     assert (again.made, again.outcomes, here.registry.writes) == ([], [], 0)
     assert (again.uploaded, again.outcomes) == (0, [])
     assert here.registry.names == tagged
-    one = here.publish(image_set, date=NEXT, packages="2", only=["bookworm-core"], force=True)
+    one = here.publish(image_set, date=NEXT, packages="2", only=["ros1-bookworm-core"], force=True)
     assert one.made and here.registry.writes, "this test cannot tell a run that does something"

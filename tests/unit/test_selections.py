@@ -27,7 +27,7 @@ from rosml.machine.services import Services
 from rosml.registry import oci
 
 REAL = load.load(ROOT / "matrix.yaml")
-PUBLISHED = "bookworm-core*"
+PUBLISHED = "ros1-bookworm-core*"
 """What is in the registry: images of one architecture and of both, that stand on the same."""
 
 CODES = {0, 1, 2, 3, 4}
@@ -108,11 +108,11 @@ def fill(content: StandIn, root: Path, services: Services, patch: pytest.MonkeyP
         if prefix == "half":
             facts["architectures"] = ("amd64",)
         if prefix == "failed":
-            facts |= {"poisoned": {"bookworm-core-cuda-cu130"}, "broken": {"part-torch-cu128-py311"}}
+            facts |= {"poisoned": {"ros1-bookworm-core-cuda-cu130"}, "broken": {"part-torch-cu128-py311"}}
         place.publish(REAL, **facts)
         if prefix == "moved":
-            place.upstream["bookworm"] = "tuesday"
-            place.run(REAL, date=NEXT, only=("bookworm-core",), architectures=("amd64",)).build()
+            place.upstream["ros1-bookworm"] = "tuesday"
+            place.run(REAL, date=NEXT, only=("ros1-bookworm-core",), architectures=("amd64",)).build()
         copied(content, place.registry, prefix)
 
 
@@ -143,7 +143,7 @@ GROUPS = sorted(name for name, targets in REAL.groups.items() if len(targets) < 
 """Those that a call for all of their images does not take seconds for."""
 
 NAMES = st.one_of(
-    st.sampled_from([image.target for image in REAL.images if image.target.startswith("bookworm-core")]),
+    st.sampled_from([image.target for image in REAL.images if image.target.startswith("ros1-bookworm-core")]),
     TARGETS,
     st.sampled_from([tag for image in REAL.images for tag in image.tags]),
     st.sampled_from([part.name for part in REAL.parts]),
@@ -207,7 +207,7 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
         ("one", "other", "ros_image", "tag"),
         st.one_of(
             st.builds("{{host}}/published/{}".format, st.one_of(NAMES, typos())),
-            st.sampled_from(["ros:bookworm-core", "", "a b", "{host}/published/ros:bookworm-core"]),
+            st.sampled_from(["ros:ros1-bookworm-core", "", "a b", "{host}/published/ros:ros1-bookworm-core"]),
         ),
     ),
     **dict.fromkeys(("at_most", "shards", "days", "newest", "history"), st.sampled_from(["1", "8", "0", "-1", "x"])),
@@ -288,7 +288,7 @@ def status_of(shop: Shop, capsys: pytest.CaptureFixture[str], place: str, *only:
     return {item["target"]: {**item, "age": None} for item in json.loads(out)["images"]}
 
 
-NARROW = ("bookworm-core-torch-cu128", "bookworm-core-cuda-cu130", "jazzy-wheels-core-tensorflow-cpu")
+NARROW = ("ros1-bookworm-core-torch-cu128", "ros1-bookworm-core-cuda-cu130", "jazzy-wheels-core-tensorflow-cpu")
 """Images for one architecture, which stand on what is for both; and one for both."""
 
 
@@ -297,7 +297,9 @@ def test_an_image_stands_as_it_stands_whatever_else_is_asked_for(
     shop: Shop, capsys: pytest.CaptureFixture[str], place: str
 ) -> None:
     assert {len(REAL.image(target).architectures) for target in NARROW} == {1, 2}
-    every = status_of(shop, capsys, place, "bookworm-core", "bookworm-core-*-cu1[23]?", "jazzy-wheels-core*-cpu")
+    every = status_of(
+        shop, capsys, place, "ros1-bookworm-core", "ros1-bookworm-core-*-cu1[23]?", "jazzy-wheels-core*-cpu"
+    )
     for target in NARROW:
         found = status_of(shop, capsys, place, target)
         assert target in found
@@ -317,9 +319,9 @@ def without_services(shop: Shop) -> Iterator[None]:
 @pytest.mark.usefixtures("without_services")
 def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
     """And one that is not named is that of the services, which are not there."""
-    found = status_of(shop, capsys, "published", "bookworm-core")
-    assert found["bookworm-core"]["state"] == "published"
-    words = ["--only", "bookworm-core"]
+    found = status_of(shop, capsys, "published", "ros1-bookworm-core")
+    assert found["ros1-bookworm-core"]["state"] == "published"
+    words = ["--only", "ros1-bookworm-core"]
     assert ended(shop, "catalogue", [*words, "--registry", "{host}/published", "--json"], capsys)[0] == 0
     for name in ("status", "catalogue"):
         code, _, err = ended(shop, name, words, capsys)
@@ -354,7 +356,7 @@ def test_parts_are_planned_where_their_images_cannot_be_built(
 
 def test_a_plan_of_an_image_without_a_lock(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
     """What it stands on can be built, and it cannot."""
-    target = next(image.target for image in REAL.images if image.parent == "bookworm-core" and not image.locked)
+    target = next(image.target for image in REAL.images if image.parent == "ros1-bookworm-core" and not image.locked)
     code, out, err = ended(shop, "plan", ["--registry", "{host}/nothing", "--only", target, "--json"], capsys)
     assert code == 0, err
     (task,) = [

@@ -34,7 +34,7 @@ def test_as_the_matrix_says(matrix: Matrix) -> None:
     assert found == SOURCE
     final = apt_source.source(matrix, "noetic", {})
     assert final == apt_source.Source("final", "", "http://old.test/noetic/final", "focal")
-    assert apt_source.source(matrix, "bookworm", {}) is None
+    assert apt_source.source(matrix, "ros1-bookworm", {}) is None
 
 
 def test_otherwise_for_once(matrix: Matrix) -> None:
@@ -54,7 +54,7 @@ def test_otherwise_for_once(matrix: Matrix) -> None:
         ("jazzy", {"ROS_SNAPSHOT": "2026-08-07"}, "the channel live has no days"),
         ("jazzy", {"ROS_CHANNEL": "snapshot", "ROS_SNAPSHOT": "2999-01-01"}, "still to come"),
         ("rolling", {"ROS_CHANNEL": "final"}, "until further notice: it has no final snapshot yet"),
-        ("bookworm", {"ROS_CHANNEL": "final"}, "the ROS packages of bookworm are bookworm's own"),
+        ("ros1-bookworm", {"ROS_CHANNEL": "final"}, "the ROS packages of ros1-bookworm are bookworm's own"),
     ],
 )
 def test_what_there_is_not(real: ImageSet, name: str, environ: dict[str, str], words: str) -> None:

@@ -11,7 +11,9 @@ from rosml.publish.pipeline import Outcome
 from rosml.publish.status import ImageStatus
 
 
-@pytest.mark.parametrize("said", ["failed in step [bookworm-core ros 1/2]", "no file [/x]", "[red]late[/red]", ":bug:"])
+@pytest.mark.parametrize(
+    "said", ["failed in step [ros1-bookworm-core ros 1/2]", "no file [/x]", "[red]late[/red]", ":bug:"]
+)
 def test_it_is_printed_as_it_is(said: str, capsys: pytest.CaptureFixture[str]) -> None:
     """Never taken for rich's markup, which would lose brackets, colour what follows, or end the command with an error."""
     outcomes = [Outcome("build", "alpha-core", "amd64", "failed", said), Outcome("test", "b", "amd64", "waits", said)]

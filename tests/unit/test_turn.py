@@ -22,7 +22,7 @@ def test_one_after_the_other(tmp_path: Path, killed: bool) -> None:
     """The second one says that it waits, and goes on when the first has ended, by itself or killed."""
     context = multiprocessing.get_context("fork")
     begun, end = context.Event(), context.Event()
-    other = context.Process(target=hold, args=(tmp_path / "turns/bookworm-core", begun, end))
+    other = context.Process(target=hold, args=(tmp_path / "turns/ros1-bookworm-core", begun, end))
     other.start()
     assert begun.wait(20)
     said: list[str] = []
@@ -34,7 +34,7 @@ def test_one_after_the_other(tmp_path: Path, killed: bool) -> None:
         else:
             end.set()
 
-    with turn(tmp_path / "turns/bookworm-core", waiting):
+    with turn(tmp_path / "turns/ros1-bookworm-core", waiting):
         other.join(20)
     assert (said, other.exitcode) == (["waits"], -9 if killed else 0)
 

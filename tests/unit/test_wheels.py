@@ -153,7 +153,7 @@ def test_inputs(real: ImageSet) -> None:
     assert {"locks/jazzy-wheels/amd64/3.11/ros.txt", "components/ros/wheels.sh", "argument ROS_TOOLS"} <= found.keys()
     assert {"components/part/bytecode.sh", "tools/requirements.txt"} <= found.keys()
     assert f"{TARGET}jazzy-wheels-core" in inputs.of("jazzy-wheels-core-torch-cu128", "amd64")
-    assert not any("jazzy-wheels" in name for name in inputs.of("bookworm-core", "amd64"))
+    assert not any("jazzy-wheels" in name for name in inputs.of("ros1-bookworm-core", "amd64"))
 
 
 # ---- The lock --------------------------------------------------------------------------------------------------------

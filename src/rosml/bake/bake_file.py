@@ -100,7 +100,7 @@ def _tables(image_set: ImageSet) -> Iterator[str]:
         + "\n"
     )
     about = (
-        "short: the stack of a framework's short tags. covered: what skips the longest tests, as an image with more has them."
+        "short: the stack of a framework's short tags. aliases: names that it had. covered: what skips the longest tests, as an image with more has them."
         " unlocked: what has no lock yet, and why."
     )
     yield _table("distributions", about, _tall(_distributions(image_set)))
@@ -224,7 +224,12 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
     alone = [image for image in images if image.stack is None]
     kinds = {_key(image): image for image in images}
     platforms = _platforms(matrix, rules.architectures(matrix, name, rules.plain(matrix), None))
-    short = [tag.split(":")[1] for image in alone if image.component == FLOATING for tag in image.tags[1:]]
+    short = [
+        tag.split(":")[1]
+        for image in alone
+        if image.component == FLOATING
+        for tag in image.tags[1 + len(facts.aliases) :]
+    ]
     tools, long = targets.tools(matrix, name), set(long_tests(facts))
     chosen = {framework: rules.default_stack(matrix, name, framework) for framework in matrix.frameworks}
     defaults = {framework: stack for framework, stack in chosen.items() if stack}
@@ -234,7 +239,7 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
             stacks.setdefault(image.framework, []).append(image.stack)
     return [
         {"os": facts.os, "ros": str(facts.ros), "ros_distro": facts.ros_distro or name, "platforms": platforms},
-        {"tags": short, "experimental": facts.experimental},
+        {"tags": short, "aliases": list(facts.aliases), "experimental": facts.experimental},
         {"short": defaults},
         {
             "rmw": ",".join(facts.rmw),

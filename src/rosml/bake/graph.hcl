@@ -122,11 +122,14 @@ images = flatten([for kind in kinds : [for component, packages in kind.row.packa
 # Those that can be built, since all their locks are there. Only these are in groups.
 built = [for image in images : image if image.unlocked == ""]
 
-# All tags of an image. The short ones are those of one component, on the distribution's stack for them.
+# All tags of an image, also with the names that its distribution had. The short ones are those of one component, on the
+# distribution's stack for them.
 function "tags" {
   params = [image]
   result = [for tag in distinct(concat(
-    [image.main, image.spelled],
+    flatten([for name in concat([image.distribution], image.row.aliases) : [
+      for tag in [image.main, image.spelled] : "${name}${trimprefix(tag, image.distribution)}"
+    ]]),
     image.component == short_component && contains(["", try(image.row.short[image.framework], "")], image.stack) ?
     image.row.tags : []
   )) : "${REGISTRY}/${image.repository}:${tag}"]

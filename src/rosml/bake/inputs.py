@@ -23,7 +23,7 @@ from rosml.base.problems import listed
 from rosml.images.image_set import Image, ImageSet, Part
 
 TARGET = "target "
-"""How names of inputs begin whose value is the digest of another target: `target bookworm-core`."""
+"""How names of inputs begin whose value is the digest of another target: `target ros1-bookworm-core`."""
 
 UNPINNED = "not pinned"
 """The value of a base image without a digest; also of a context that no target gives."""

@@ -39,7 +39,7 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     Examples:
       rosml catalogue
       rosml catalogue --registry ghcr.io/me/rosml --output public
-      rosml catalogue --only 'bookworm-*' --json
+      rosml catalogue --only 'ros1-bookworm-*' --json
     """
     from rosml.base.clock import now
     from rosml.base.problems import counted

@@ -9,7 +9,7 @@ import click
 
 from rosml import ROOT
 from rosml.cli import completion, setup
-from rosml.cli.call import KEPT, Call, sharing, wait_for_turn
+from rosml.cli.call import KEPT, Call, say, sharing, wait_for_turn
 from rosml.cli.checkout import Command
 
 
@@ -29,13 +29,14 @@ def main(target: str, matrix: Path, namespace: str, platform: str, force: bool, 
     Sets this machine up first, if it is not. Makes only what is missing or out of date. 'status' and the catalogue know the
     image afterwards.
 
-    Without TARGET: the one that matrix.yaml names as its default.
+    Without TARGET: the first of matrix.yaml's defaults that this machine can build.
 
     \b
     Examples:
-      rosml image bookworm-core-torch-cu128
-      rosml image bookworm-base --json
+      rosml image jazzy-base-torch-cu130
+      rosml image ros1-bookworm-base --json
     """
+    from rosml.build import default
     from rosml.build.maker import require_buildable
     from rosml.cli import summary
     from rosml.images import apt_source, explain, selection
@@ -49,14 +50,16 @@ def main(target: str, matrix: Path, namespace: str, platform: str, force: bool, 
     # A typo is told before anything else happens.
     native = native_architecture()
     architecture = selection.architecture_of(image_set, platform) if platform else native
-    wanted = explain.image(image_set, target or image_set.matrix.default.target)
-    require_buildable(wanted, architecture)
-    apt_source.source(image_set.matrix, wanted.distribution)
+    named = explain.image(image_set, target) if target else None
+    if named:
+        require_buildable(named, architecture)
+        apt_source.source(image_set.matrix, named.distribution)
     if not setup.is_up(ROOT):
         setup.bring_up(ROOT)
     services = Services.load(ROOT)
     services.require_registry()
     services.require_builder("" if architecture == native else image_set.matrix.architectures[architecture].platform)
+    wanted = named or default.default(services, image_set, architecture, say)
     call.registry, call.only = f"{services.registry}/{namespace}", (wanted.target,)
     call.architectures = call.serve = (architecture,)
     wait_for_turn()

@@ -21,7 +21,7 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     \b
     Examples:
       rosml list
-      rosml list trixie tensorflow --json
+      rosml list ros1-trixie tensorflow --json
     """
     from rosml.bake.inputs import Inputs
     from rosml.cli import tables

@@ -28,7 +28,7 @@ def cli() -> None:
     Examples:
       rosml list jazzy torch
       rosml explain jazzy-robot
-      rosml image bookworm-core-torch-cu128
+      rosml image ros1-bookworm-core-torch-cu128
       rosml status --registry ghcr.io/me/rosml
 
     \b

@@ -39,7 +39,7 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     \b
     Examples:
       rosml plan --why
-      rosml plan --only 'bookworm-*' --output plan.json
+      rosml plan --only 'ros1-bookworm-*' --output plan.json
       rosml plan --everywhere --force --shards 24   how long all images would take on 24 machines
     """
     from rosml.base import files

@@ -32,7 +32,7 @@ def main() -> None:
 
     \b
     Examples:
-      rosml publish all --registry ghcr.io/me/rosml --only 'bookworm-*' --serve amd64
+      rosml publish all --registry ghcr.io/me/rosml --only 'ros1-bookworm-*' --serve amd64
       rosml publish undo --registry ghcr.io/me/rosml
     """
 
@@ -76,7 +76,7 @@ def everything(**options: Any) -> None:
 
     \b
     Examples:
-      rosml publish all --only 'bookworm-core*' --serve amd64
+      rosml publish all --only 'ros1-bookworm-core*' --serve amd64
       rosml publish all --since origin/main --at-most 2 --serve amd64
     """
     from rosml.publish.steps import STEPS
@@ -133,7 +133,7 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
 
     \b
     Examples:
-      rosml publish scan --fetch --only 'bookworm-core*' --reports sarif
+      rosml publish scan --fetch --only 'ros1-bookworm-core*' --reports sarif
       rosml publish scan --plan plan.json --fetch --output scan.json
     """
     from rosml.cli import report

@@ -21,7 +21,7 @@ def main(**options: Any) -> None:
 
     \b
     Examples:
-      rosml status --only 'bookworm-*'
+      rosml status --only 'ros1-bookworm-*'
       rosml status --registry ghcr.io/me/rosml --json
     """
     from rosml.base.clock import now

@@ -46,8 +46,8 @@ def _unusable_defaults(image_set: ImageSet) -> Iterator[tuple[Place, str]]:
                 text = f"no framework exists for {name} on stack {default_stack}; there is {listed(sorted(there))}"
                 yield ("distributions", name, "default_stack"), text
     default = image_set.matrix.default
-    targets: list[tuple[Place, str]] = [(("default", "target"), default.target)]
-    targets += [(("default", "group", index), name) for index, name in enumerate(default.group)]
+    named = {"targets": default.targets, "group": default.group}
+    targets = [(("default", key, index), name) for key, found in named.items() for index, name in enumerate(found)]
     for path, name in targets:
         if name not in image_set.by_target:
             yield path, why_not(image_set, name) or unknown("image", name, image_set.by_target)

@@ -106,7 +106,7 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         brought=kind.brought,
         gpu=rules.gpu(matrix, kind.stack, [part.kind for part in kind.parts]),
         repository=kind.facts.repository,
-        tags=_tags(name, component, kind, latest),
+        tags=_tags(name, distribution.aliases, component, kind, latest),
         groups=(*groups, "default") if target in matrix.default.group else tuple(groups),
         parent=ros_image if kind.stack else below,
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
@@ -138,11 +138,13 @@ def _packages(matrix: Matrix, name: str, distribution: Distribution, component: 
     return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
 
 
-def _tags(name: str, component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
-    main = names.main_tag(name, component, kind.stack)
-    tags = list(dict.fromkeys((main, names.spelled_tag(main, labels.spelled(kind.brought)))))
+def _tags(name: str, aliases: tuple[str, ...], component: str, kind: _Kind, latest: bool) -> tuple[str, ...]:
+    tags: list[str] = []
+    for called in (name, *aliases):
+        main = names.main_tag(called, component, kind.stack)
+        tags += dict.fromkeys((main, names.spelled_tag(main, labels.spelled(kind.brought))))
     if component == FLOATING and kind.short:
-        tags += [name, *(["latest"] if latest else [])]
+        tags += [name, *aliases, *(["latest"] if latest else [])]
     return tuple(f"{kind.facts.repository}:{tag}" for tag in tags)
 
 
@@ -151,12 +153,22 @@ FLOATING = "base"
 
 
 def _latest(matrix: Matrix) -> str | None:
-    """The newest long-term distribution that has the component of the short tags: the one that lives longest. None that
-    is experimental."""
+    """The newest long-term distribution, the one that lives longest, of those that have the component of the short tags and
+    every framework. None that is experimental."""
     rows = matrix.distributions.items()
     lasting = [(row.eol, name, row) for name, row in rows if row.lts and row.eol and not row.experimental]
-    living = [(eol, name) for eol, name, row in lasting if FLOATING in row.present]
-    return max(living)[1] if living else None
+    whole = [
+        (eol, name) for eol, name, row in lasting if FLOATING in row.present and _has_every_framework(matrix, name)
+    ]
+    return max(whole)[1] if whole else None
+
+
+def _has_every_framework(matrix: Matrix, name: str) -> bool:
+    return all(
+        any(rules.stack_reason(matrix, name, framework, stack) is None for stack in matrix.stacks)
+        for framework, facts in matrix.frameworks.items()
+        if facts.parts
+    )
 
 
 def _wheels(matrix: Matrix) -> Iterator[Wheels]:

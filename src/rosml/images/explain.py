@@ -145,9 +145,10 @@ def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
     name = name.rpartition("/")[2]
     components = {component: f"-{component}" for component in matrix.components}
     short = {FLOATING: ""} if FLOATING in components else {}
-    starts = [*product(matrix.distributions, components.items()), *product(matrix.distributions, short.items())]
-    for distribution, (component, word) in starts:
-        start = f"{distribution}{word}"
+    called = [(row, name) for name, facts in matrix.distributions.items() for row in (name, *facts.aliases)]
+    starts = [*product(called, components.items()), *product(called, short.items())]
+    for (row, distribution), (component, word) in starts:
+        start = f"{row}{word}"
         if name == start and word:
             yield Wanted(distribution, component, rules.plain(matrix), None)
         for framework, stack in product(matrix.frameworks, (None, *matrix.stacks)):

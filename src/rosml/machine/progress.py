@@ -35,7 +35,7 @@ class Step:
     """One step of a build.
 
     Attributes:
-        name: BuildKit's name, e.g. ``[bookworm-core ros 1/2] RUN …``.
+        name: BuildKit's name, e.g. ``[ros1-bookworm-core ros 1/2] RUN …``.
         started, completed: seconds since the epoch; 0.0 when not known yet.
         cached: the result was there already.
         error: what went wrong, or empty.

@@ -137,7 +137,9 @@ class Facts(BaseModel):
 class Default(Facts):
     """What is taken when nothing is named."""
 
-    target: Target = Field(description="the image that `rosml image` builds")
+    targets: Annotated[tuple[Target, ...], Field(min_length=1)] = Field(
+        description="`rosml image` builds the first of these images that this machine can build"
+    )
     assembler: OsName = Field(
         description="the operating system that assembles parts for any Python, tests images and lists their files"
     )
@@ -337,6 +339,9 @@ class Apt(Facts):
 class Distribution(Facts):
     """A ROS distribution on an operating system."""
 
+    aliases: tuple[Name, ...] = Field(
+        default=(), description="names that it had: its images get the tags with these, too; left out after a release"
+    )
     os: OsName = Field(description="a name from operating_systems")
     ros: Annotated[Literal[1, 2], BeforeValidator(only_whole)] = Field(description="ROS 1 or ROS 2")
     ros_distro: Word | None = Field(
@@ -360,7 +365,9 @@ class Distribution(Facts):
         description="stack of the short tags, e.g. ros-torch:jazzy; of several the first that a framework exists on"
     )
     eol: datetime.date | None = Field(default=None, description="end of life; leave out for a rolling distribution")
-    lts: bool = Field(default=False, description="a long-term release of ROS: the newest one gets the tag `latest`")
+    lts: bool = Field(
+        default=False, description="a long-term release of ROS: the newest one that has every framework gets `latest`"
+    )
     apt: Apt | None = Field(
         default=None, description="ROS's own apt repository, for packages that are not the system's"
     )

@@ -178,7 +178,7 @@
       list: "names",
       autocomplete: "off",
       spellcheck: "false",
-      placeholder: "ros-torch:bookworm-base-cu128",
+      placeholder: "ros-torch:ros1-bookworm-base-cu128",
     });
     input.value = value;
     return { input, label: el("label", { for: id }, text, input) };
