@@ -24,7 +24,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 
 CONFIG = "mkdocs.yml"
-BESIDE = ("README.md", "SECURITY.md", "CONTRIBUTING.md")
+BESIDE = ("README.md", "CHANGELOG.md", "SECURITY.md", "CONTRIBUTING.md")
 """Pages that are not in docs/, since forges look for them elsewhere."""
 
 _LINK = re.compile(r"(?<=\]\()[^)\s#]+")
@@ -38,7 +38,7 @@ _LINK = re.compile(r"(?<=\]\()[^)\s#]+")
     help="Where to make it; .state/docs if left out. The site is in its folder site.",
 )
 def main(output: Path) -> None:
-    """Makes a site of the pages in docs/ and of README.md, SECURITY.md and CONTRIBUTING.md. No server is needed for it.
+    """Makes a site of the pages in docs/ and of README.md, CHANGELOG.md, SECURITY.md and CONTRIBUTING.md. No server is needed for it.
 
     \b
     Examples:

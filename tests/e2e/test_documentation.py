@@ -74,7 +74,7 @@ project(detector)
 
 def node(services: Services, image: Published, folder: Path) -> None:
     """Builds the page's lines for catkin, in a project that has nothing else, and runs what comes of it."""
-    snippet = next(block for block in section(CPP, "A ROS node") if "catkin" in block.text)
+    snippet = next(block for block in section(CPP, "A ROS 1 node") if "catkin" in block.text)
     (folder / "src").mkdir(parents=True)
     (folder / "CMakeLists.txt").write_text(NODE + snippet.text)
     (folder / "src/detector.cpp").write_text(DETECTOR)
@@ -173,7 +173,7 @@ def test_dockerfiles_of_users(services: Services, published: Publish, tmp_path: 
     """Both of the page, line by line as they stand there, but for the image: ros1-bookworm-core, which has no framework."""
     image = published("ros1-bookworm-core").result["reference"]
     page = ROOT / "docs/use.md"
-    plain = next(block.text for block in section(page, "In a Dockerfile") if block.language == "dockerfile")
+    plain = next(block.text for block in section(page, "In a Dockerfile") if "catkin_make" in block.text)
     [container] = [block.text for block in blocks(page) if block.title == ".devcontainer/Dockerfile"]
     for name, text in (("plain", plain), ("container", container)):
         context = tmp_path / name
