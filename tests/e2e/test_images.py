@@ -104,6 +104,7 @@ def test_a_second_call_changes_nothing(pair: Pair, published: Publish) -> None:
     assert '"seconds": {}' in again.out, "nothing was tested once more"
 
 
+@pytest.mark.full(proof="cuda")
 def test_a_second_image_with_the_same_part_costs_next_to_nothing(pair: Pair, published: Publish) -> None:
     """No part is assembled or uploaded again; `make bench` says how many seconds that is."""
     first, second = published(pair.first), published(pair.second)
