@@ -54,14 +54,18 @@ class Night:
         return runs
 
     def whole(self) -> list[Run]:
-        """All jobs; those of the architectures at the same time."""
+        """All jobs, as the workflow has them; those of the architectures at the same time."""
         runs = self.job("plan")
+        runs += self.on_each("build")
+        runs += self.job("join")
+        runs += self.on_each("test")
+        return runs + self.job("index", "promote")
+
+    def on_each(self, step: str) -> list[Run]:
+        """A step on a machine of each architecture."""
         with ThreadPoolExecutor(2) as pool:
-            shards = [
-                pool.submit(self.job, "build", "join", "test", architectures=(architecture,))
-                for architecture in ("amd64", "arm64")
-            ]
-        return [*runs, *(run for shard in shards for run in shard.result()), *self.job("index", "promote")]
+            shards = [pool.submit(self.job, step, architectures=(name,)) for name in ("amd64", "arm64")]
+        return [run for shard in shards for run in shard.result()]
 
 
 def tags(server: StandIn) -> dict[str, dict[str, str]]:
