@@ -1,5 +1,5 @@
-"""An address of a package archive stands in one place, matrix.yaml: the product asks the matrix, and images the base image's own
-apt sources."""
+"""An address of a package archive stands in one place: those of ROS and of wheels in matrix.yaml, those of operating systems in
+the base image's own apt sources."""
 
 from __future__ import annotations
 

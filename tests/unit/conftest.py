@@ -110,9 +110,6 @@ disk:
       tensorflow-cc: {{unpacked: 400, compressed: 40}}
       tensorflow: {{unpacked: 100, compressed: 10}}
 rates: {{packages: 10, parts: 100, test: 5}}
-archives:
-  debian:
-    http://debian.test: ["debian/dists/{{suite}}", "debian/dists/{{suite}}-updates", "debian-security/dists/{{suite}}-security"]
 ros_archive:
   live: http://ros.test/{{generation}}/ubuntu
   snapshot: http://snapshots.ros.test/{{ros_distro}}/{{day}}/ubuntu

@@ -380,7 +380,7 @@ def place(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> 
     """A place whose repositories of packages are in memory as well."""
     found = Place(services)
 
-    def state(_matrix: object, distribution: str) -> str:
+    def state(_services: object, _matrix: object, distribution: str) -> str:
         answer = found.upstream[distribution]
         if answer == "down":
             raise RosmlError("http://packages.example does not answer", "check the network")

@@ -824,7 +824,7 @@ def test_a_repository_that_never_rests_fails_its_row_alone(
     hours = iter(range(10))
     monkeypatch.setattr(
         "rosml.build.package_state.state",
-        lambda _matrix, name: f"2026-11-22T0{next(hours)}:00:00Z" if name == "alpha" else BEFORE,
+        lambda _services, _matrix, name: f"2026-11-22T0{next(hours)}:00:00Z" if name == "alpha" else BEFORE,
     )
     registry.upstream["alpha"] = "2026-11-23T00:00:00Z"
     run.build()

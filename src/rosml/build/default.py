@@ -42,7 +42,7 @@ def _hindrance(services: Services, image_set: ImageSet, image: Image, architectu
     except RosmlError as error:
         return error.message
     try:
-        package_state.state(image_set.matrix, image.distribution)
+        package_state.state(services, image_set.matrix, image.distribution)
     except RosmlError as error:
         if error.exit_code == 2:
             raise

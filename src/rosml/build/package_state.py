@@ -1,44 +1,65 @@
 """Fingerprints of the apt repositories that ROS images are built from. A change triggers a rebuild.
 
-Every image has packages of its operating system, whatever its ROS comes from: the archive that matrix.yaml names for it is
-asked for its lists of packages, and ROS's own repository for its date, as `sync` does.
+Every image has packages of its operating system, whatever its ROS comes from: the apt sources of its base image are asked for
+their lists of packages, as apt does in a build, and ROS's own repository for its date, as `sync` does.
 What is pinned (base images, wheels) is an input like any other, and not asked for.
 """
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
-from rosml.build import release_file, sync
+from rosml.build import apt_sources, release_file, sync
+from rosml.build.apt_sources import Source
 from rosml.images import apt_source
+from rosml.machine.services import Services
 from rosml.matrix.model import Matrix
 
 MIRROR = "OS_APT_MIRROR"
 RELEASE_BYTES = 1 << 22
 """More than any Release file has; Debian's have some hundred kB."""
 
-INDEXES = re.compile(r"^ ([0-9a-f]{64}) +\d+ ((?:main|universe)/binary-(?:all|amd64|arm64)/Packages)$", re.MULTILINE)
-"""The digests of the lists of packages in a Release file. Its date changes several times a day, with nothing else. ROS's
-packages need Ubuntu's universe; Debian has none."""
+ARCHITECTURES = ("all", "amd64", "arm64")
 
+_LISTED = re.compile(r"^ ([0-9a-f]{64}) +\d+ (\S+)$", re.MULTILINE)
+_ORIGIN = re.compile(r"^Origin: *(\S.*)$", re.MULTILINE)
+_NOT_AUTOMATIC = re.compile(r"^NotAutomatic: *yes$", re.MULTILINE)
+"""apt installs nothing from such a suite on its own, such as backports."""
 
 SEPARATOR = ", "
 _OF_AN_ARCHIVE = re.compile(r"\S+ \S+ [0-9a-f]{16}")
 
 
-def state(matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.environ) -> str:
-    """Of when a distribution's packages are: the date of ROS's repository, a digest of the lists of packages in its
-    operating system's archive, or both; empty where matrix.yaml names neither.
+@dataclass(frozen=True)
+class Release:
+    """What the Release file of a source says.
+
+    Attributes:
+        origin: whose packages these are, as one word, such as debian. lists: digests of the lists of packages. Its date changes
+            several times a day, with nothing else.
+    """
+
+    origin: str
+    lists: str
+
+
+def state(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.environ) -> str:
+    """Of when a distribution's packages are: the date of ROS's repository, a digest of the lists of packages in the archives
+    of its operating system, or both; empty where there is neither.
+
+    It is the same for all architectures: an archive and its ports have the same Release files.
 
     Raises:
-        RosmlError: a repository does not answer, or with something else.
+        RosmlError: a repository does not answer, or with something else; the apt sources of the base image cannot be read.
     """
     source = apt_source.source(matrix, distribution, environ)
-    found = [sync.published(source, environ) if source else "", _archive(matrix, distribution, environ)]
+    found = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
     return SEPARATOR.join(filter(None, found))
 
 
@@ -48,42 +69,45 @@ def ros_date(state: str) -> str:
     return "" if _OF_AN_ARCHIVE.fullmatch(first) else first
 
 
-def _archive(matrix: Matrix, distribution: str, environ: Mapping[str, str]) -> str:
-    os = matrix.distributions[distribution].os
-    system = matrix.operating_systems[os]
-    found = [packages(url) for url in releases(matrix, os, environ)]
-    digest = hashlib.sha256(" ".join(found).encode()).hexdigest()[:16]
-    return f"{system.archive} {system.suite} {digest}" if found else ""
+def _archives(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str]) -> str:
+    sources = _sources(services, matrix, distribution)
+    found = [(source, said) for source in sources if (said := release(source, environ))]
+    if not found:
+        return ""
+    first, said = found[0]
+    digest = hashlib.sha256(" ".join(said.lists for _, said in found).encode()).hexdigest()[:16]
+    return f"{said.origin} {first.suite} {digest}"
 
 
-def releases(matrix: Matrix, os: str, environ: Mapping[str, str]) -> Iterator[str]:
-    """The addresses of the Release files that an operating system's packages are listed in; none where it names no archive.
-
-    Raises:
-        RosmlError: the mirror is no address (exit code 2).
-    """
-    system = matrix.operating_systems[os]
-    for host, folders in matrix.archives[system.archive].items() if system.archive else ():
-        address = release_file.address(host, environ.get(MIRROR, ""), MIRROR)
-        yield from (f"{address}/{folder.format(suite=system.suite)}/Release" for folder in folders)
+def _sources(services: Services, matrix: Matrix, distribution: str) -> tuple[Source, ...]:
+    return apt_sources.sources(services, matrix.operating_systems, matrix.distributions[distribution].os)
 
 
-def repositories(matrix: Matrix, distribution: str, state: str) -> list[tuple[str, str]]:
-    """The addresses of the repositories that a state is of, with the state of each."""
+def repositories(services: Services, matrix: Matrix, distribution: str, state: str) -> list[tuple[str, str]]:
+    """The addresses of the repositories that a state is of, with the state of each. The operating system's archives have one
+    together; they are left out where the apt sources of the base image cannot be read any more."""
     source, ros = apt_source.source(matrix, distribution), ros_date(state)
-    found = [(source.address, ros)] if source and ros else []
-    name = matrix.operating_systems[matrix.distributions[distribution].os].archive
-    archive = state.removeprefix(ros).removeprefix(SEPARATOR)
-    return [*found, (next(iter(matrix.archives[name])), archive)] if name and archive else found
+    found = {source.address: ros} if source and ros else {}
+    if archives := state.removeprefix(ros).removeprefix(SEPARATOR):
+        with contextlib.suppress(RosmlError):
+            found |= {release_file.shown(s.address): archives for s in _sources(services, matrix, distribution)}
+    return list(found.items())
 
 
-def packages(url: str) -> str:
-    """What a Release file says of the lists of packages.
+def release(source: Source, environ: Mapping[str, str]) -> Release | None:
+    """What a source's Release file says; None if apt installs nothing from there on its own.
 
     Raises:
-        RosmlError: it does not answer, or with something else.
+        RosmlError: it does not answer, or with something else; the mirror is no address (exit code 2).
     """
+    url = source.release(release_file.address(source.address, environ.get(MIRROR, ""), MIRROR))
     text = release_file.read(url, RELEASE_BYTES, MIRROR)
-    if not (found := INDEXES.findall(text)):
+    if _NOT_AUTOMATIC.search(text):
+        return None
+    wanted = {f"{part}/binary-{name}/Packages" for part in source.components for name in ARCHITECTURES}
+    wanted |= {"Packages", "./Packages"} if source.flat else set()
+    found = sorted((path, digest) for digest, path in _LISTED.findall(text) if path in wanted)
+    if not found:
         raise RosmlError(f"{release_file.shown(url)} names no lists of packages", "check the mirror")
-    return " ".join(digest for digest, _ in sorted(found, key=lambda item: item[1]))
+    origin = _ORIGIN.search(text)
+    return Release("-".join(origin[1].lower().split()) if origin else "apt", " ".join(digest for _, digest in found))

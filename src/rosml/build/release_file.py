@@ -18,7 +18,7 @@ def address(official: str, mirror: str, variable: str) -> str:
     """Where a repository is asked: below a mirror, each host is a folder.
 
     Args:
-        official: its address, http. mirror: of the mirror; none if empty. variable: what names it.
+        official: its address. mirror: of the mirror; none if empty. variable: what names it.
 
     Raises:
         RosmlError: the mirror is no address (exit code 2).
@@ -27,7 +27,7 @@ def address(official: str, mirror: str, variable: str) -> str:
         return official
     if not MIRROR.fullmatch(mirror):
         raise RosmlError(f"{variable} is not an address", "set it to one such as http://host:3142", exit_code=2)
-    return f"{mirror.rstrip('/')}/{official.removeprefix('http://')}"
+    return f"{mirror.rstrip('/')}/{re.sub('^https?://', '', official)}"
 
 
 def read(url: str, limit: int, variable: str) -> str:
@@ -57,5 +57,5 @@ def read(url: str, limit: int, variable: str) -> str:
 
 
 def shown(url: str) -> str:
-    """An address without the user and password in it."""
-    return re.sub("//[^/]*@", "//", url)
+    """An address without the users and passwords in it: below a mirror, another address is a part of the path."""
+    return re.sub("/[^/]*@", "/", url)

@@ -31,8 +31,6 @@ DIGEST = r"^sha256:[0-9a-f]{64}$"
 REFERENCE = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?(/[a-z0-9]+([._-]+[a-z0-9]+)*)*$"
 IMAGE = r"^[a-z0-9.-]+(:[0-9]+)?(/[a-z0-9._-]+)+:[A-Za-z0-9_][A-Za-z0-9._-]*$"
 URL = r"^https?://[^\s\"'$%{}\\]+$"
-HOST = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?$"
-FOLDER = r"^[a-z0-9{}][a-z0-9.{}_-]*(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
 APT = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
 DEB = APT.replace("http:", "https?:", 1)
 PLATFORM = r"^linux/[a-z0-9]+(/v[0-9]+)?$"
@@ -57,8 +55,6 @@ MEANING = {
     REFERENCE: "a registry without https://, such as ghcr.io/owner or localhost:5000",
     IMAGE: "a full image name with its registry and tag, such as docker.io/library/debian:bookworm",
     URL: "an address, such as https://example.org/images",
-    HOST: "an archive's address without a path, such as http://archive.example.org (apt compares signatures, not certificates)",
-    FOLDER: "a folder below an archive's address, such as debian/dists/{suite}",
     APT: "the address of an apt repository, such as http://packages.example.org/{generation}/ubuntu",
     DEB: "the address of a Debian package, such as https://packages.example.org/{generation}-source_{version}.deb",
     PLATFORM: "a platform, such as linux/arm64",
@@ -84,8 +80,6 @@ Python = Annotated[str, Field(pattern=PYTHON)]
 Generations = Annotated[str, Field(pattern=GENERATION)]
 Digest = Annotated[str, Field(pattern=DIGEST)]
 Word = Annotated[str, Field(pattern=WORD, max_length=64)]
-Host = Annotated[str, Field(pattern=HOST, max_length=100)]
-Folder = Annotated[str, Field(pattern=FOLDER, max_length=100)]
 AptAddress = Annotated[str, Field(pattern=APT, max_length=200)]
 DebAddress = Annotated[str, Field(pattern=DEB, max_length=200)]
 Rmw = Annotated[str, Field(pattern=RMW, max_length=64)]
@@ -176,11 +170,6 @@ class OperatingSystem(Facts):
     )
     architectures: Names = Field(description="architectures that images of it are built for")
     tools: Packages = Field(description="Debian packages of the developers' tools: colcon, rosdep, vcs")
-    archive: Name | None = Field(
-        default=None,
-        description="a name from archives: what says whether its packages moved",
-    )
-    suite: Name | None = Field(default=None, description="name of its release in that archive, such as bookworm")
     codename: Name | None = Field(
         default=None, description="name of its suite in ROS's apt repositories, such as noble"
     )
@@ -455,11 +444,6 @@ class Matrix(Facts):
     default: Default
     architectures: dict[Name, Architecture] = Field(min_length=1)
     operating_systems: dict[OsName, OperatingSystem] = Field(min_length=1)
-    archives: dict[Name, dict[Host, Annotated[tuple[Folder, ...], Field(min_length=1)]]] = Field(
-        default={},
-        description="archives of operating systems -> address -> folders of the Release files that say whether packages"
-        " moved; {suite} is filled in. An image's own apt asks what its base image's sources name",
-    )
     ros_archive: RosArchive | None = Field(default=None, description="needed by distributions with 'apt'")
     components: dict[Name, Component] = Field(min_length=1)
     parts: tuple[PartEntry, ...] = Field(default=(), description="in the order in which they are joined")

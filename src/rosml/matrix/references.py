@@ -25,7 +25,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         _default,
         _architectures,
         _operating_systems,
-        _archives,
+        _ros_archive,
         _same_python,
         _components,
         _parts,
@@ -84,17 +84,9 @@ def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
         path: Path = ("operating_systems", name)
         yield from _each((*path, "architectures"), "architecture", os.architectures, matrix.architectures)
         yield from _placeholders((*path, "tools"), os.tools, ())
-        if os.archive and os.archive not in matrix.archives:
-            yield (*path, "archive"), unknown("archive", os.archive, matrix.archives)
-        if (os.archive is None) != (os.suite is None):
-            yield path, "'archive' and 'suite' go together; add the other one"
 
 
-def _archives(matrix: Matrix) -> Iterator[Finding]:
-    for name, hosts in matrix.archives.items():
-        for host, folders in hosts.items():
-            for index, folder in enumerate(folders):
-                yield from _placeholders(("archives", name, host, index), folder, ("suite",))
+def _ros_archive(matrix: Matrix) -> Iterator[Finding]:
     if ros := matrix.ros_archive:
         yield from _placeholders(("ros_archive", "live"), ros.live, ("generation",))
         yield from _placeholders(("ros_archive", "snapshot"), ros.snapshot, ("ros_distro", "day"))

@@ -260,7 +260,7 @@ class Pipeline:
         if not self._ask_anew:
             return
         try:
-            now = upstreams.state(self.plan.image_set.matrix, distribution)
+            now = upstreams.state(self.plan.services, self.plan.image_set.matrix, distribution)
         except RosmlError:  # what the build said stands
             return
         if upstreams.ros_date(now) > upstreams.ros_date(moment):
@@ -326,7 +326,7 @@ class Pipeline:
             yield from provenance.locks(services.root, [name for name in item.thing.locks if name in used])
         if isinstance(item.thing, Image) and item.kind == "ros":
             matrix, distribution = self.plan.image_set.matrix, item.thing.distribution
-            for address, moment in upstreams.repositories(matrix, distribution, made.upstream):
+            for address, moment in upstreams.repositories(services, matrix, distribution, made.upstream):
                 yield provenance.packages(address, moment)
         yield from self._source
 

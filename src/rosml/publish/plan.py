@@ -402,7 +402,7 @@ def _ask(plan: Plan) -> None:
 
     def asked(name: str) -> str | RosmlError:
         try:
-            return upstreams.state(plan.image_set.matrix, name)
+            return upstreams.state(plan.services, plan.image_set.matrix, name)
         except RosmlError as error:
             return error
 

@@ -506,6 +506,26 @@ class Registry:
             raise RosmlError(f"{self.host}/{repository}: {digest} is no JSON object", "push it anew")
         return content
 
+    def read_blob(self, repository: str, digest: str, read: Callable[[Iterator[bytes]], T]) -> T:
+        """Has a function read a blob while it arrives. It may stop early: the rest is not downloaded.
+
+        Args:
+            read: gets the blob in pieces; from the beginning again if the connection breaks. Who reads to the end knows that
+                the digest is right.
+
+        Returns:
+            What the function returns.
+
+        Raises:
+            RosmlError: as in `blob`.
+        """
+
+        def once() -> T:
+            with self._stream(repository, digest) as answer:
+                return read(_checked(answer.iter_bytes(), digest))
+
+        return self._retried(once)
+
     def has_blob(self, repository: str, digest: str) -> bool:
         """Whether a blob is in a repository.
 
@@ -550,12 +570,8 @@ class Registry:
         """
 
         def blocks() -> Iterator[bytes]:
-            state = _hash(digest)
             with source._stream(source_repository, digest) as answer:
-                for block in answer.iter_bytes(_BLOCK):
-                    state.update(block)
-                    yield block
-            _check(state.hexdigest(), digest)
+                yield from _checked(answer.iter_bytes(_BLOCK), digest)
 
         self._retried(lambda: self._upload(repository, digest, blocks(), size))
 
@@ -1105,6 +1121,15 @@ def _hash(digest: str) -> Any:
 def _check(found: str, digest: str) -> None:
     if found != digest.partition(":")[2]:
         raise RosmlError(f"what the registry has as {digest} has another digest", "it is damaged there: push it anew")
+
+
+def _checked(blocks: Iterable[bytes], digest: str) -> Iterator[bytes]:
+    """The pieces of a blob; after the last one, an error if the whole has another digest."""
+    state = _hash(digest)
+    for block in blocks:
+        state.update(block)
+        yield block
+    _check(state.hexdigest(), digest)
 
 
 def _verified(data: bytes, digest: str) -> bytes:
