@@ -50,7 +50,7 @@ CMD ["bash"]
 
 FROM parent AS ros
 ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT ROS_CODENAME ROS_APT_SOURCE
-ARG ROS_LIVE_ADDRESS ROS_SNAPSHOT_ADDRESS ROS_SYNC_DATE SOURCE_DATE_EPOCH
+ARG ROS_LIVE_ADDRESS ROS_SNAPSHOT_ADDRESS ROS_ARCHIVE ROS_COMPONENTS ROS_KEY ROS_SYNC_DATE SOURCE_DATE_EPOCH
 RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/ros,target=/run/components/ros \

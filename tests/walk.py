@@ -14,8 +14,8 @@ from tests.pages import ROOT, Block, blocks, commands
 
 EXTEND = ROOT / "docs/extend.md"
 OWN_SET = "A set of your own"
-NEEDS_NETWORK = ("./rosml locks", "./rosml image", "make image")
-"""Steps of the page that are not walked: unit tests run them with a local replacement for uv."""
+NEEDS_NETWORK = ("./rosml locks", "./rosml image", "make image", "gpg ")
+"""Steps of the page that are not walked: tests run them with local replacements."""
 
 
 def clone(folder: Path) -> Path:

@@ -46,11 +46,11 @@ judge_signature() {
     key=$(grep -o -E '[0-9A-F]{16,}' <<<"$key" | head -n 1)
     for file in "$keys"/*.asc; do
       [[ $(fingerprint <"$file") != *"$key" ]] ||
-        fail "an apt source is signed with ROS's other key, of components/ros/keys/${file##*/}" \
-          "live and snapshot are mixed up: check 'apt' of the distribution in matrix.yaml, and the mirror"
+        fail "an apt source is signed with another key, of components/ros/keys/${file##*/}" \
+          "live and snapshot are mixed up, or two archives: check 'apt' or 'archive' in matrix.yaml, and the mirror"
     done
     fail "an apt source is signed with the key $key, which is not a pinned one" \
-      "check the mirror, and if ROS has a new key, pin it in apt_sources of matrix.yaml or in components/ros/keys"
+      "check the mirror, and if the archive has a new key, pin it in apt_sources of matrix.yaml or in components/ros/keys"
   elif key=$(said 'EXPKEYSIG|KEYEXPIRED|not alive|key .*expired'); then
     fail "the key of an apt source has expired ($key)" \
       "pin a newer release in apt_sources of matrix.yaml, or the prolonged key in components/ros/keys"
@@ -75,7 +75,7 @@ apt_update() {
     judge_signature
     if said ' 404 ' >/dev/null && said 'does not have a Release file' >/dev/null; then
       fail "there is no such apt repository ($(said 'does not have a Release file'))" \
-        "check 'apt' and 'codename' in matrix.yaml, and the mirror"
+        "check 'apt' and 'codename', or 'archive', in matrix.yaml, and the mirror"
     fi
     sleep "$pause"
   done
@@ -84,16 +84,17 @@ apt_update() {
 }
 
 # require_sync ADDRESS: ROS's apt source, as apt_update left it, is of the suite $ROS_CODENAME, and of $ROS_SYNC_DATE where
-# that is said: an image's components are of one moment.
+# that is said: an image's components are of one moment. A suite has two names, such as stable and bookworm.
 require_sync() {
-  local path=${1#http://} release suite sync
+  local path=${1#*://} release suite sync
   release=$(find /var/lib/apt/lists -name "*${path//\//_}_dists_${ROS_CODENAME:?}_*Release")
-  suite=$(sed -n 's/^Codename: //p' "$release")
-  [[ $suite == "$ROS_CODENAME" ]] ||
+  grep -q -x -E "(Suite|Codename): $ROS_CODENAME" "$release" || {
+    suite=$(sed -n 's/^Codename: //p' "$release")
     fail "$1 has the suite '$suite' in the place of '$ROS_CODENAME'" "check the mirror"
+  }
   sync=$(date --utc --date "$(sed -n 's/^Date: //p' "$release")" +%FT%TZ)
   [[ -z ${ROS_SYNC_DATE:-} || $sync == "$ROS_SYNC_DATE" ]] ||
-    fail "$1 is of $sync, and not of $ROS_SYNC_DATE any more" "run it again: ROS published new packages meanwhile"
+    fail "$1 is of $sync, and not of $ROS_SYNC_DATE any more" "run it again: new packages were published meanwhile"
 }
 
 # Installs packages. What did not arrive is asked for again with a fresh index: a sync may have replaced it just then.

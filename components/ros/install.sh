@@ -3,6 +3,7 @@
 #   ROS_PACKAGES  Debian packages of the component, separated by spaces
 #   ROS_TOOLS     packages of the developers' tools (colcon, rosdep, vcs), installed with the first component
 #   ROS_CHANNEL   live, snapshot or final, where packages come from ROS's own apt source; see source.sh
+#   ROS_ARCHIVE   address of another apt archive that they come from; see source.sh
 #   ROS_CODENAME, ROS_SYNC_DATE  suite of that source, and of when it has to be
 #   ROS_DISTRO, ROS_VERSION  the distribution, and 1 or 2
 set -euo pipefail
@@ -16,7 +17,7 @@ source "$here/apt.sh"
 if [[ -n ${ROS_TOOLS:-} ]]; then
   mkdir -p /usr/local/share/rosml/versions.d
   printf 'ros-%s %s\n' distro "${ROS_DISTRO:?}" version "${ROS_VERSION:?}" >/usr/local/share/rosml/versions.d/ros
-  if [[ -n ${ROS_CHANNEL:-} ]]; then "$here/source.sh"; fi
+  if [[ -n ${ROS_CHANNEL:-}${ROS_ARCHIVE:-} ]]; then "$here/source.sh"; fi
 fi
 # With the first component, and for all that is installed later.
 if [[ -n ${ROS_TOOLS:-} && $ROS_VERSION == 1 ]]; then

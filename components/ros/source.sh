@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
-# Installs ROS's own apt source and asks it for its index once, so that what is wrong with it is said here.
+# Installs the apt source that ROS's packages come from, ROS's own or another, and asks it for its index once, so that what is
+# wrong with it is said here.
 #   ROS_CHANNEL     live: today's packages, set up by ROS's own package
 #                   snapshot, final: a state of them, of a day or at the distribution's end of life
 #   ROS_SNAPSHOT    day of the snapshot, such as 2026-08-07
 #   ROS_LIVE_ADDRESS, ROS_SNAPSHOT_ADDRESS
 #                   where these are, from matrix.yaml: http://host/ros2/ubuntu, http://host/jazzy/{day}/ubuntu
+#   ROS_ARCHIVE     address of another archive, in the place of all that
+#   ROS_COMPONENTS, ROS_KEY  its components, and the file in keys/ with the key that signs it
 #   ROS_VERSION     1 or 2
-#   ROS_CODENAME    suite of the operating system, such as noble
+#   ROS_CODENAME    suite: of the operating system, such as noble, or of the other archive
 #   ROS_SYNC_DATE   of when the source has to be, if that is said
 #   ROS_APT_SOURCE  address and digest of a release of ros2-apt-source, for live: https://host/file.deb@sha256:…
 set -euo pipefail
@@ -17,7 +20,9 @@ source "$here/../build/network.sh"
 source "$here/apt.sh"
 
 if [[ $ROS_VERSION == 1 ]]; then generation=ros; else generation=ros2; fi
+[[ -z ${ROS_ARCHIVE:-} ]] || ROS_CHANNEL=archive
 case ${ROS_CHANNEL:?} in
+  archive) address=$ROS_ARCHIVE ;;
   live) address=${ROS_LIVE_ADDRESS:?} ;;
   snapshot) address=${ROS_SNAPSHOT_ADDRESS//"{day}"/${ROS_SNAPSHOT:?}} ;;
   final) address=${ROS_SNAPSHOT_ADDRESS//"{day}"/final} ;;
@@ -51,14 +56,15 @@ key_of() {
   if [[ -n $path ]]; then cat "$path"; else sed -n '/BEGIN PGP/,/END PGP/{s/^Signed-By://;s/^ *//;s/^\.$//;p}' "$1"; fi
 }
 
-# The files that name the live repository or a snapshot of the distribution, directly or below a mirror.
+# The files that name the archive, or the live repository or a snapshot of the distribution, directly or below a mirror.
 sources() {
-  local live=${ROS_LIVE_ADDRESS#*//} snapshots=${ROS_SNAPSHOT_ADDRESS%%"{day}"*}
-  grep --files-with-matches -R -F -e "$live" -e "${snapshots#*//}" /etc/apt/sources.list* || true
+  local snapshots=${ROS_SNAPSHOT_ADDRESS:-$address} live=${ROS_LIVE_ADDRESS:-$address}
+  snapshots=${snapshots%%"{day}"*}
+  grep --files-with-matches -R -F -e "${live#*//}" -e "${snapshots#*//}" /etc/apt/sources.list* || true
 }
 
 codename=$(sed -n 's/^VERSION_CODENAME="\?\([a-z]*\).*/\1/p' /etc/os-release)
-[[ $codename == "${ROS_CODENAME:?}" ]] ||
+[[ $ROS_CHANNEL == archive || $codename == "${ROS_CODENAME:?}" ]] ||
   fail "the base image is '$codename', and matrix.yaml says '$ROS_CODENAME'" "check image, digest and codename there"
 [[ -z $(sources) ]] ||
   fail "the base image has an apt source of ROS already ($(sources))" "name an image without one in matrix.yaml"
@@ -75,10 +81,14 @@ if [[ $ROS_CHANNEL == live ]]; then
     fail "the pinned $generation-apt-source has another key than components/ros/keys/live.asc" \
       "put the key of that release there"
 else
-  keyring=/usr/share/keyrings/$generation-snapshots-archive-keyring.asc
-  install -D --mode=644 "$keys/snapshots.asc" "$keyring"
-  file=/etc/apt/sources.list.d/$generation-snapshots.sources
-  printf '%s\n' 'Types: deb' "URIs: $address" "Suites: $ROS_CODENAME" 'Components: main' "Signed-By: $keyring" >"$file"
+  if [[ $ROS_CHANNEL == archive ]]; then key=${ROS_KEY:?} name=archive; else key=snapshots.asc name=snapshots; fi
+  [[ -n $(fingerprint <"$keys/$key") ]] ||
+    fail "components/ros/keys/$key is no public key" "put the armored key there: gpg --armor --export KEY"
+  keyring=/usr/share/keyrings/$generation-$name-keyring.asc
+  install -D --mode=644 "$keys/$key" "$keyring"
+  file=/etc/apt/sources.list.d/$generation-$name.sources
+  printf '%s\n' 'Types: deb' "URIs: $address" "Suites: $ROS_CODENAME" "Components: ${ROS_COMPONENTS:-main}" \
+    "Signed-By: $keyring" >"$file"
 fi
 for line in "URIs: $address" "Suites: $ROS_CODENAME"; do
   grep -q -x -F "$line" "$file" || fail "$file does not say '$line'" "check ros_archive, apt_sources and codename in matrix.yaml"

@@ -40,6 +40,30 @@ def test_a_distribution(project: Path, real: ImageSet) -> None:
     assert all(image.locked for image in made.images if image.target in new and not image.target.endswith("-cpu"))
 
 
+def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
+    """And a row of ROS's own repository on the same system; tests/e2e/test_own_archive.py builds it."""
+    said = follow(project, "ROS from your own archive")
+    assert "docker-bake.hcl: written" in said and "warning" not in said
+    assert "packages come from the suite bookworm of an apt archive, http://packages.example.com/ros2" in said
+    made = load.load(project / "matrix.yaml", project)
+    arguments = targets.of(made)["jazzy-ours-core"].arguments
+    assert {name: value for name, value in arguments.items() if name.startswith("ROS_")}.items() >= {
+        "ROS_ARCHIVE": "http://packages.example.com/ros2",
+        "ROS_CODENAME": "bookworm",
+        "ROS_COMPONENTS": "main",
+        "ROS_KEY": "ours.asc",
+        "ROS_PACKAGES": "ros-jazzy-ros-core",
+    }.items()
+    assert "ROS_CHANNEL" not in arguments and "ROS_ARCHIVE" not in targets.of(made)["ros1-bookworm-core"].arguments
+
+
+def test_ros_one(project: Path) -> None:
+    [row] = section("ROS One")
+    matrix = project / "matrix.yaml"
+    matrix.write_text(matrix.read_text().replace("\ndisk: #", f"\n{row.text.rstrip()}\n\ndisk: #", 1))
+    assert load.load(matrix, project).image("one-base").packages == "ros-one-ros-base"
+
+
 def test_a_release_and_a_stack(project: Path, real: ImageSet) -> None:
     insert(project, next(section("A release of PyTorch or TensorFlow")))
     said = follow(project, "A stack")

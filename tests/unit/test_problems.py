@@ -458,8 +458,19 @@ WRONG = {
         "    apt: {channel: snapshot, date: 2026-11-01}\n",
         "",
         "58:3: distributions.omega: ubuntu-26.04 does not have ROS's packages itself, and nothing says where they come "
-        "from; add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}' or, past the end of life, "
-        "'apt: {channel: final}'",
+        "from; add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life "
+        "'apt: {channel: final}', or 'archive: {address: …, suite: …, key: …}'",
+    ),
+    "packages from two places": (
+        "    apt: {channel: snapshot, date: 2026-11-01}\n",
+        "    apt: {channel: snapshot, date: 2026-11-01}\n    archive: {address: http://a.test, suite: x, key: a.asc}\n",
+        "65:5: distributions.omega.archive: ROS comes from 'apt' already; keep one of the two",
+    ),
+    "a key that is no file": (
+        "    apt: {channel: snapshot, date: 2026-11-01}\n",
+        "    archive: {address: http://a.test, suite: x, key: ../a.asc}\n",
+        "64:49: distributions.omega.archive.key: expected a file in components/ros/keys with an armored public key, "
+        "such as mine.asc, found '../a.asc'",
     ),
     "a generation in quotes": (
         "    ros: 2\n    packages: ros-{ros_distro}-{metapackage}\n    components: [core, base, desktop]",

@@ -247,7 +247,7 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
             "tools": "" if tools == matrix.operating_systems[facts.os].tools else tools,
         },
         {"packages": {image.component: image.packages for image in alone}},
-        {"apt": targets.apt_arguments(matrix, name, facts.apt) if facts.apt else None},
+        {"apt": targets.apt_arguments(matrix, name) or None},
         {"stacks": stacks},
         {"covered": [kind for kind, image in kinds.items() if not long.issubset(image.tests)]},
         {"unlocked": {kind: targets.unlocked(image) for kind, image in kinds.items() if not image.locked}},

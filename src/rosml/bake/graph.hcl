@@ -262,11 +262,11 @@ target "_ros" {
     { ROS_DISTRO = image.row.ros_distro, ROS_VERSION = image.row.ros, ROS_PACKAGES = given(image.packages) },
     image.below != "" ? {} : { ROS_TOOLS = overridable(image.system.tools, image.row.tools) },
     image.row.wheels == "" ? {} : { ROS_ROW = image.distribution, PYTHON = image.system.python },
-    image.row.apt == null ? {} : merge(image.row.apt, {
-      ROS_CHANNEL   = overridable(image.row.apt.ROS_CHANNEL, ROS_CHANNEL)
-      ROS_SNAPSHOT  = overridable(image.row.apt.ROS_SNAPSHOT, ROS_SNAPSHOT)
-      ROS_SYNC_DATE = try(sync_dates[image.distribution], "")
-    })
+    image.row.apt == null ? {} : merge(image.row.apt, { ROS_SYNC_DATE = try(sync_dates[image.distribution], "") }),
+    !can(image.row.apt.ROS_CHANNEL) ? {} : {
+      ROS_CHANNEL  = overridable(image.row.apt.ROS_CHANNEL, ROS_CHANNEL)
+      ROS_SNAPSHOT = overridable(image.row.apt.ROS_SNAPSHOT, ROS_SNAPSHOT)
+    }
   )
 }
 

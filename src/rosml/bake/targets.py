@@ -169,11 +169,8 @@ def _ros(image_set: ImageSet, image: Image) -> Target:
         arguments["ROS_PACKAGES"] = image.packages
     if parent is None:
         arguments["ROS_TOOLS"] = tools(matrix, image.distribution)
-    if distribution.apt:
-        arguments |= {
-            name: Overridable(name, fact) if name in CHANNEL else fact
-            for name, fact in apt_arguments(matrix, image.distribution, distribution.apt).items()
-        }
+    if facts := apt_arguments(matrix, image.distribution):
+        arguments |= {name: Overridable(name, fact) if name in CHANNEL else fact for name, fact in facts.items()}
         arguments["ROS_SYNC_DATE"] = NoInput("sync date", image.distribution)
     if distribution.wheels:  # the stage takes uv from what assembles parts, which stands on the system's base image
         arguments |= {"ROS_ROW": image.distribution, "PYTHON": image.python}
@@ -186,8 +183,18 @@ CHANNEL = ("ROS_CHANNEL", "ROS_SNAPSHOT")
 """Arguments of a distribution that variables of the same names may override."""
 
 
-def apt_arguments(matrix: Matrix, name: str, apt: Apt) -> dict[str, str]:
-    """The facts about ROS's own apt repository that the packages of a distribution come from."""
+def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
+    """The facts about the apt repository that the packages of a distribution come from, ROS's own or another; none where they
+    are the operating system's, or wheels."""
+    if archive := matrix.distributions[name].archive:
+        return {
+            "ROS_ARCHIVE": archive.address,
+            "ROS_CODENAME": archive.suite,
+            "ROS_COMPONENTS": " ".join(archive.components),
+            "ROS_KEY": archive.key,
+        }
+    if not (apt := matrix.distributions[name].apt):
+        return {}
     facts = {
         "ROS_CHANNEL": apt.channel,
         "ROS_SNAPSHOT": apt.date.isoformat() if apt.date else "",
@@ -256,7 +263,7 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         found[labels.SOURCE] = matrix.source
     if image.stack:
         found[f"{labels.PREFIX}stack"] = image.stack
-    if distribution.apt:
+    if distribution.apt or distribution.archive:
         found[f"{labels.PREFIX}ros.sync"] = NoInput("sync date", image.distribution)
     if distribution.experimental:
         found[f"{labels.PREFIX}experimental"] = "true"

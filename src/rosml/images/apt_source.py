@@ -12,6 +12,8 @@ from rosml.matrix import rules
 from rosml.matrix.model import Matrix
 
 CHANNELS = ("live", "snapshot", "final")
+ARCHIVE = "archive"
+"""The channel of what comes from another archive than ROS's own."""
 
 
 @dataclass(frozen=True)
@@ -19,7 +21,7 @@ class Source:
     """An apt repository of ROS.
 
     Attributes:
-        channel: live, snapshot or final.
+        channel: live, snapshot or final; archive where it is not ROS's own.
         day: of the snapshot; empty otherwise.
         address: as the image's apt source names it.
         codename: its suite.
@@ -45,11 +47,12 @@ def source(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -
     distribution = matrix.distributions[name]
     channel, day = environ.get("ROS_CHANNEL", ""), environ.get("ROS_SNAPSHOT", "")
     if distribution.apt is None:
+        archive = distribution.archive
         if channel or day:
-            whose = "wheels" if distribution.wheels else f"{distribution.os}'s own"
+            whose = "from its archive" if archive else "wheels" if distribution.wheels else f"{distribution.os}'s own"
             text = f"the ROS packages of {name} are {whose}: there is no other channel"
             raise RosmlError(text, "leave CHANNEL and SNAPSHOT out", exit_code=2)
-        return None
+        return Source(ARCHIVE, "", archive.address, archive.suite) if archive else None
     if channel and channel not in CHANNELS:
         raise RosmlError(f"no channel {channel!r}", f"CHANNEL takes {', '.join(CHANNELS)}", exit_code=2)
     channel = channel or distribution.apt.channel

@@ -162,9 +162,13 @@ def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Ite
     this_time = bool(environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"))
     found = apt_source.source(matrix, image.distribution, environ)
     if found and (this_time or not image.stack):
-        kinds = {"live": "live apt repository", "final": "apt snapshot: final, which gets no updates"}
-        kind = kinds.get(found.channel, f"apt snapshot: of {found.day}")
-        yield f"{'this time, ' * this_time}packages come from ROS's {kind}, {found.address}"
+        kinds = {
+            "live": "ROS's live apt repository",
+            "final": "ROS's apt snapshot: final, which gets no updates",
+            apt_source.ARCHIVE: f"the suite {found.codename} of an apt archive",
+        }
+        kind = kinds.get(found.channel, f"ROS's apt snapshot: of {found.day}")
+        yield f"{'this time, ' * this_time}packages come from {kind}, {found.address}"
 
 
 def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:

@@ -33,6 +33,8 @@ IMAGE = r"^[a-z0-9.-]+(:[0-9]+)?(/[a-z0-9._-]+)+:[A-Za-z0-9_][A-Za-z0-9._-]*$"
 URL = r"^https?://[^\s\"'$%{}\\]+$"
 APT = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
 DEB = APT.replace("http:", "https?:", 1)
+ARCHIVE = DEB.replace("{}", "")
+KEY_FILE = r"^[a-z0-9][a-z0-9._-]*\.asc$"
 PLATFORM = r"^linux/[a-z0-9]+(/v[0-9]+)?$"
 RMW = r"^rmw_[a-z0-9]+(_[a-z0-9]+)*$"
 WORD = r"^[A-Za-z0-9_][A-Za-z0-9_.+-]*$"
@@ -57,6 +59,8 @@ MEANING = {
     URL: "an address, such as https://example.org/images",
     APT: "the address of an apt repository, such as http://packages.example.org/{generation}/ubuntu",
     DEB: "the address of a Debian package, such as https://packages.example.org/{generation}-source_{version}.deb",
+    ARCHIVE: "the address of an apt archive, such as http://packages.example.org/ros2",
+    KEY_FILE: "a file in components/ros/keys with an armored public key, such as mine.asc",
     PLATFORM: "a platform, such as linux/arm64",
     RMW: "an RMW implementation, such as rmw_cyclonedds_cpp",
     WORD: "one word",
@@ -82,6 +86,8 @@ Digest = Annotated[str, Field(pattern=DIGEST)]
 Word = Annotated[str, Field(pattern=WORD, max_length=64)]
 AptAddress = Annotated[str, Field(pattern=APT, max_length=200)]
 DebAddress = Annotated[str, Field(pattern=DEB, max_length=200)]
+ArchiveAddress = Annotated[str, Field(pattern=ARCHIVE, max_length=200)]
+KeyFile = Annotated[str, Field(pattern=KEY_FILE, max_length=64)]
 Rmw = Annotated[str, Field(pattern=RMW, max_length=64)]
 Sentence = Annotated[str, Field(pattern=SENTENCE, max_length=200)]
 Requirement = Annotated[str, Field(pattern=REQUIREMENT, max_length=120)]
@@ -325,6 +331,17 @@ class Apt(Facts):
     date: datetime.date | None = Field(default=None, description="day of the snapshot")
 
 
+class Archive(Facts):
+    """A signed apt archive with ROS's packages that is not ROS's own: a company's, a build farm's, a team's."""
+
+    address: ArchiveAddress = Field(description="its address, as an image's apt source names it")
+    suite: Word = Field(description="its suite, such as noble")
+    components: Annotated[tuple[Word, ...], Field(min_length=1)] = Field(
+        default=("main",), description="its components, such as main"
+    )
+    key: KeyFile = Field(description="file in components/ros/keys with the public key that signs it")
+
+
 class Distribution(Facts):
     """A ROS distribution on an operating system."""
 
@@ -360,6 +377,7 @@ class Distribution(Facts):
     apt: Apt | None = Field(
         default=None, description="ROS's own apt repository, for packages that are not the system's"
     )
+    archive: Archive | None = Field(default=None, description="another apt archive, in the place of ROS's own")
     rmw: tuple[Rmw, ...] = Field(
         default=(), description="RMW implementations of ROS 2 beside the default one; RMW_IMPLEMENTATION chooses one"
     )

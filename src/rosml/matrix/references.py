@@ -294,6 +294,8 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
             yield (*path, "apt"), text
         if distribution.rmw and distribution.ros == 1:
             yield (*path, "rmw"), "ROS 1 has no RMW implementations; they are ROS 2's"
+        if distribution.apt and distribution.archive:
+            yield (*path, "archive"), "ROS comes from 'apt' already; keep one of the two"
         if distribution.os in matrix.operating_systems:
             os = matrix.operating_systems[distribution.os]
             yield from _apt((*path, "apt"), distribution, os) if distribution.apt else _no_apt(path, distribution, os)
@@ -321,19 +323,19 @@ def _wheels(path: Path, name: str, distribution: Distribution) -> Iterator[Findi
     if len(distribution.components) > 1:
         text = f"the wheels of {name} are one component's; keep one of {listed(distribution.components)}"
         yield (*path, "components"), text
-    for key in ("apt", "rmw"):
+    for key in ("apt", "archive", "rmw"):
         if getattr(distribution, key):
             yield (*path, key), f"'{key}' is about Debian packages of ROS, and {name} has wheels; remove it"
 
 
 def _no_apt(path: Path, distribution: Distribution, os: OperatingSystem) -> Iterator[Finding]:
-    """A system with a suite in ROS's apt repositories does not have ROS's packages itself, as Debian has."""
-    if os.codename and distribution.packages is not None and not distribution.wheels:
+    """Packages that are named after a distribution of ROS, such as ros-jazzy-ros-core, are in no system's own archive."""
+    if "{ros_distro}" in (distribution.packages or "") and not distribution.archive and not distribution.wheels:
+        known = "'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life 'apt: {channel: final}', or "
         yield (
             path,
             f"{distribution.os} does not have ROS's packages itself, and nothing says where they come from; "
-            "add 'apt: {channel: live}', 'apt: {channel: snapshot, date: …}' or, past the end of life, "
-            "'apt: {channel: final}'",
+            f"add {known * bool(os.codename)}'archive: {{address: …, suite: …, key: …}}'",
         )
 
 
