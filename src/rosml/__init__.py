@@ -1,7 +1,7 @@
 """The library behind the commands: packages with one noun each and one direction of imports, which `lint-imports` holds.
 
-From the top: cli; publish, catalogue; build, scan; join; records; machine, locks; registry, bake; images; matrix; base. Each
-imports from those below it alone. docs/architecture.md walks through them.
+From the top: cli; publish, catalogue; build, scan; join; records; machine, locks; registry, bake; images; matrix, run; base.
+Each imports from those below it alone. docs/architecture.md walks through them.
 """
 
 from __future__ import annotations

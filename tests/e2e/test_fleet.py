@@ -36,7 +36,7 @@ def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
     found = minis.make(tmp_path_factory.mktemp("fleet"), beside)
     matrix = found.folder / "matrix.yaml"
     content = yaml.safe_load(matrix.read_text())
-    content["distributions"]["other"] = copy.deepcopy(content["distributions"]["ros1-bookworm"])
+    content["distributions"]["other"] = copy.deepcopy(content["distributions"]["ros1-bookworm"]) | {"aliases": []}
     matrix.write_text(yaml.safe_dump(content, sort_keys=False))
     return found
 

@@ -107,7 +107,7 @@ def test_what_does_not_go_together(mini: Mini) -> None:
         (common, cc): "is a part",
         (ros, ros): "is a ROS image",
         (f"{mini.registry}/ros-tf:ros1-bookworm-core-cpu", common): "already",
-        (f"{mini.registry}/ros:bookworm-corn", common): "did you mean 'ros1-bookworm-core'",
+        (f"{mini.registry}/ros:ros1-bookworm-corn", common): "did you mean 'ros1-bookworm-core'",
     }.items():
         outcome = joined(mini.folder, *arguments, "--tag", tag)
         assert outcome.code == 2, (arguments, outcome.err)

@@ -44,6 +44,7 @@ WORDS = [
     "part",
     "plan",
     "publish",
+    "run",
     "setup",
 ]
 
@@ -243,6 +244,17 @@ def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
         done = installed(wheel, tmp_path, "join", ros, *own, "--tag", tag)
         assert done.returncode == 0, done.stderr
         assert done.stdout.startswith(f"{tag}@{client.head('me/mine', 'latest')}\n")
+    assert not (wheel / "rosml/data/.state").exists()
+
+
+def test_an_image_is_run(wheel: Path, tmp_path: Path) -> None:
+    """The table of the engines' options is in the wheel. The engine is a local replacement."""
+    (tmp_path / "docker").write_text('#!/bin/sh\nif [ "$1" = run ]; then printf "%s|" "$@"; exit 3; fi\necho "{}"\n')
+    (tmp_path / "docker").chmod(0o755)
+    words = ("run", "--no-tz", "--no-user", "-eA=b c", "ubuntu", "echo", "a  b")
+    done = installed(wheel, tmp_path, *words, PATH=f"{tmp_path}:/usr/bin:/bin")
+    assert (done.returncode, done.stderr) == (3, "")
+    assert done.stdout.endswith("|-eA=b c|ubuntu|echo|a  b|")
     assert not (wheel / "rosml/data/.state").exists()
 
 

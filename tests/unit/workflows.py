@@ -8,6 +8,8 @@ import click
 import yaml
 from conftest import ROOT
 
+from rosml.cli.run import Run
+
 FOLDER = ROOT / ".github/workflows"
 
 
@@ -30,6 +32,8 @@ def accepted(command: click.Command, arguments: list[str]) -> None:
         assert arguments[0] in command.commands, f"no command {arguments[0]}"
         return accepted(command.commands[arguments[0]], arguments[1:])
     context = click.Context(command, **command.context_settings)
+    if isinstance(command, Run):
+        arguments = command.for_click(context, arguments)
     _, rest, _ = command.make_parser(context).parse_args(list(arguments))
     assert not rest, f"unexpected words: {' '.join(rest)}"
     return None

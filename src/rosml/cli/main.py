@@ -22,13 +22,14 @@ def cli() -> None:
     """ROS base images with machine learning inside.
 
     list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
-    prune with --registry. The others need a checkout.
+    prune with --registry. run needs docker or podman. The others need a checkout.
 
     \b
     Examples:
       rosml list jazzy torch
       rosml explain jazzy-robot
-      rosml image ros1-bookworm-core-torch-cu128
+      rosml image jazzy-base-torch-cu130
+      rosml run ghcr.io/me/rosml/ros:jazzy-base
       rosml status --registry ghcr.io/me/rosml
 
     \b
@@ -49,12 +50,14 @@ COMMANDS = (
     "part",
     "plan",
     "publish",
+    "run",
     "setup",
     "status",
 )
 """The modules of this package that have a command: `main` in each."""
 
-for name in COMMANDS:
+# Every start of a container waits for `rosml run`, and importing the others takes longer than all that it does itself.
+for name in ("run",) if sys.argv[1:2] == ["run"] else COMMANDS:
     cli.add_command(import_module(f"rosml.cli.{name}").main)
 
 

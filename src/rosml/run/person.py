@@ -1,0 +1,85 @@
+"""Who calls, and from where: what this process and this machine say."""
+
+from __future__ import annotations
+
+import os
+import pwd
+import stat
+from collections.abc import Mapping
+from pathlib import Path
+
+from rosml.base.errors import RosmlError
+from rosml.run.context import Person
+
+ZONES = "zoneinfo/"
+"""The folder of time zones, wherever the system keeps it."""
+
+
+def person(environment: Mapping[str, str]) -> Person:
+    """The one who calls this process.
+
+    Raises:
+        RosmlError: the current folder was removed.
+    """
+    uid = os.geteuid()
+    try:
+        folder = os.getcwd()
+    except OSError as error:
+        raise RosmlError(f"the current folder: {error.strerror}", "go to another folder", exit_code=2) from None
+    return Person(
+        uid=uid,
+        gid=os.getegid(),
+        name=_name(uid),
+        folder=folder,
+        timezone=timezone(environment),
+        locale={k: v for k, v in environment.items() if k in ("LANG", "LANGUAGE") or k.startswith("LC_")},
+        terminal=os.isatty(0) and os.isatty(1),
+        reads=reads(0),
+    )
+
+
+def _name(uid: int) -> str:
+    try:
+        return pwd.getpwuid(uid).pw_name
+    except KeyError:
+        return ""
+
+
+def timezone(environment: Mapping[str, str], etc: Path = Path("/etc")) -> str:
+    """The name of the time zone: that of TZ, or else the system's; empty where neither has a name.
+
+    Args:
+        environment: with TZ, or without. etc: the system's folder of settings.
+    """
+    places = (environment.get("TZ", "").removeprefix(":"), _link(etc / "localtime"), _text(etc / "timezone"))
+    return next(filter(None, map(_zone, places)), "")
+
+
+def _zone(place: str) -> str:
+    """The zone that a path leads to; a place that is no path names one. A path to anywhere else has no name for it."""
+    if ZONES in place:
+        return place.rpartition(ZONES)[2]
+    return "" if place.startswith(("/", ".")) else place
+
+
+def _link(file: Path) -> str:
+    try:
+        return os.readlink(file)
+    except OSError:
+        return ""
+
+
+def _text(file: Path) -> str:
+    try:
+        return file.read_text(encoding="utf-8").strip()
+    except (OSError, UnicodeDecodeError):
+        return ""
+
+
+def reads(descriptor: int) -> bool:
+    """Whether something may be read there: a terminal, a pipe, a file; not /dev/null, and nothing where it is closed."""
+    try:
+        found = os.fstat(descriptor)
+        return not (stat.S_ISCHR(found.st_mode) and found.st_rdev == os.stat(os.devnull).st_rdev)
+    except OSError:
+        return False

@@ -1,0 +1,166 @@
+"""The words of `rosml run`: its own options, the engine's, the image, and the command, which nobody touches."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from rosml.base.errors import RosmlError
+
+
+@dataclass(frozen=True)
+class Given:
+    """Options of the engine, as somebody wrote them: `--rm`, `-e A=b` (two words), or `-it` (two options in a word).
+
+    Attributes:
+        words: as they were written. names: the long names of what is in them, such as `env`.
+        value: of the last one; None where it is a switch. It is the end of the last word.
+    """
+
+    words: tuple[str, ...]
+    names: tuple[str, ...]
+    value: str | None = None
+
+    def with_value(self, value: str) -> Given:
+        """The same with another value, written in the same way."""
+        if self.value is None:
+            return self
+        last = self.words[-1]
+        return Given((*self.words[:-1], last[: len(last) - len(self.value)] + value), self.names, value)
+
+
+@dataclass(frozen=True)
+class Line:
+    """A command line. Attributes: own: words for rosml itself. engine: options for the engine. image: empty where there is
+    none. command: all that follows the image."""
+
+    own: tuple[str, ...]
+    engine: tuple[Given, ...]
+    image: str
+    command: tuple[str, ...]
+
+    def has(self, *names: str) -> bool:
+        """Whether somebody wrote one of these options of the engine, by their long names."""
+        return any(name in given.names for given in self.engine for name in names)
+
+    def value(self, name: str) -> str:
+        """The value of an option of the engine; the last one where there are several, empty where there is none."""
+        values = [given.value for given in self.engine if given.names[-1] == name]
+        return (values[-1] or "") if values else ""
+
+
+@dataclass(frozen=True)
+class Table:
+    """The options that the engines have. Attributes: values: long names of those that take a value. switches: of the others.
+    letters: the long name for each letter."""
+
+    values: frozenset[str]
+    switches: frozenset[str]
+    letters: Mapping[str, str]
+
+    @property
+    def names(self) -> frozenset[str]:
+        """All long names."""
+        return self.values | self.switches
+
+
+@cache
+def table() -> Table:
+    """The options of docker and podman, as engine_options.txt has them."""
+    kinds: dict[str, set[str]] = {"value": set(), "switch": set()}
+    letters: dict[str, str] = {}
+    for line in Path(__file__).with_name("engine_options.txt").read_text(encoding="utf-8").splitlines():
+        if line.startswith("#"):
+            continue
+        kind, *letter, long = line.split()
+        name = long.removeprefix("--")
+        kinds[kind].add(name)
+        letters.update({short.removeprefix("-"): name for short in letter})
+    return Table(frozenset(kinds["value"]), frozenset(kinds["switch"]), letters)
+
+
+def split(words: Collection[str], own: Collection[str]) -> Line:
+    """Reads a command line as docker and podman read theirs: the first word that is no option is the image.
+
+    Args:
+        words: what follows `rosml run`.
+        own: rosml's own options, such as `--dry-run`; all of them are switches.
+
+    Raises:
+        RosmlError: an option is unknown, or lacks its value.
+    """
+    mine: list[str] = []
+    engine: list[Given] = []
+    rest = iter(words)
+    for word in rest:
+        if word == "--":
+            return _line(mine, engine, [*rest])
+        if not word.startswith("-") or word == "-":
+            return _line(mine, engine, [word, *rest])
+        if word.partition("=")[0] in own:
+            mine.append(word)
+        elif word.startswith("--"):
+            engine.append(_long(word, rest, own))
+        else:
+            engine.append(_letters(word, rest))
+    return _line(mine, engine, [])
+
+
+def _line(own: list[str], engine: list[Given], rest: list[str]) -> Line:
+    image = rest[0] if rest else ""
+    if image.startswith("-"):  # after `--`; the engine would take it for an option
+        raise RosmlError(f"{image!r} is no name of an image", "write an image after --", exit_code=2)
+    return Line(tuple(own), tuple(engine), image, tuple(rest[1:]))
+
+
+def _long(word: str, rest: Iterator[str], own: Collection[str]) -> Given:
+    """One option with a long name."""
+    name, equals, value = word[2:].partition("=")
+    if equals:
+        return Given((word,), (name,), value)
+    if name in table().switches:
+        return Given((word,), (name,))
+    if name in table().values:
+        value = _value(word, rest)
+        return Given((word, value), (name,), value)
+    raise RosmlError(f"unknown option {word}", _remedy(word, own), exit_code=2)
+
+
+def _remedy(word: str, own: Collection[str]) -> str:
+    """What to do about an unknown option: the name that may be meant, and how an option of a newer engine is written."""
+    from difflib import get_close_matches  # only needed when something is wrong
+
+    known = [*(name.removeprefix("--") for name in own), *table().names]
+    advice = f"{word}=VALUE gives it to docker or podman; for a switch, write {word}=true"
+    meant = get_close_matches(word.removeprefix("--"), known, n=1, cutoff=0.75)
+    return f"did you mean --{meant[0]}? {advice}" if meant else advice
+
+
+def _letters(word: str, rest: Iterator[str]) -> Given:
+    """Options with one letter, several of which may stand in a word: `-it`, `-eA=b`, `-itv /a:/a`."""
+    names: list[str] = []
+    left = word[1:]
+    while left:
+        letter, left = left[0], left[1:]
+        if letter not in table().letters:
+            remedy = "write its long name with its value: --option=VALUE"
+            raise RosmlError(f"unknown option -{letter} in {word!r}", remedy, exit_code=2)
+        names.append(table().letters[letter])
+        if left.startswith("=") and len(left) > 1:
+            return Given((word,), tuple(names), left[1:])
+        if names[-1] in table().values:
+            if left:
+                return Given((word,), tuple(names), left)
+            value = _value(f"-{letter}", rest)
+            return Given((word, value), tuple(names), value)
+    return Given((word,), tuple(names))
+
+
+def _value(option: str, rest: Iterator[str]) -> str:
+    """The word after an option that takes a value."""
+    value = next(rest, None)
+    if value is None:
+        raise RosmlError(f"the option {option} lacks its value", "write the value after it", exit_code=2)
+    return value

@@ -1,0 +1,636 @@
+"""`rosml run`: what docker and podman get, who runs in the container, and what is said where that cannot be. The engines are
+local replacements, which write down how they are called."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import pty
+import shlex
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from conftest import ROOT
+
+from rosml.base.errors import RosmlError
+from rosml.run import concerns, engine, person
+from rosml.run.context import Context, Engine, Flags, Person
+from rosml.run.paths import bind, resolved
+from rosml.run.user import NAME
+from rosml.run.words import split
+
+ENGINE = f"""\
+#!{sys.executable} -IS
+import json, os, signal, sys, time
+here, name = os.path.split(os.path.abspath(__file__))
+with open(f"{{here}}/{{name}}.json") as file:
+    says = json.load(file)
+with open(f"{{here}}/calls", "a") as out:
+    out.write(json.dumps([name, *sys.argv[1:]]) + "\\n")
+first, last = sys.argv[1], sys.argv[-1]
+if first == "info":
+    print(json.dumps(says["info"]))
+    sys.exit(says["complaint"] or 0)
+if first == "image":
+    if last not in says["images"]:
+        sys.exit(says["complaint"] or f"Error: No such image: {{last}}")
+    print(json.dumps(says["images"][last]))
+if first == "container":
+    if last not in says["containers"]:
+        sys.exit(f"Error: No such container: {{last}}")
+    print(*says["containers"][last])
+if first == "pull":
+    print("progress")
+    if last not in says["registry"]:
+        sys.exit("pull access denied")
+    says["images"][last] = says["registry"][last]
+    with open(f"{{here}}/{{name}}.json", "w") as file:
+        json.dump(says, file)
+if first == "run":
+    if last == "read":
+        print(sys.stdin.read().upper(), end="")
+    if last == "wait":
+        signal.signal(signal.SIGTERM, lambda *_: os._exit(7))
+        print("waiting", flush=True)
+        time.sleep(60)
+    sys.exit(says["code"])
+"""
+"""An engine that answers as its file says, and writes down all calls as JSON."""
+
+DOCKER = {"ServerVersion": "28.2.2", "SecurityOptions": ["name=seccomp,profile=builtin", "name=cgroupns"]}
+ROOTLESS = {**DOCKER, "SecurityOptions": [*DOCKER["SecurityOptions"], "name=rootless"]}
+PODMAN = {"host": {"security": {"rootless": True}}}
+OURS = ["PATH=/usr/bin", "DOCKER_USER=dockeruser", "DOCKER_UID=", "DOCKER_GID=", "WORKSPACE=/docker-ros/ws"]
+OTHER = ["PATH=/usr/bin"]
+
+UID, GID = os.geteuid(), os.getegid()
+
+
+class Desk:
+    """A folder in which somebody calls `rosml run`, with engines that are local replacements.
+
+    Attributes:
+        folder: the current one. bin: all of PATH.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.folder, self.bin = path / "dr", path / "bin"
+        self.folder.mkdir()
+        self.bin.mkdir()
+        self.environment = {"PATH": str(self.bin), "HOME": str(path), "PYTHONPATH": str(ROOT / "src")}
+
+    def engine(self, name: str = "docker", **facts: Any) -> None:
+        """Installs an engine, or changes what it says."""
+        says = {"info": DOCKER, "images": {"ubuntu": OTHER, "ours": OURS}, "containers": {}, "registry": {}}
+        says |= {"code": 0, "complaint": ""} | facts
+        (self.bin / f"{name}.json").write_text(json.dumps(says))
+        (self.bin / name).write_text(ENGINE)
+        (self.bin / name).chmod(0o755)
+
+    def argv(self, *words: str) -> list[str]:
+        """How rosml is called."""
+        return [sys.executable, str(ROOT / "src"), "run", *words]
+
+    def call(self, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+        """Calls `rosml run` without a terminal, and with nothing to read."""
+        env = {**self.environment, **environment}
+        return subprocess.run(
+            self.argv(*words),
+            cwd=self.folder,
+            env=env,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    @property
+    def calls(self) -> list[list[str]]:
+        """All calls of engines so far."""
+        file = self.bin / "calls"
+        return [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+
+    @property
+    def ran(self) -> list[str]:
+        """What the only engine that ran something was called with."""
+        (found,) = [call for call in self.calls if call[1] == "run"]
+        return found
+
+    def on_a_terminal(self, *words: str, output: int | None = None) -> tuple[int, bytes]:
+        """Calls it on a terminal of Python's own making: its exit code, and what the terminal gets to see.
+
+        Args:
+            output: in the place of the terminal.
+        """
+        ours, theirs = pty.openpty()
+        out = theirs if output is None else output
+        with subprocess.Popen(
+            self.argv(*words), cwd=self.folder, env=self.environment, stdin=theirs, stdout=out, stderr=theirs
+        ) as process:
+            os.close(theirs)
+            told = b""
+            with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
+                while part := os.read(ours, 1000):
+                    told += part
+        os.close(ours)
+        return process.returncode, told
+
+
+@pytest.fixture
+def desk(tmp_path: Path) -> Desk:
+    """A desk with docker, which has the images `ubuntu` and `ours`."""
+    made = Desk(tmp_path)
+    made.engine()
+    return made
+
+
+# ---- What a command is made of: cases that go wrong elsewhere --------------------------------------------------------
+
+HOME = [] if UID == 0 else ["-e", "HOME=/tmp"]
+PLAIN = ["docker", "run", "--rm", "--user", f"{UID}:{GID}", *HOME]
+"""What rosml adds where there is no terminal and the image makes no user."""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["ubuntu", "bash", "-c", 'echo "a  b" $HOME; ls'],
+        ["-e", "A=b c", "ubuntu"],
+        ["ubuntu", "mycmd", "--name", "x", "--image", "y"],
+        ["ubuntu", "ls", "--verbose", "--help"],
+        ["ubuntu", "printf", "", "%s", ""],
+        ["ubuntu", "ls", "*", "?", "[a-z]"],
+        ["ubuntu", "echo", "a\\b", "\\", "\n", "`id`", "$(id)"],
+        ["-it", "-v", "/a b:/c d", "ubuntu", "--rm", "--dry-run", "--json"],
+    ],
+)
+def test_words_arrive_as_they_are(desk: Desk, words: list[str]) -> None:
+    done = desk.call("--no-tz", *words)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert desk.ran == [*PLAIN, *words]
+
+
+def test_bytes_that_are_no_text_arrive_as_they_are(desk: Desk) -> None:
+    """A file's name may be any bytes."""
+    subprocess.run(
+        [*desk.argv("--no-tz", "ubuntu", "ls"), b"\xff\xfe"], cwd=desk.folder, env=desk.environment, check=True
+    )
+    assert os.fsencode(desk.ran[-1]) == b"\xff\xfe"
+
+
+@pytest.mark.parametrize("written", [["--volume=./a:/a"], ["-v", "./a:/a"], ["-v./a:/a"], ["--volume", "./a:/a"]])
+def test_a_relative_folder_is_mounted(desk: Desk, written: list[str]) -> None:
+    assert desk.call("--no-tz", *written, "ubuntu", "./a:/a").returncode == 0
+    whole = [word.replace("./a", f"{desk.folder}/a") for word in written]
+    assert desk.ran == [*PLAIN, *whole, "ubuntu", "./a:/a"]
+
+
+def test_a_folder_with_spaces_is_mounted_into_the_workspace(desk: Desk) -> None:
+    desk.folder = desk.folder / "my, 2nd: folder"
+    desk.folder.mkdir()
+    assert desk.call("--mws", "ours", "colcon", "build").returncode == 0
+    assert f'type=bind,"source={desk.folder}",target=/docker-ros/ws/src/target' in desk.ran
+
+
+def test_a_running_container_of_the_folders_name_is_left_alone(desk: Desk) -> None:
+    """Nothing is started in it: the image that was asked for runs, or a message says why not."""
+    desk.engine(containers={"dr": ["running", "/dr"]})
+    assert desk.call("--no-tz", "ubuntu", "ls").returncode == 0
+    assert desk.ran == [*PLAIN, "ubuntu", "ls"]
+    code, told = desk.on_a_terminal("ubuntu", "ls")
+    assert code == 1 and b"a container named dr exists (running)" in told
+    assert b"docker exec -it dr /entrypoint.sh bash" in told and b"--no-name" in told
+    assert len([call for call in desk.calls if call[1] not in ("info", "image", "container")]) == 1
+
+
+def test_without_a_terminal_none_is_asked_for(desk: Desk) -> None:
+    assert desk.call("ubuntu").returncode == 0
+    assert not {"-t", "--tty", "-i", "-it", "--name"} & set(desk.ran)
+
+
+def test_there_is_no_engine(desk: Desk) -> None:
+    (desk.bin / "docker").unlink()
+    done = desk.call("ubuntu", "ls")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert (
+        done.stderr.startswith("error: neither docker nor podman is installed") and "\nremedy: install" in done.stderr
+    )
+
+
+# ---- The terminal ----------------------------------------------------------------------------------------------------
+
+
+def test_on_a_terminal(desk: Desk) -> None:
+    code, told = desk.on_a_terminal("--no-tz", "ours")
+    assert (code, told) == (0, b"")
+    assert desk.ran[:7] == ["docker", "run", "--rm", "-i", "-t", "--name", "dr"]
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [(["--no-it"], []), (["-it"], []), (["-i"], ["-t"]), (["--tty"], ["-i"]), (["--tty=false"], ["-i"])],
+)
+def test_what_somebody_says_of_the_terminal(desk: Desk, words: list[str], expected: list[str]) -> None:
+    assert desk.on_a_terminal("--no-tz", "--no-user", "--no-name", *words, "ubuntu")[0] == 0
+    assert desk.ran == ["docker", "run", "--rm", *expected, *(w for w in words if w != "--no-it"), "ubuntu"]
+
+
+def test_output_into_a_pipe(desk: Desk) -> None:
+    """Keyboard, but no terminal: it would write line ends of its own, and the container's errors among the output."""
+    reader, writer = os.pipe()
+    assert desk.on_a_terminal("ubuntu", output=writer)[0] == 0
+    os.close(writer)
+    os.close(reader)
+    assert "-i" in desk.ran and "-t" not in desk.ran and "--name" not in desk.ran
+
+
+def test_input_from_a_pipe(desk: Desk) -> None:
+    done = subprocess.run(
+        desk.argv("ubuntu", "read"),
+        cwd=desk.folder,
+        env=desk.environment,
+        input=b"a\nb",
+        capture_output=True,
+        check=True,
+    )
+    assert done.stdout == b"A\nB" and "-i" in desk.ran
+
+
+def test_input_from_nowhere(desk: Desk, tmp_path: Path) -> None:
+    assert person.reads(os.open(os.devnull, os.O_RDONLY)) is False
+    assert person.reads(os.open(tmp_path, os.O_RDONLY)) is True
+    closed = subprocess.run(
+        ["/bin/sh", "-c", 'exec "$@" <&-', "sh", *desk.argv("ubuntu")], env=desk.environment, cwd=desk.folder
+    )
+    assert closed.returncode == 0 and "-i" not in desk.ran
+
+
+# ---- How it ends -----------------------------------------------------------------------------------------------------
+
+
+def test_the_exit_code_is_the_commands(desk: Desk) -> None:
+    desk.engine(code=42)
+    assert desk.call("ubuntu", "false").returncode == 42
+
+
+def test_signals_reach_the_engine(desk: Desk) -> None:
+    with subprocess.Popen(
+        desk.argv("ubuntu", "wait"), cwd=desk.folder, env=desk.environment, stdout=subprocess.PIPE
+    ) as process:
+        assert process.stdout and process.stdout.readline() == b"waiting\n"
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(10) == 7
+
+
+def test_no_signal_is_ignored_that_was_not_before(desk: Desk) -> None:
+    """Python ignores SIGPIPE and SIGXFSZ, which a program that it becomes would go on to do."""
+    (desk.bin / "docker").write_text(
+        "#!/bin/sh\nif [ $1 = run ]; then exec /usr/bin/grep SigIgn /proc/self/status; fi\n"
+    )
+    ignored = int(desk.call("ubuntu").stdout.split()[1], 16)
+    assert not ignored & (1 << signal.SIGPIPE - 1 | 1 << signal.SIGXFSZ - 1)
+
+
+def test_what_would_run_is_shown(desk: Desk) -> None:
+    desk.engine(containers={"x": ["running", "/x"]})
+    shown = desk.call("--no-tz", "--dry-run", "--name", "x", "ubuntu", "echo", "a  b")
+    as_json = desk.call("--no-tz", "--json", "--name", "x", "ubuntu", "echo", "a  b")
+    assert [call[1] for call in desk.calls if call[1] not in ("info", "image")] == []
+    wanted = [*PLAIN, "--name", "x", "ubuntu", "echo", "a  b"]
+    assert shlex.split(shown.stdout) == json.loads(as_json.stdout) == wanted
+    assert shown.stdout == f"{shlex.join(wanted)}\n" and shown.stderr == as_json.stderr == ""
+    desk.engine()
+    said = desk.call("--no-tz", "--verbose", "--name", "x", "ubuntu", "echo", "a  b")
+    assert (said.stdout, said.stderr, desk.ran) == ("", shown.stdout, wanted)
+
+
+# ---- The engine and the image ----------------------------------------------------------------------------------------
+
+
+def test_podman_where_there_is_no_docker(desk: Desk) -> None:
+    (desk.bin / "docker").rename(desk.bin / "podman")
+    desk.engine("podman", info={"host": {"security": {"rootless": False}}})
+    (desk.bin / "docker").unlink(missing_ok=True)
+    assert desk.call("--no-tz", "ubuntu").returncode == 0
+    assert desk.ran == ["podman", *PLAIN[1:], "ubuntu"]
+
+
+def test_an_engine_is_named(desk: Desk) -> None:
+    desk.engine("podman", info=PODMAN)
+    assert desk.call("ubuntu", ROSML_ENGINE=str(desk.bin / "podman")).returncode == 0
+    assert desk.ran[0] == "podman"
+    done = desk.call("ubuntu", ROSML_ENGINE="nerdctl")
+    assert done.returncode == 1 and "no program 'nerdctl', which ROSML_ENGINE names" in done.stderr
+
+
+def test_podman_by_the_name_of_docker(desk: Desk) -> None:
+    """As Debian's package podman-docker has it."""
+    desk.engine(info=PODMAN)
+    assert desk.call("--no-tz", "ours").returncode == 0
+    assert desk.ran[3:6] == ["--userns=keep-id", "--user", "0:0"]
+
+
+@pytest.mark.parametrize(
+    ("complaint", "says", "remedy"),
+    [
+        (
+            "Cannot connect to the Docker daemon at x",
+            "docker does not answer: Cannot connect",
+            "systemctl start docker",
+        ),
+        ("permission denied while trying to connect", "docker does not let you in: permission", "usermod -aG docker"),
+    ],
+)
+def test_an_engine_that_does_not_answer(desk: Desk, complaint: str, says: str, remedy: str) -> None:
+    desk.engine(info={"ServerVersion": "", "ServerErrors": [complaint]}, images={}, complaint=complaint)
+    desk.engine("podman", info=PODMAN)
+    done = desk.call("ubuntu")
+    assert done.returncode == 1 and says in done.stderr and remedy in done.stderr
+    assert "ROSML_ENGINE=podman" in done.stderr
+    assert not [call for call in desk.calls if call[1] in ("pull", "run")]
+
+
+def test_an_image_that_is_not_there_is_pulled_first(desk: Desk) -> None:
+    """What it says of its user counts; progress is not among the command's output."""
+    desk.engine(images={}, registry={"ours": OURS})
+    done = desk.call("--platform=linux/arm64", "-q", "-qit", "-e", "A=b", "ours", "pwd")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "progress\n")
+    assert ["docker", "pull", "--platform=linux/arm64", "-q", "ours"] in desk.calls
+    assert f"DOCKER_UID={UID}" in desk.ran
+
+
+def test_an_image_that_nobody_has(desk: Desk) -> None:
+    done = desk.call("no/such:image")
+    assert done.returncode == 1 and not [call for call in desk.calls if call[1] == "run"]
+    assert "pull access denied\nerror: no image no/such:image here, and docker cannot pull it\nremedy: " in done.stderr
+    assert "docker login" in done.stderr
+
+
+@pytest.mark.parametrize("words", [["--dry-run"], ["--json"], ["--pull=never"], ["--pull", "never"]])
+def test_where_nothing_is_pulled(desk: Desk, words: list[str]) -> None:
+    desk.engine(images={}, registry={"ours": OURS})
+    done = desk.call(*words, "ours")
+    assert done.returncode == 1 and "error: no image ours here" in done.stderr
+    assert "remedy: docker pull ours" in done.stderr
+    assert not [call for call in desk.calls if call[1] in ("pull", "run")]
+
+
+@pytest.mark.parametrize(
+    ("state", "found", "refused", "remedy"),
+    [
+        ("running", "/x1", True, "docker exec -it x1 /entrypoint.sh bash"),
+        ("exited", "/x1", True, "docker rm x1"),
+        ("running", "x1", True, "docker exec"),  # podman writes no slash
+        ("running", "/brave_bell", False, ""),  # its id begins with x1
+    ],
+)
+def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool, remedy: str) -> None:
+    desk.engine(containers={"x1": [state, found]})
+    done = desk.call("--name=x1", "ubuntu")
+    assert done.returncode == int(refused)
+    assert (f"a container named x1 exists ({state})" in done.stderr) == refused and remedy in done.stderr
+    assert desk.call("--name=x1", "--replace", "ubuntu").returncode == 0, "podman replaces it"
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        ([], "Missing argument 'IMAGE'"),
+        (["--brand-new", "ubuntu"], "remedy: --brand-new=VALUE"),
+        (["--no-rm=1", "ubuntu"], "'--no-rm' does not take a value"),
+        (["--mws", "ubuntu"], "ubuntu has no workspace"),
+    ],
+)
+def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:
+    done = desk.call(*words)
+    assert (done.returncode, says in done.stderr) == (2, True), done.stderr
+    assert not [call for call in desk.calls if call[1] == "run"]
+
+
+def test_a_folder_that_is_gone(desk: Desk) -> None:
+    script = 'mkdir x; cd x; rmdir ../x; exec "$@"'
+    argv = ["sh", "-c", script, "sh", *desk.argv("ubuntu")]
+    env = {**desk.environment, "PATH": f"{desk.bin}:/usr/bin:/bin"}
+    done = subprocess.run(argv, cwd=desk.folder, env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 2 and "remedy: go to another folder" in done.stderr
+
+
+def test_what_is_slow_is_not_imported(desk: Desk) -> None:
+    code = (
+        "import sys; sys.argv[1:] = ['run', '--dry-run', 'ubuntu']\n"
+        "from rosml.cli.main import run\n"
+        "assert run() == 0\n"
+        "print(*sys.modules)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=desk.environment, capture_output=True, text=True, check=True
+    )
+    imported = set(done.stdout.splitlines()[-1].split())
+    assert "rosml.run.concerns" in imported
+    assert not imported & {"csv", "difflib", "httpx", "pydantic", "rich", "yaml", "rosml.matrix", "rosml.cli.publish"}
+
+
+# ---- Who runs --------------------------------------------------------------------------------------------------------
+
+PERSON = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin", {"LANG": "de_DE.UTF-8", "LC_TIME": "C"})
+ENGINE_OF_ROOT, NOTHING = Engine(), Flags()
+BARE = ["--user", "1234:5678", "-e", "HOME=/tmp"]
+CONTRACT = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=5678", "-e", "DOCKER_USER=jo"]
+
+
+def added(
+    *words: str,
+    image: list[str] = OURS,
+    engine: Engine = ENGINE_OF_ROOT,
+    flags: Flags = NOTHING,
+    caller: Person = PERSON,
+) -> list[str]:
+    """What rosml adds to a command of somebody who is not root."""
+    variables = dict(entry.partition("=")[::2] for entry in image)
+    line = split([*words, "reg.test/me/ros:jazzy"], ())
+    argv = concerns.argv(Context(line, flags, engine, caller, variables))
+    assert argv[:2] == [engine.program, "run"]
+    return argv[2 : len(argv) - 1 - len(words)]
+
+
+def without_others(**facts: Any) -> list[str]:
+    flags = Flags(no_rm=True, no_tz=True, no_name=True, no_it=True)
+    return added(*facts.pop("words", ()), flags=flags, **facts)
+
+
+@pytest.mark.parametrize(
+    ("engine", "image", "expected"),
+    [
+        (Engine(), OURS, CONTRACT),
+        (Engine(), OTHER, BARE),
+        (Engine(rootless=True), OURS, []),
+        (Engine(rootless=True), OTHER, ["--user", "0:0"]),
+        (Engine("podman", podman=True), OURS, CONTRACT),
+        (Engine("podman", podman=True), OTHER, BARE),
+        (Engine("podman", podman=True, rootless=True), OURS, ["--userns=keep-id", "--user", "0:0", *CONTRACT]),
+        (Engine("podman", podman=True, rootless=True), OTHER, ["--userns=keep-id", *BARE]),
+    ],
+)
+def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expected: list[str]) -> None:
+    assert without_others(engine=engine, image=image) == expected
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["--user", "7"], []),
+        (["-u7"], []),
+        (["--entrypoint", "bash"], BARE),  # nothing reads DOCKER_UID then
+        (["--userns=host"], CONTRACT),
+        (["-e", "DOCKER_UID=7"], CONTRACT),  # theirs comes later, and counts
+    ],
+)
+def test_whoever_says_who_runs_is_heard(words: list[str], expected: list[str]) -> None:
+    assert without_others(words=words) == expected
+    assert added(*words, flags=Flags(True, True, True, True, no_user=True)) == []
+
+
+def test_podman_takes_one_user_namespace() -> None:
+    assert without_others(words=["--userns=host"], engine=Engine("podman", podman=True, rootless=True)) == []
+
+
+@pytest.mark.parametrize("name", ["", "DOMAIN\\jo", "jo smith", "1jo", "x" * 33])
+def test_a_name_that_the_image_would_refuse(name: str) -> None:
+    assert without_others(caller=Person(1234, 5678, name, "/")) == CONTRACT[:4]
+
+
+def test_names_are_those_that_the_entrypoint_takes() -> None:
+    script = (ROOT / "components/base/entrypoint.sh").read_text()
+    assert f"^{NAME.pattern}$" in script
+
+
+def test_root_has_a_home() -> None:
+    root = Person(0, 0, "root", "/")
+    assert without_others(caller=root, image=OTHER) == ["--user", "0:0"]
+
+
+@pytest.mark.parametrize(
+    ("info", "expected"),
+    [(DOCKER, (False, False)), (ROOTLESS, (False, True)), (PODMAN, (True, True)), ({"host": {}}, (True, False))],
+)
+def test_an_engine_says_what_it_is(desk: Desk, info: Any, expected: tuple[bool, bool]) -> None:
+    desk.engine(info=info)
+    found = engine.ask(str(desk.bin / "docker"), "ours", "").engine
+    assert (found.podman, found.rootless) == expected
+
+
+@pytest.mark.parametrize(("name", "expected"), [("docker", (False, False)), ("podman", (True, UID != 0))])
+def test_an_engine_that_says_nothing_of_itself(desk: Desk, name: str, expected: tuple[bool, bool]) -> None:
+    (desk.bin / name).write_text("#!/bin/sh\n")
+    (desk.bin / name).chmod(0o755)
+    found = engine.ask(str(desk.bin / name), "ours", "")
+    assert (found.engine.podman, found.engine.rootless, found.image) == (*expected, {})
+
+
+# ---- The other concerns ----------------------------------------------------------------------------------------------
+
+
+def test_what_is_added_by_default() -> None:
+    assert added() == ["--rm", *CONTRACT, "-e", "TZ=Europe/Berlin"]
+    everything = Flags(no_name=True, no_rm=True, no_it=True, no_tz=True, no_user=True)
+    there = Person(1234, 5678, "jo", "/home/jo/robot", "UTC", {}, terminal=True, reads=True)
+    assert added(flags=everything, caller=there) == []
+
+
+@pytest.mark.parametrize("words", [["--rm"], ["--restart=always"], ["--rmi"], ["--rm=false"]])
+def test_what_goes_with_no_removal(words: list[str]) -> None:
+    assert "--rm" not in added(*words) and added("--restart-not=x")[0] == "--rm"
+
+
+@pytest.mark.parametrize(
+    ("folder", "image", "name"),
+    [
+        ("/home/jo/robot", "ros", "robot"),
+        ("/home/jo/my robot (2)", "ros", "my-robot-2"),
+        ("/home/jo/.config", "ros", "config"),
+        ("/", "reg.test:5000/me/ros:jazzy", "ros-jazzy"),
+        ("/x", "ros@sha256:" + "0" * 64, "ros"),
+        ("/机器人", "ubuntu", "ubuntu"),
+        ("/", "x", ""),
+    ],
+)
+def test_the_containers_name(folder: str, image: str, name: str) -> None:
+    def named(*words: str, terminal: bool = True, flags: Flags = NOTHING) -> str:
+        there = Person(0, 0, "root", folder, terminal=terminal)
+        return concerns.name_of(Context(split([*words, image], ()), flags, Engine(), there, {}))
+
+    assert named() == name
+    assert named("--name", "mine") == "mine"
+    assert named(flags=Flags(no_name=True)) == named(terminal=False) == ""
+
+
+def test_the_time_zone(tmp_path: Path) -> None:
+    def zone(text: str = "") -> str:
+        return person.timezone({"TZ": text} if text else {}, tmp_path)
+
+    assert zone() == ""
+    (tmp_path / "timezone").write_text("Asia/Tokyo\n")
+    assert zone() == "Asia/Tokyo"
+    (tmp_path / "localtime").symlink_to("/usr/share/zoneinfo/Europe/Berlin")
+    assert zone() == zone(":/etc/localtime") == zone("/somewhere") == "Europe/Berlin"
+    assert zone("America/New_York") == zone(":/usr/share/zoneinfo/America/New_York") == "America/New_York"
+    (tmp_path / "localtime").unlink()
+    (tmp_path / "localtime").write_bytes(b"TZif2")
+    (tmp_path / "timezone").write_bytes(b"\xff")
+    assert zone() == ""
+    assert "TZ=Europe/Berlin" in added() and "TZ=Europe/Berlin" not in added("--tz=local")
+
+
+def test_the_locale() -> None:
+    assert added(flags=Flags(loc=True))[-4:] == ["-e", "LANG=de_DE.UTF-8", "-e", "LC_TIME=C"]
+
+
+def test_the_current_folder_is_mounted() -> None:
+    both = added(flags=Flags(mwd=True, mws=True))
+    here = "/home/jo/robot"
+    assert both[-6:-2] == ["--mount", f"type=bind,source={here},target={here}", "--workdir", here]
+    assert both[-2:] == ["--mount", f"type=bind,source={here},target=/docker-ros/ws/src/target"]
+    with pytest.raises(RosmlError, match="has no workspace"):
+        added(flags=Flags(mws=True), image=OTHER)
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("-v .:/ws", "-v /home/jo:/ws"),
+        ("-v ..:/ws:ro", "-v /home:/ws:ro"),
+        ("-v a/b:/ws", "-v /home/jo/a/b:/ws"),
+        ("-v ./a/../b:/ws", "-v /home/jo/b:/ws"),
+        ("-v /a/../b:/ws", "-v /a/../b:/ws"),
+        ("-v name:/ws", "-v name:/ws"),
+        ("-v /ws", "-v /ws"),
+        ("-v ./ws", "-v ./ws"),
+        ("-itv./a:/b", "-itv/home/jo/a:/b"),
+        ("--volume=~/a:/b", "--volume=/home/other/a:/b"),
+        ("--mount type=bind,source=a,target=/b", "--mount type=bind,source=/home/jo/a,target=/b"),
+        ("--mount=type=bind,src=./a,dst=./b", "--mount=type=bind,src=/home/jo/a,dst=./b"),
+        ("--mount type=bind,src=/a,dst=/b", "--mount type=bind,src=/a,dst=/b"),
+        ("--mount type=volume,src=a,dst=/b", "--mount type=volume,src=a,dst=/b"),
+        ("--mount src=a,dst=/b", "--mount src=a,dst=/b"),
+        ('--mount "type=bind', '--mount "type=bind'),
+        ("--env-file ./a", "--env-file ./a"),
+        ("-e A=./a:/b", "-e A=./a:/b"),
+        ("--workdir ./a:/b", "--workdir ./a:/b"),
+    ],
+)
+def test_relative_folders(written: str, meant: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HOME", "/home/other")
+    (option,) = split([*written.split(), "image"], ()).engine
+    assert " ".join(resolved(option, "/home/jo").words) == meant
+
+
+def test_odd_paths_in_a_mount() -> None:
+    assert bind("/a:b", "/c") == "type=bind,source=/a:b,target=/c"
+    assert bind('/a,"b"', "/c d") == 'type=bind,"source=/a,""b""",target=/c d'
+    (option,) = split(["--mount", 'type=bind,"source=a,b",target=/c', "image"], ()).engine
+    assert resolved(option, "/x").value == 'type=bind,"source=/x/a,b",target=/c'
