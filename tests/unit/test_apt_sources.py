@@ -462,7 +462,12 @@ def test_the_local_registry_is_the_mirror_of_docker_hub(
     assert apt_sources.sources(local, {}, NAME) == ONE
 
 
-OWN = changed("    codename: resolute\n", "", changed("    apt: {channel: snapshot, date: 2026-11-01}\n", "", SMALL))
+OWN = changed(
+    "packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n    default_stack: cpu\n"
+    "    apt: {channel: snapshot, date: 2026-11-01}\n",
+    "packages: ros-{metapackage}\n    components: [core, base]\n    default_stack: cpu\n",
+    changed("    codename: resolute\n", "", SMALL),
+)
 MATRIX = OWN.replace("ubuntu-26.04", NAME).replace("docker.io/library/ubuntu:26.04", "docker.io/library/system:1")
 """A matrix with a row whose ROS is the system's own, on a system that a variable names."""
 

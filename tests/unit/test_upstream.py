@@ -92,10 +92,18 @@ def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
         server.shutdown()
 
 
+def without_apt(text: str) -> str:
+    """A matrix whose omega has its system's own ROS."""
+    apt = "default_stack: cpu\n    apt: {channel: snapshot, date: 2026-11-01}\n"
+    text = changed(apt, "default_stack: cpu\n", text)
+    named = "packages: ros-{ros_distro}-{metapackage}\n    components: [core, base]\n    default_stack: cpu"
+    return changed(named, named.replace("-{ros_distro}", ""), text)
+
+
 def at(address: str) -> Matrix:
     """A matrix with a live row, one from wheels, and omega, whose ROS is the system's own."""
     text = changed("    codename: resolute\n", "", WHEELS.replace("http://ros.test", address))
-    return parse(changed("    apt: {channel: snapshot, date: 2026-11-01}\n", "", text)).matrix
+    return parse(without_apt(text)).matrix
 
 
 @dataclass

@@ -14,7 +14,7 @@ from typing import Literal
 from rosml.images import labels, missing
 from rosml.images.image_set import PARTS, Image, ImageSet, Part
 from rosml.matrix import names, rules
-from rosml.matrix.model import Apt, Matrix
+from rosml.matrix.model import Matrix
 
 EPOCH = "1767225600"
 """2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
