@@ -7,7 +7,7 @@
 #   ROS_LIVE_ADDRESS, ROS_SNAPSHOT_ADDRESS
 #                   where these are, from matrix.yaml: http://host/ros2/ubuntu, http://host/jazzy/{day}/ubuntu
 #   ROS_ARCHIVE     address of another archive, in the place of all that
-#   ROS_COMPONENTS, ROS_KEY  its components, and the file in keys/ with the key that signs it
+#   ROS_COMPONENTS, ROS_SIGNED_BY  its components, and the file in keys/ with the key that signs it
 #   ROS_VERSION     1 or 2
 #   ROS_CODENAME    suite: of the operating system, such as noble, or of the other archive
 #   ROS_SYNC_DATE   of when the source has to be, if that is said
@@ -81,7 +81,7 @@ if [[ $ROS_CHANNEL == live ]]; then
     fail "the pinned $generation-apt-source has another key than components/ros/keys/live.asc" \
       "put the key of that release there"
 else
-  if [[ $ROS_CHANNEL == archive ]]; then key=${ROS_KEY:?} name=archive; else key=snapshots.asc name=snapshots; fi
+  if [[ $ROS_CHANNEL == archive ]]; then key=${ROS_SIGNED_BY:?} name=archive; else key=snapshots.asc name=snapshots; fi
   [[ -n $(fingerprint <"$keys/$key") ]] ||
     fail "components/ros/keys/$key is no public key" "put the armored key there: gpg --armor --export KEY"
   keyring=/usr/share/keyrings/$generation-$name-keyring.asc

@@ -51,7 +51,7 @@ def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
         "ROS_ARCHIVE": "http://packages.example.com/ros2",
         "ROS_CODENAME": "bookworm",
         "ROS_COMPONENTS": "main",
-        "ROS_KEY": "ours.asc",
+        "ROS_SIGNED_BY": "ours.asc",
         "ROS_PACKAGES": "ros-jazzy-ros-core",
     }.items()
     assert "ROS_CHANNEL" not in arguments and "ROS_ARCHIVE" not in targets.of(made)["ros1-bookworm-core"].arguments

@@ -191,7 +191,7 @@ def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
             "ROS_ARCHIVE": archive.address,
             "ROS_CODENAME": archive.suite,
             "ROS_COMPONENTS": " ".join(archive.components),
-            "ROS_KEY": archive.key,
+            "ROS_SIGNED_BY": archive.key,
         }
     if not (apt := matrix.distributions[name].apt):
         return {}
