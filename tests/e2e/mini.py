@@ -23,7 +23,7 @@ from rosml import ROOT
 from rosml.base.file_lock import turn
 from rosml.images import load
 from rosml.images.image_set import ImageSet
-from rosml.machine import base_images
+from rosml.machine import base_images, regctl
 from rosml.machine.services import Services
 from rosml.publish import plan as planning
 from rosml.records import store
@@ -264,35 +264,47 @@ def begun(said: str) -> set[tuple[str, str]]:
     return {(step, target) for step, target in re.findall(r"^==> (build|join|test) (\S+) for ", said, re.M)}
 
 
+USED = ("components/part/install-assembler.sh", "components/build/network.sh", "tools/requirements.txt")
+"""What the recipe of the base image uses."""
+
+
 def base(services: Services, image_set: ImageSet) -> tuple[str, str]:
     """Name and digest of the base image of small projects; made where the registry has none of today's recipe."""
-    parent = base_images.reference(services, image_set.matrix.operating_systems, "bookworm")
-    recipe = BASE.format(os=parent)
-    used = ("components/part/install-assembler.sh", "components/build/network.sh", "tools/requirements.txt")
-    content = recipe.encode() + b"".join((ROOT / name).read_bytes() for name in used)
+    recipe = BASE.format(os=base_images.reference(services, image_set.matrix.operating_systems, "bookworm"))
+    content = recipe.encode() + b"".join((ROOT / name).read_bytes() for name in USED)
     repository = f"rosml-test/{hashlib.sha256(content).hexdigest()[:12]}/debian"
     client = oci.Registry(services.registry)
-    with turn(ROOT / ".state/base/mini.lock", lambda: None), tempfile.TemporaryDirectory() as folder:
+    with turn(ROOT / ".state/base/mini.lock", lambda: None):
         if not client.head(repository, "bookworm"):
-            for name in used:
-                target = Path(folder, name)
-                target.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(ROOT / name, target)
-            (Path(folder) / "Dockerfile").write_text(recipe)
-            output = f"type=image,push=true,name={services.registry}/{repository}:bookworm"
-            command = [
-                *services.buildx,
-                "build",
-                "--progress",
-                "plain",
-                "--provenance=false",
-                "--output",
-                output,
-                *ca_secret(services),
-            ]
-            outcome = run(*command, folder, env=services.environment())
-            assert outcome.code == 0, outcome.err
+            build_base(services, recipe, f"{services.registry}/{repository}:bookworm")
         return f"{services.registry}/{repository}:bookworm", client.head(repository, "bookworm")
+
+
+def build_base(services: Services, recipe: str, name: str, *options: str) -> None:
+    """Builds the base image, or its variant for another architecture, and pushes it."""
+    with tempfile.TemporaryDirectory() as folder:
+        for used in USED:
+            target = Path(folder, used)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / used, target)
+        (Path(folder) / "Dockerfile").write_text(recipe)
+        command = [*services.buildx, "build", "--progress", "plain", "--provenance=false", *options]
+        command += ["--output", f"type=image,push=true,name={name}", *ca_secret(services)]
+        outcome = run(*command, folder, env=services.environment())
+    assert outcome.code == 0, outcome.err
+
+
+def for_both(folder: Path, services: Services, image_set: ImageSet) -> None:
+    """Gives the base image that a small project's matrix names a variant for the other architecture, under emulation."""
+    matrix = yaml.safe_load((folder / "matrix.yaml").read_text())
+    system = matrix["operating_systems"]["bookworm"]
+    repository = system["image"].removesuffix(":bookworm")
+    [other] = {"amd64", "arm64"} - {base_images.native_architecture()}
+    parent = base_images.reference(services, image_set.matrix.operating_systems, "bookworm", other)
+    build_base(services, BASE.format(os=parent), f"{repository}:{other}", "--platform", f"linux/{other}")
+    digests = [system["digest"], regctl.digest(services, f"{repository}:{other}")]
+    system["digest"] = regctl.create_index(services, repository, digests, {})
+    (folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
 
 
 def make(folder: Path, services: Services) -> Mini:

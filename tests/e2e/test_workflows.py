@@ -21,6 +21,7 @@ import yaml
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
+from rosml.images.image_set import ImageSet
 from rosml.machine.services import Services
 from rosml.records.store import Records
 from tests.act import Played, play, workflow
@@ -114,12 +115,18 @@ def own_checkout(mini: Mini, folder: Path) -> Path:
 
 
 def night(
-    mini: Mini, folder: Path, only: str = "", lost: str = "", rosml: str = ROSML, checkout: Path | None = None
+    mini: Mini,
+    folder: Path,
+    only: str = "",
+    lost: str = "",
+    rosml: str = ROSML,
+    checkout: Path | None = None,
+    serve: str = NATIVE,
 ) -> Played:
     """A run of the workflow, its commands for real."""
     programs = {"make": '[ "$1" = test-scanner ]', "rosml": rosml}
     host, _, place = mini.registry.partition("/")
-    variables = {"ROSML_REGISTRY": host, "ROSML_NAMESPACE": place, "ROSML_SERVE": NATIVE, "ROSML_SHARDS": "2"}
+    variables = {"ROSML_REGISTRY": host, "ROSML_NAMESPACE": place, "ROSML_SERVE": serve, "ROSML_SHARDS": "2"}
     played = play(
         workflow("nightly"),
         folder,
@@ -190,8 +197,8 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
 
 
 @pytest.mark.full(proof="night")
-def test_jobs_set_themselves_up(mini: Mini) -> None:
-    """Each with what its own steps install, and nothing else of this machine."""
+def test_jobs_set_themselves_up(mini: Mini, services: Services, image_set: ImageSet) -> None:
+    """Each with what its own steps install, and nothing else of this machine; those of the other architecture under emulation."""
     with tempfile.TemporaryDirectory(prefix="rosml-night-") as name:
         folder = Path(name)
         folder.chmod(0o755)  # for a user who is not root
@@ -199,12 +206,9 @@ def test_jobs_set_themselves_up(mini: Mini) -> None:
         (folder / "trivy").write_text(scanner.read_text().replace(sys.executable, "/usr/bin/python3"))
         (folder / "trivy").chmod(0o755)
         rosml = OWN.format(scanner=folder / "trivy", bin=ROOT / ".state/bin", user=PLAIN_USER)
-        played = night(
-            mini,
-            folder / "night",
-            rosml=rosml,
-            checkout=own_checkout(mini, folder / "checkout"),
-        )
+        checkout = own_checkout(mini, folder / "checkout")
+        minis.for_both(checkout, services, image_set)
+        played = night(mini, folder / "night", rosml=rosml, checkout=checkout, serve="")
         assert played.results == {**dict.fromkeys(played.results, "success"), "pages": "skipped"}
         assert {
             "ros:ros1-bookworm-core",
@@ -212,6 +216,9 @@ def test_jobs_set_themselves_up(mini: Mini) -> None:
             "ros-tf:ros1-bookworm-base-cpu",
         } <= mini.tags().keys()
         mini.check()
+        index = mini.client().manifest(f"{mini.prefix}/ros-tf", "ros1-bookworm-base-cpu")
+        assert index
+        assert {member["platform"]["architecture"] for member in index.content["manifests"]} == {"amd64", "arm64"}
 
 
 def test_no_plan_no_night(mini: Mini, tmp_path: Path) -> None:
