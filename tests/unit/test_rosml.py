@@ -33,6 +33,7 @@ JOINED = next(image for image in IMAGES if image.stack)
 DISTRIBUTIONS = list(dict.fromkeys(image.distribution for image in IMAGES))
 
 WORDS = [
+    "attach",
     "catalogue",
     "diff",
     "explain",

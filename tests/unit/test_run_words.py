@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
-from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -14,8 +13,9 @@ from test_matrix import PROFILE
 
 from rosml.base.errors import RosmlError
 from rosml.cli import run
+from rosml.cli.container import LINE
 from rosml.run import concerns
-from rosml.run.context import Context, Engine, Flags, Person
+from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.words import Given, Line, split, table
 
 OWN = ("--no-rm", "--dry-run", "--help")
@@ -195,13 +195,12 @@ def test_a_command_is_not_changed(options: list[list[str]], image: str, command:
     """Whatever stands before and in it: the engine gets its options, the image and the command word for word."""
     words = [word for option in options for word in option]
     context = run.main.make_context("rosml run", [*words, image, *command])
-    line: Line = context.meta[run.LINE]
-    flags: dict[str, Any] = {name: context.params[name] for name in vars(Flags())}
-    argv = concerns.argv(Context(line, Flags(**flags), Engine(), NOBODY, {"DOCKER_UID": ""}))
+    line: Line = context.meta[LINE]
+    argv = concerns.argv(Context(line, Engine(), NOBODY, Image(environment={"DOCKER_UID": ""})))
     theirs = [word for option in options if option[0] not in OWN_FLAGS for word in option]
     tail = [*theirs, image, *command]
     assert argv[len(argv) - len(tail) :] == tail
     added = argv[: len(argv) - len(tail)]
     assert added[:2] == ["docker", "run"] and not OWN_FLAGS & set(added)
-    is_made = not flags["no_user"] and not line.has("user", "entrypoint")
+    is_made = not line.asks("no-user") and not line.has("user", "entrypoint")
     assert ("DOCKER_UID=1000" in added) == is_made

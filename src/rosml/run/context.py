@@ -9,20 +9,6 @@ from rosml.run.words import Line
 
 
 @dataclass(frozen=True)
-class Flags:
-    """What a person asks of rosml; all of it is off by default. `rosml run --help` says what each does."""
-
-    no_name: bool = False
-    no_rm: bool = False
-    no_it: bool = False
-    no_tz: bool = False
-    no_user: bool = False
-    loc: bool = False
-    mwd: bool = False
-    mws: bool = False
-
-
-@dataclass(frozen=True)
 class Engine:
     """What runs containers. Attributes: program: its command. podman: it is podman, or podman by the name of docker.
     rootless: it runs without root's rights, so that root in a container is somebody else outside."""
@@ -55,11 +41,48 @@ class Person:
 
 
 @dataclass(frozen=True)
+class Image:
+    """An image, as the engine has it.
+
+    Attributes:
+        id: its digest, without `sha256:`.
+        environment, labels, entrypoint, command: as it was built; the last is its `CMD`.
+    """
+
+    id: str = ""
+    environment: Mapping[str, str] = field(default_factory=dict)
+    labels: Mapping[str, str] = field(default_factory=dict)
+    entrypoint: tuple[str, ...] = ()
+    command: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Container:
+    """A container, as the engine has it.
+
+    Attributes:
+        state: such as `running` or `exited`.
+        image: what it was started from, as it is called there. image_id: its digest, without `sha256:`.
+        user: who runs in it, as `--user` has it; empty where nobody said so.
+        mounts: the places in it where something is mounted.
+    """
+
+    name: str
+    state: str
+    image: str = ""
+    image_id: str = ""
+    user: str = ""
+    environment: Mapping[str, str] = field(default_factory=dict)
+    labels: Mapping[str, str] = field(default_factory=dict)
+    entrypoint: tuple[str, ...] = ()
+    mounts: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True)
 class Context:
-    """All of it. Attributes: line: what was written. image: the image's environment variables."""
+    """All of it. Attributes: line: what was written."""
 
     line: Line
-    flags: Flags
     engine: Engine
     person: Person
-    image: Mapping[str, str]
+    image: Image

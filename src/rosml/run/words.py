@@ -41,6 +41,10 @@ class Line:
     image: str
     command: tuple[str, ...]
 
+    def asks(self, name: str) -> bool:
+        """Whether somebody asked for an option of rosml's own, such as `no-rm`; all of them are switches."""
+        return f"--{name}" in self.own
+
     def has(self, *names: str) -> bool:
         """Whether somebody wrote one of these options of the engine, by their long names."""
         return any(name in given.names for given in self.engine for name in names)
