@@ -13,6 +13,8 @@ from typing import Any
 
 from conftest import ROOT
 
+from rosml.run.context import Host
+
 ENGINE = f"""\
 #!{sys.executable} -IS
 import json, os, signal, sys, time
@@ -70,17 +72,34 @@ OTHER = ["PATH=/usr/bin"]
 UID, GID = os.geteuid(), os.getegid()
 
 
+START = """\
+import sys
+from pathlib import Path
+from rosml.run import host
+host.ROOT, sys.argv = Path(sys.argv[1]), ["rosml", *sys.argv[2:]]
+from rosml.cli.main import run
+sys.exit(run())
+"""
+"""Starts rosml with another folder in the place of /."""
+
+
+BARE = Host(Path("/dev/null/nothing"))
+"""A machine with no files at all."""
+
+
 class Desk:
     """A folder in which somebody calls `rosml run`, with engines that are local replacements.
 
     Attributes:
-        folder: the current one. bin: all of PATH. command: `run`, or `attach`.
+        folder: the current one. root: where it finds the machine's files. bin: all of PATH. command: `run`, or `attach`.
     """
 
     command = "run"
 
     def __init__(self, path: Path) -> None:
         self.folder, self.bin = path / "dr", path / "bin"
+        self.root = path / "root"
+        self.root.mkdir()
         self.folder.mkdir()
         self.bin.mkdir()
         self.environment = {"PATH": str(self.bin), "HOME": str(path), "PYTHONPATH": str(ROOT / "src")}
@@ -95,7 +114,7 @@ class Desk:
 
     def argv(self, *words: str) -> list[str]:
         """How rosml is called."""
-        return [sys.executable, str(ROOT / "src"), self.command, *words]
+        return [sys.executable, "-c", START, str(self.root), self.command, *words]
 
     def call(self, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
         """Calls `rosml run` without a terminal, and with nothing to read."""

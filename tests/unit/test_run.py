@@ -12,13 +12,14 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import click
 import pytest
 from conftest import ROOT
-from desks import DOCKER, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk, labelled, plain
+from desks import BARE, DOCKER, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk, labelled, plain
 
 from rosml.base.errors import RosmlError
 from rosml.cli import run
-from rosml.run import concerns, engine, person
+from rosml.run import concerns, engine, person, plugins
 from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.paths import bind, resolved
 from rosml.run.user import NAME
@@ -314,8 +315,19 @@ def test_what_is_slow_is_not_imported(desk: Desk) -> None:
         [sys.executable, "-c", code], env=desk.environment, capture_output=True, text=True, check=True
     )
     imported = set(done.stdout.splitlines()[-1].split())
-    assert "rosml.run.concerns" in imported
-    assert not imported & {"csv", "difflib", "httpx", "pydantic", "rich", "yaml", "rosml.matrix", "rosml.cli.publish"}
+    assert "rosml.run.plugins" in imported
+    assert not imported & {
+        "csv",
+        "difflib",
+        "httpx",
+        "importlib.metadata",
+        "socket",
+        "pydantic",
+        "rich",
+        "yaml",
+        "rosml.matrix",
+        "rosml.cli.publish",
+    }
 
 
 # ---- Who runs --------------------------------------------------------------------------------------------------------
@@ -323,8 +335,8 @@ def test_what_is_slow_is_not_imported(desk: Desk) -> None:
 PERSON = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin", {"LANG": "de_DE.UTF-8", "LC_TIME": "C"})
 ENGINE_OF_ROOT = Engine()
 LABEL = ["--label", "io.rosml.run.folder=/home/jo/robot"]
-OWN = [name for option in run.main.params for name in option.opts if name.startswith("--")]
-BARE = ["--user", "1234:5678", "-e", "HOME=/tmp"]
+OWN = [name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")]
+THEIR_IDS = ["--user", "1234:5678", "-e", "HOME=/tmp"]
 CONTRACT = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=5678", "-e", "DOCKER_USER=jo"]
 
 
@@ -337,7 +349,7 @@ def added(
     """What rosml adds to a command of somebody who is not root; the label is left out."""
     variables = dict(entry.partition("=")[::2] for entry in image)
     line = split([*words, "reg.test/me/ros:jazzy"], OWN)
-    argv = concerns.argv(Context(line, engine, caller, Image(environment=variables)))
+    argv = [*plugins.plan(Context(line, engine, caller, Image(environment=variables), BARE)).argv]
     assert argv[:2] == [engine.program, "run"]
     found = argv[2 : len(argv) - 1 - sum(len(given.words) for given in line.engine)]
     at = found.index("--label")
@@ -352,13 +364,13 @@ def without_others(**facts: Any) -> list[str]:
     ("engine", "image", "expected"),
     [
         (Engine(), OURS, CONTRACT),
-        (Engine(), OTHER, BARE),
+        (Engine(), OTHER, THEIR_IDS),
         (Engine(rootless=True), OURS, []),
         (Engine(rootless=True), OTHER, ["--user", "0:0"]),
         (Engine("podman", podman=True), OURS, CONTRACT),
-        (Engine("podman", podman=True), OTHER, BARE),
+        (Engine("podman", podman=True), OTHER, THEIR_IDS),
         (Engine("podman", podman=True, rootless=True), OURS, ["--userns=keep-id", "--user", "0:0", *CONTRACT]),
-        (Engine("podman", podman=True, rootless=True), OTHER, ["--userns=keep-id", *BARE]),
+        (Engine("podman", podman=True, rootless=True), OTHER, ["--userns=keep-id", *THEIR_IDS]),
     ],
 )
 def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expected: list[str]) -> None:
@@ -370,7 +382,7 @@ def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expecte
     [
         (["--user", "7"], []),
         (["-u7"], []),
-        (["--entrypoint", "bash"], BARE),  # nothing reads DOCKER_UID then
+        (["--entrypoint", "bash"], THEIR_IDS),  # nothing reads DOCKER_UID then
         (["--userns=host"], CONTRACT),
         (["-e", "DOCKER_UID=7"], CONTRACT),  # theirs comes later, and counts
     ],

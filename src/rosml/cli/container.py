@@ -63,7 +63,7 @@ def only_shown(line: words.Line) -> bool:
     return line.asks("dry-run") or line.asks("json")
 
 
-def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], None] | None = None) -> None:
+def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] | None = None) -> None:
     """Shows the engine's command, or becomes it.
 
     Args:

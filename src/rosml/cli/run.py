@@ -3,48 +3,56 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from functools import cache
 
 import click
 
 from rosml.base.errors import RosmlError
-from rosml.cli import container
-from rosml.run import words
+from rosml.cli import command, container
+from rosml.run import plugins, words
 from rosml.run.context import Person
 
+RESERVED = ("new", "verbose", "dry-run", "json", "help")
+"""Options of the command itself: no plugin can have one of these names."""
 
-def asked(name: str, text: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Adds an option of rosml's own; the line says whether somebody wrote it."""
-    return click.option(name, is_flag=True, expose_value=False, help=text)
+
+@cache
+def found() -> plugins.Found:
+    """The plugins; they are looked for once."""
+    return plugins.found(RESERVED)
+
+
+class Run(container.Words):
+    """A command that has the options of plugins as well."""
+
+    def get_params(self, ctx: click.Context) -> list[click.Parameter]:
+        """The command's own options, with those of the plugins after the first."""
+        first, *others = super().get_params(ctx)
+        options = {name: text for plugin in found().plugins for name, text in plugin.options.items()}
+        added = (click.Option([f"--{x}"], is_flag=True, expose_value=False, help=options[x]) for x in options)
+        return [first, *added, *others]
 
 
 @click.command(
     "run",
-    cls=container.Words,
+    cls=Run,
     alone=True,
     context_settings=container.SETTINGS,
     options_metavar="[OPTIONS OF ROSML, DOCKER OR PODMAN]",
 )
-@asked("--new", "another container, also where one of this folder runs; the engine names it")
-@asked("--no-name", "do not name the container after the current folder")
-@asked("--no-rm", "keep the container when it ends")
-@asked("--no-it", "neither a terminal nor standard input")
-@asked("--no-tz", "not your time zone")
-@asked("--no-user", "the image's own user, and not you")
-@asked("--no-gpu", "no GPUs, which rosml does not add yet: --gpus all does")
-@asked("--no-x11", "no windows, which rosml does not add yet")
-@asked("--loc", "your locale, which the image must have")
-@asked("--mwd", "mount the current folder at its own path, and begin there")
-@asked("--mws", "mount the current folder as $WORKSPACE/src/target")
+@click.option(
+    "--new", is_flag=True, expose_value=False, help="another container, although one runs; the engine names it"
+)
 @container.showing
 @click.argument("image", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
 @click.pass_context
 def main(context: click.Context, /) -> None:
-    """Starts a container of an image: as you, with your time zone, on your terminal, and removed when it ends.
+    """Starts a container of an image: as you, on your terminal, with your time zone, your GPUs and your display. It is removed
+    when it ends.
 
     The first word that is no option is the image. What follows it is the command, and reaches the container as it is. All
-    options of `docker run` and `podman run` go to the engine, such as -v, -e, --name and --gpus.
+    options of `docker run` and `podman run` go to the engine, such as -v, -e, --name and -p.
 
     In a folder whose container runs, the same call opens another shell in it, as does a call without an image.
 
@@ -82,6 +90,7 @@ def start(program: str, line: words.Line, caller: Person) -> None:
     """
     from rosml.run import attach, concerns, engine
     from rosml.run.context import Context
+    from rosml.run.host import host, write
 
     name = "" if line.has("replace") else concerns.name_of(line, caller)
     facts = engine.ask(program, line.image, name)
@@ -96,4 +105,13 @@ def start(program: str, line: words.Line, caller: Person) -> None:
         facts = engine.ask(program, line.image, "")
     if facts.image is None:
         raise engine.lacking(program, line.image)
-    container.perform(line, concerns.argv(Context(line, facts.engine, caller, facts.image)))
+    machine = host(os.environ)
+    plan = plugins.plan(Context(line, facts.engine, caller, facts.image, machine), found().plugins)
+    for text, remedy in (*found().notes, *plan.notes):
+        command.warn(text, remedy)
+
+    def prepare() -> None:
+        for file, content in plan.files.items():
+            write(machine.path(file), content)
+
+    container.perform(line, plan.argv, prepare)

@@ -7,15 +7,12 @@ counts; where it takes all of them or refuses two, a concern keeps out.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.run import paths
 from rosml.run.context import Context, Person
-from rosml.run.user import user
 from rosml.run.words import Line
-
-Concern = Callable[[Context], Sequence[str]]
 
 TARGET = "src/target"
 """Where --mws mounts a folder, in the workspace."""
@@ -113,19 +110,3 @@ def targets(line: Line, folder: str, environment: Mapping[str, str]) -> Sequence
             raise RosmlError(text, "mount the folder with --mwd, or with -v .:/where", exit_code=2)
         found.append(f"{workspace}/{TARGET}")
     return found
-
-
-CONCERNS: tuple[Concern, ...] = (removal, terminal, name, label, user, timezone, locale, mounts)
-"""All of them, in the order of their arguments."""
-
-
-def argv(context: Context) -> list[str]:
-    """The engine's command: what the concerns add, the person's own options, the image, and the command as it is.
-
-    Raises:
-        RosmlError: a concern cannot do what it is asked for.
-    """
-    line = context.line
-    added = [word for concern in CONCERNS for word in concern(context)]
-    written = [word for given in line.engine for word in paths.resolved(given, context.person.folder).words]
-    return [context.engine.program, "run", *added, *written, line.image, *line.command]

@@ -45,6 +45,9 @@ def program(environment: Mapping[str, str]) -> str:
     return found
 
 
+CDI = ("/etc/cdi", "/var/run/cdi")
+"""Where podman looks for CDI's files."""
+
 IMAGE = "{{json .Id}} {{json .Config}}"
 """What is asked of an image."""
 
@@ -171,17 +174,21 @@ def _engine(command: str, text: str) -> Engine | None:
     """Which engine answers, by what `info` says; None where none does. podman may be called docker."""
     found = _object(text)
     if "host" in found:
-        return Engine(command, podman=True, rootless=bool(found["host"].get("security", {}).get("rootless")))
+        rootless = bool(found["host"].get("security", {}).get("rootless"))
+        return Engine(command, podman=True, rootless=rootless, cdi=CDI)
     if not found or found.get("ServerErrors") or not found.get("ServerVersion"):
         return None
     options = [option.partition(",")[0] for option in found.get("SecurityOptions") or []]
-    return Engine(command, rootless="name=rootless" in options)
+    nvidia = "nvidia" in (found.get("Runtimes") or {})
+    return Engine(
+        command, rootless="name=rootless" in options, nvidia=nvidia, cdi=tuple(found.get("CDISpecDirs") or ())
+    )
 
 
 def _guessed(command: str) -> Engine:
     """Which engine it is, where it has the image and yet says nothing of itself that can be read."""
     podman = os.path.basename(command).startswith("podman")
-    return Engine(command, podman, rootless=podman and os.geteuid() != 0)
+    return Engine(command, podman, rootless=podman and os.geteuid() != 0, cdi=CDI if podman else ())
 
 
 def _object(text: str) -> dict[str, Any]:

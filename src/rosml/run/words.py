@@ -51,8 +51,15 @@ class Line:
 
     def value(self, name: str) -> str:
         """The value of an option of the engine; the last one where there are several, empty where there is none."""
-        values = [given.value for given in self.engine if given.names[-1] == name]
-        return (values[-1] or "") if values else ""
+        return (self.values(name) or [""])[-1]
+
+    def values(self, *names: str) -> list[str]:
+        """The values of options of the engine, in their order."""
+        return [given.value or "" for given in self.engine if given.names[-1] in names]
+
+    def sets(self, *variables: str) -> bool:
+        """Whether somebody sets one of these environment variables of the container."""
+        return any(value.partition("=")[0] in variables for value in self.values("env"))
 
 
 @dataclass(frozen=True)
