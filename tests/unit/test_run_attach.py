@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
 import shlex
+import shutil
+import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -254,3 +257,12 @@ def test_podmans_words(desk: Desk) -> None:
     found = engine.container(str(desk.bin / "podman"), "x")
     assert found and (found.name, found.image_id, found.entrypoint) == ("x", "0f", tuple(ENTRYPOINT))
     assert attach.is_ours(found)
+
+
+@pytest.mark.parametrize("engine", ["docker", "podman"])
+def test_the_engine_on_this_machine_has_these_options(engine: str) -> None:
+    """Where there is one; and an option that only a start takes is none of them."""
+    assert not attach.PASSED & {"volume", "name", "rm"}
+    if shutil.which(engine):
+        told = subprocess.run([engine, "exec", "--help"], capture_output=True, text=True, check=True).stdout
+        assert set(re.findall(r"--([a-z-]+)", told)) >= attach.PASSED and "--volume" not in told
