@@ -395,6 +395,38 @@ def test_the_agent_of_ssh(machine: Machine) -> None:
     assert sockets.ssh_agent(machine.context("--ssh-agent", "-e", "SSH_AUTH_SOCK=x")) == []
 
 
+@pytest.mark.parametrize(
+    ("engine", "files", "here"),
+    [
+        (Engine(machine="robot"), [], True),
+        (Engine(machine="server"), [], False),
+        (Engine("podman", podman=True, machine="server"), [], False),
+        (Engine(machine="docker-desktop"), [], False),
+        (Engine(machine="docker-desktop"), ["/dev/dxg"], True),
+    ],
+)
+def test_an_engine_on_another_machine(x11: Machine, engine: Engine, files: list[str], here: bool) -> None:
+    """It gets nothing of this one: it would not start."""
+    x11.socket("/agent")
+    x11.socket(f"{RUNTIME}/pulse/native")
+    x11.environment["SSH_AUTH_SOCK"] = "/agent"
+    for file in ("/dev/dri/card0", *files):
+        x11.file(file)
+    asked = x11.context("--sound", "--ssh-agent", engine=engine)
+    if not here:
+        with pytest.raises(RosmlError, match="--wayland: "):
+            sockets.windows(x11.context("--wayland", engine=engine))
+    assert bool(gpu.gpu(asked).words) == bool(sockets.windows(asked).words) == here
+    assert here or not sockets.windows(asked).files
+    for concern in (sockets.sound, sockets.ssh_agent):
+        if here:
+            assert concern(asked)
+            continue
+        assert concern(x11.context(engine=engine)) == []
+        with pytest.raises(RosmlError, match=f"runs containers on {engine.machine}, and not here"):
+            concern(asked)
+
+
 # ---- What the command does with it -----------------------------------------------------------------------------------
 
 
@@ -469,9 +501,14 @@ def test_gpus_of_this_machine(desk: Desk) -> None:
     assert desk.calls[-1] == [*plain(desk), "--gpus", "all", "ubuntu"]
     (desk.root / "etc/cdi").mkdir(parents=True)
     (desk.root / "etc/cdi/nvidia.json").write_text('{"kind": "nvidia.com/gpu"}')
-    for info in ({**DOCKER, "CDISpecDirs": ["/etc/cdi"]}, PODMAN):
+    name = os.uname().nodename
+    here: dict[str, Any] = {"hostname": name, **PODMAN["host"]}
+    for info in ({**DOCKER, "CDISpecDirs": ["/etc/cdi"], "Name": name}, {"host": here}, PODMAN):
         desk.engine(info=info)
         assert desk.call("ubuntu").returncode == 0 and desk.calls[-1][-3:] == [*CDI, "ubuntu"]
+    for info in ({**DOCKER, "CDISpecDirs": ["/etc/cdi"], "Name": "x"}, {"host": {**here, "hostname": "x"}}):
+        desk.engine(info=info)
+        assert desk.call("ubuntu").returncode == 0 and CDI[1] not in desk.calls[-1]
 
 
 def test_a_driver_that_is_too_old_for_an_image(desk: Desk) -> None:

@@ -14,13 +14,15 @@ from rosml.run.words import Line
 class Engine:
     """What runs containers. Attributes: program: its command. podman: it is podman, or podman by the name of docker.
     rootless: it runs without root's rights, so that root in a container is somebody else outside.
-    nvidia: NVIDIA's container runtime is one of its runtimes. cdi: the folders in which it looks for CDI's files."""
+    nvidia: NVIDIA's container runtime is one of its runtimes. cdi: the folders in which it looks for CDI's files. machine: the
+    name of the machine on which it runs; empty where it does not say."""
 
     program: str = "docker"
     podman: bool = False
     rootless: bool = False
     nvidia: bool = False
     cdi: tuple[str, ...] = ()
+    machine: str = ""
 
 
 @dataclass(frozen=True)
@@ -154,3 +156,10 @@ class Context:
     person: Person
     image: Image
     host: Host
+
+    @property
+    def is_here(self) -> bool:
+        """Whether containers run on this machine, so that its devices and sockets are theirs. Docker Desktop has its own
+        machine; that for Windows hands in those of WSL."""
+        desktop = self.engine.machine == "docker-desktop" and self.host.has("/dev/dxg")
+        return desktop or self.engine.machine in ("", self.host.name)

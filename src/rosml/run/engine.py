@@ -175,14 +175,15 @@ def _engine(command: str, text: str) -> Engine | None:
     found = _object(text)
     if "host" in found:
         rootless = bool(found["host"].get("security", {}).get("rootless"))
-        return Engine(command, podman=True, rootless=rootless, cdi=CDI)
+        return Engine(
+            command, podman=True, rootless=rootless, cdi=CDI, machine=str(found["host"].get("hostname") or "")
+        )
     if not found or found.get("ServerErrors") or not found.get("ServerVersion"):
         return None
     options = [option.partition(",")[0] for option in found.get("SecurityOptions") or []]
     nvidia = "nvidia" in (found.get("Runtimes") or {})
-    return Engine(
-        command, rootless="name=rootless" in options, nvidia=nvidia, cdi=tuple(found.get("CDISpecDirs") or ())
-    )
+    rootless, cdi = "name=rootless" in options, tuple(found.get("CDISpecDirs") or ())
+    return Engine(command, rootless=rootless, nvidia=nvidia, cdi=cdi, machine=str(found.get("Name") or ""))
 
 
 def _guessed(command: str) -> Engine:

@@ -26,13 +26,13 @@ GUIDE = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/"
 
 
 def gpu(context: Context) -> Added:
-    """All GPUs of NVIDIA; where there are none, the others' /dev/dri.
+    """All GPUs of NVIDIA; where there are none, the others' /dev/dri. Which ones another machine has is unknown.
 
     Raises:
         RosmlError: the machine's driver is too old for the image.
     """
     line, host = context.line, context.host
-    if line.asks("no-gpu") or _is_theirs(line):
+    if line.asks("no-gpu") or not context.is_here or _is_theirs(line):
         return NOTHING
     jetson, wsl = host.has(*JETSON), host.has(*WSL)
     if not (jetson or wsl or host.has("/dev/nvidiactl")):

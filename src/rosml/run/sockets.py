@@ -39,6 +39,18 @@ def variables(**values: str) -> list[str]:
     return [word for name, value in values.items() for word in ("-e", f"{name}={value}")]
 
 
+def _elsewhere(context: Context, option: str) -> Sequence[str]:
+    """What another machine gets of a session: nothing.
+
+    Raises:
+        RosmlError: somebody asks for it.
+    """
+    if context.line.asks(option):
+        text = f"--{option}: {context.engine.program} runs containers on {context.engine.machine}, and not here"
+        raise RosmlError(text, f"leave out --{option}, or call it there")
+    return []
+
+
 # ---- Windows ---------------------------------------------------------------------------------------------------------
 
 
@@ -49,6 +61,8 @@ def windows(context: Context) -> Added:
         RosmlError: somebody asks for Wayland, and nothing answers.
     """
     line = context.line
+    if not context.is_here:
+        return Added(_elsewhere(context, "wayland"))
     x11 = NOTHING if line.asks("no-x11") or line.sets("DISPLAY") else _x11(context)
     wanted = line.asks("wayland")
     if not wanted and (x11.words or line.asks("no-x11") or line.sets("DISPLAY", "WAYLAND_DISPLAY")):
@@ -127,6 +141,8 @@ def sound(context: Context) -> Sequence[str]:
         RosmlError: neither answers.
     """
     host, line, folder = context.host, context.line, runtime(context)
+    if not context.is_here:
+        return _elsewhere(context, "sound")
     if not line.asks("sound") or line.sets("PULSE_SERVER"):
         return []
     inside = f"/run/user/{context.person.uid}"
@@ -151,6 +167,8 @@ def ssh_agent(context: Context) -> Sequence[str]:
     Raises:
         RosmlError: there is none.
     """
+    if not context.is_here:
+        return _elsewhere(context, "ssh-agent")
     if not context.line.asks("ssh-agent") or context.line.sets("SSH_AUTH_SOCK"):
         return []
     socket, target = context.host.environment.get("SSH_AUTH_SOCK", ""), f"{OURS}/ssh-agent"
