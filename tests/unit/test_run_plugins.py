@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import shutil
 import socket
 import stat
@@ -619,3 +620,15 @@ def test_rosmls_own_plugins() -> None:
     broken = Plugin("broken", lambda context: [][1])
     with pytest.raises(IndexError):  # a fault of rosml's is not passed over
         plugins.plan(Context(split(["x"], ()), Engine(), ME, Image(), BARE), [broken])
+
+
+def test_the_plugin_that_the_docs_show() -> None:
+    """It works as it stands there, and the names to put in `before` and `after` are all of them."""
+    page = (ROOT / "docs/run.md").read_text()
+    (code,) = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+    names: dict[str, Any] = {}
+    exec(code, names)
+    context = Context(split(["--lidar", "x"], ["--lidar"]), Engine(), ME, Image(), BARE)
+    assert plugins.plan(context, [names["lidar"]]).argv == ("docker", "run", "--device", "/dev/ttyUSB0", "x")
+    listed = re.findall(r"`([a-z-]+)`", page.partition("order it among the others: ")[2].partition(".")[0])
+    assert listed == [plugin.name for plugin in plugins.OWN]
