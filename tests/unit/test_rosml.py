@@ -33,6 +33,7 @@ JOINED = next(image for image in IMAGES if image.stack)
 DISTRIBUTIONS = list(dict.fromkeys(image.distribution for image in IMAGES))
 
 WORDS = [
+    "attach",
     "catalogue",
     "diff",
     "explain",
@@ -360,7 +361,7 @@ def exists(words: list[str]) -> bool:
     found: click.Command = main.cli
     while isinstance(found, click.Group) and words and words[0] in found.commands:
         found, words = found.commands[words[0]], words[1:]
-    options = {name for parameter in found.params for name in parameter.opts}
+    options = {name for parameter in found.get_params(click.Context(found)) for name in parameter.opts}
     return found is not main.cli and {word for word in words if word.startswith("--")} <= options
 
 

@@ -3,10 +3,8 @@ local replacements, which write down how they are called."""
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
-import pty
 import shlex
 import signal
 import subprocess
@@ -14,131 +12,18 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import click
 import pytest
 from conftest import ROOT
+from desks import BARE, DOCKER, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk, labelled, plain
 
 from rosml.base.errors import RosmlError
-from rosml.run import concerns, engine, person
-from rosml.run.context import Context, Engine, Flags, Person
+from rosml.cli import run
+from rosml.run import concerns, engine, person, plugins
+from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.paths import bind, resolved
 from rosml.run.user import NAME
 from rosml.run.words import split
-
-ENGINE = f"""\
-#!{sys.executable} -IS
-import json, os, signal, sys, time
-here, name = os.path.split(os.path.abspath(__file__))
-with open(f"{{here}}/{{name}}.json") as file:
-    says = json.load(file)
-with open(f"{{here}}/calls", "a") as out:
-    out.write(json.dumps([name, *sys.argv[1:]]) + "\\n")
-first, last = sys.argv[1], sys.argv[-1]
-if first == "info":
-    print(json.dumps(says["info"]))
-    sys.exit(says["complaint"] or 0)
-if first == "image":
-    if last not in says["images"]:
-        sys.exit(says["complaint"] or f"Error: No such image: {{last}}")
-    print(json.dumps(says["images"][last]))
-if first == "container":
-    if last not in says["containers"]:
-        sys.exit(f"Error: No such container: {{last}}")
-    print(*says["containers"][last])
-if first == "pull":
-    print("progress")
-    if last not in says["registry"]:
-        sys.exit("pull access denied")
-    says["images"][last] = says["registry"][last]
-    with open(f"{{here}}/{{name}}.json", "w") as file:
-        json.dump(says, file)
-if first == "run":
-    if last == "read":
-        print(sys.stdin.read().upper(), end="")
-    if last == "wait":
-        signal.signal(signal.SIGTERM, lambda *_: os._exit(7))
-        print("waiting", flush=True)
-        time.sleep(60)
-    sys.exit(says["code"])
-"""
-"""An engine that answers as its file says, and writes down all calls as JSON."""
-
-DOCKER = {"ServerVersion": "28.2.2", "SecurityOptions": ["name=seccomp,profile=builtin", "name=cgroupns"]}
-ROOTLESS = {**DOCKER, "SecurityOptions": [*DOCKER["SecurityOptions"], "name=rootless"]}
-PODMAN = {"host": {"security": {"rootless": True}}}
-OURS = ["PATH=/usr/bin", "DOCKER_USER=dockeruser", "DOCKER_UID=", "DOCKER_GID=", "WORKSPACE=/docker-ros/ws"]
-OTHER = ["PATH=/usr/bin"]
-
-UID, GID = os.geteuid(), os.getegid()
-
-
-class Desk:
-    """A folder in which somebody calls `rosml run`, with engines that are local replacements.
-
-    Attributes:
-        folder: the current one. bin: all of PATH.
-    """
-
-    def __init__(self, path: Path) -> None:
-        self.folder, self.bin = path / "dr", path / "bin"
-        self.folder.mkdir()
-        self.bin.mkdir()
-        self.environment = {"PATH": str(self.bin), "HOME": str(path), "PYTHONPATH": str(ROOT / "src")}
-
-    def engine(self, name: str = "docker", **facts: Any) -> None:
-        """Installs an engine, or changes what it says."""
-        says = {"info": DOCKER, "images": {"ubuntu": OTHER, "ours": OURS}, "containers": {}, "registry": {}}
-        says |= {"code": 0, "complaint": ""} | facts
-        (self.bin / f"{name}.json").write_text(json.dumps(says))
-        (self.bin / name).write_text(ENGINE)
-        (self.bin / name).chmod(0o755)
-
-    def argv(self, *words: str) -> list[str]:
-        """How rosml is called."""
-        return [sys.executable, str(ROOT / "src"), "run", *words]
-
-    def call(self, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
-        """Calls `rosml run` without a terminal, and with nothing to read."""
-        env = {**self.environment, **environment}
-        return subprocess.run(
-            self.argv(*words),
-            cwd=self.folder,
-            env=env,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-
-    @property
-    def calls(self) -> list[list[str]]:
-        """All calls of engines so far."""
-        file = self.bin / "calls"
-        return [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
-
-    @property
-    def ran(self) -> list[str]:
-        """What the only engine that ran something was called with."""
-        (found,) = [call for call in self.calls if call[1] == "run"]
-        return found
-
-    def on_a_terminal(self, *words: str, output: int | None = None) -> tuple[int, bytes]:
-        """Calls it on a terminal of Python's own making: its exit code, and what the terminal gets to see.
-
-        Args:
-            output: in the place of the terminal.
-        """
-        ours, theirs = pty.openpty()
-        out = theirs if output is None else output
-        with subprocess.Popen(
-            self.argv(*words), cwd=self.folder, env=self.environment, stdin=theirs, stdout=out, stderr=theirs
-        ) as process:
-            os.close(theirs)
-            told = b""
-            with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
-                while part := os.read(ours, 1000):
-                    told += part
-        os.close(ours)
-        return process.returncode, told
 
 
 @pytest.fixture
@@ -150,10 +35,6 @@ def desk(tmp_path: Path) -> Desk:
 
 
 # ---- What a command is made of: cases that go wrong elsewhere --------------------------------------------------------
-
-HOME = [] if UID == 0 else ["-e", "HOME=/tmp"]
-PLAIN = ["docker", "run", "--rm", "--user", f"{UID}:{GID}", *HOME]
-"""What rosml adds where there is no terminal and the image makes no user."""
 
 
 @pytest.mark.parametrize(
@@ -172,7 +53,7 @@ PLAIN = ["docker", "run", "--rm", "--user", f"{UID}:{GID}", *HOME]
 def test_words_arrive_as_they_are(desk: Desk, words: list[str]) -> None:
     done = desk.call("--no-tz", *words)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
-    assert desk.ran == [*PLAIN, *words]
+    assert desk.ran == [*plain(desk), *words]
 
 
 def test_bytes_that_are_no_text_arrive_as_they_are(desk: Desk) -> None:
@@ -187,7 +68,7 @@ def test_bytes_that_are_no_text_arrive_as_they_are(desk: Desk) -> None:
 def test_a_relative_folder_is_mounted(desk: Desk, written: list[str]) -> None:
     assert desk.call("--no-tz", *written, "ubuntu", "./a:/a").returncode == 0
     whole = [word.replace("./a", f"{desk.folder}/a") for word in written]
-    assert desk.ran == [*PLAIN, *whole, "ubuntu", "./a:/a"]
+    assert desk.ran == [*plain(desk), *whole, "ubuntu", "./a:/a"]
 
 
 def test_a_folder_with_spaces_is_mounted_into_the_workspace(desk: Desk) -> None:
@@ -201,11 +82,12 @@ def test_a_running_container_of_the_folders_name_is_left_alone(desk: Desk) -> No
     """Nothing is started in it: the image that was asked for runs, or a message says why not."""
     desk.engine(containers={"dr": ["running", "/dr"]})
     assert desk.call("--no-tz", "ubuntu", "ls").returncode == 0
-    assert desk.ran == [*PLAIN, "ubuntu", "ls"]
+    assert desk.ran == [*plain(desk), "ubuntu", "ls"]
     code, told = desk.on_a_terminal("ubuntu", "ls")
-    assert code == 1 and b"a container named dr exists (running)" in told
-    assert b"docker exec -it dr /entrypoint.sh bash" in told and b"--no-name" in told
+    assert code == 1 and b"a container named dr runs, and rosml run did not start it" in told
+    assert b"rosml attach dr enters it; --new starts another container" in told
     assert len([call for call in desk.calls if call[1] not in ("info", "image", "container")]) == 1
+    assert desk.on_a_terminal("--new", "ubuntu", "ls")[0] == 0 and "--name" not in desk.calls[-1]
 
 
 def test_without_a_terminal_none_is_asked_for(desk: Desk) -> None:
@@ -237,7 +119,8 @@ def test_on_a_terminal(desk: Desk) -> None:
 )
 def test_what_somebody_says_of_the_terminal(desk: Desk, words: list[str], expected: list[str]) -> None:
     assert desk.on_a_terminal("--no-tz", "--no-user", "--no-name", *words, "ubuntu")[0] == 0
-    assert desk.ran == ["docker", "run", "--rm", *expected, *(w for w in words if w != "--no-it"), "ubuntu"]
+    given = [word for word in words if word != "--no-it"]
+    assert desk.ran == ["docker", "run", "--rm", *expected, *labelled(desk), *given, "ubuntu"]
 
 
 def test_output_into_a_pipe(desk: Desk) -> None:
@@ -297,14 +180,12 @@ def test_no_signal_is_ignored_that_was_not_before(desk: Desk) -> None:
 
 
 def test_what_would_run_is_shown(desk: Desk) -> None:
-    desk.engine(containers={"x": ["running", "/x"]})
     shown = desk.call("--no-tz", "--dry-run", "--name", "x", "ubuntu", "echo", "a  b")
     as_json = desk.call("--no-tz", "--json", "--name", "x", "ubuntu", "echo", "a  b")
-    assert [call[1] for call in desk.calls if call[1] not in ("info", "image")] == []
-    wanted = [*PLAIN, "--name", "x", "ubuntu", "echo", "a  b"]
+    assert {call[1] for call in desk.calls} == {"info", "image", "container"}
+    wanted = [*plain(desk), "--name", "x", "ubuntu", "echo", "a  b"]
     assert shlex.split(shown.stdout) == json.loads(as_json.stdout) == wanted
     assert shown.stdout == f"{shlex.join(wanted)}\n" and shown.stderr == as_json.stderr == ""
-    desk.engine()
     said = desk.call("--no-tz", "--verbose", "--name", "x", "ubuntu", "echo", "a  b")
     assert (said.stdout, said.stderr, desk.ran) == ("", shown.stdout, wanted)
 
@@ -317,7 +198,7 @@ def test_podman_where_there_is_no_docker(desk: Desk) -> None:
     desk.engine("podman", info={"host": {"security": {"rootless": False}}})
     (desk.bin / "docker").unlink(missing_ok=True)
     assert desk.call("--no-tz", "ubuntu").returncode == 0
-    assert desk.ran == ["podman", *PLAIN[1:], "ubuntu"]
+    assert desk.ran == ["podman", *plain(desk)[1:], "ubuntu"]
 
 
 def test_an_engine_is_named(desk: Desk) -> None:
@@ -332,7 +213,7 @@ def test_podman_by_the_name_of_docker(desk: Desk) -> None:
     """As Debian's package podman-docker has it."""
     desk.engine(info=PODMAN)
     assert desk.call("--no-tz", "ours").returncode == 0
-    assert desk.ran[3:6] == ["--userns=keep-id", "--user", "0:0"]
+    assert desk.ran[5:8] == ["--userns=keep-id", "--user", "0:0"]
 
 
 @pytest.mark.parametrize(
@@ -383,9 +264,10 @@ def test_where_nothing_is_pulled(desk: Desk, words: list[str]) -> None:
 @pytest.mark.parametrize(
     ("state", "found", "refused", "remedy"),
     [
-        ("running", "/x1", True, "docker exec -it x1 /entrypoint.sh bash"),
-        ("exited", "/x1", True, "docker rm x1"),
-        ("running", "x1", True, "docker exec"),  # podman writes no slash
+        ("running", "/x1", True, "rosml attach x1 enters it; another --name starts another container"),
+        ("exited", "/x1", True, "rosml attach x1 starts it again, docker rm x1 removes it; another --name"),
+        ("dead", "/x1", True, "remedy: docker rm x1"),
+        ("running", "x1", True, "rosml attach x1"),  # podman writes no slash
         ("running", "/brave_bell", False, ""),  # its id begins with x1
     ],
 )
@@ -393,14 +275,16 @@ def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool,
     desk.engine(containers={"x1": [state, found]})
     done = desk.call("--name=x1", "ubuntu")
     assert done.returncode == int(refused)
-    assert (f"a container named x1 exists ({state})" in done.stderr) == refused and remedy in done.stderr
+    assert ("a container named x1 " in done.stderr) == refused and remedy in done.stderr
+    assert "/entrypoint.sh" not in done.stderr
     assert desk.call("--name=x1", "--replace", "ubuntu").returncode == 0, "podman replaces it"
 
 
 @pytest.mark.parametrize(
     ("words", "says"),
     [
-        ([], "Missing argument 'IMAGE'"),
+        ([], "no container was started in this folder\nremedy: rosml run IMAGE starts one"),
+        (["--new"], "--new starts an image, and none is named"),
         (["--brand-new", "ubuntu"], "remedy: --brand-new=VALUE"),
         (["--no-rm=1", "ubuntu"], "'--no-rm' does not take a value"),
         (["--mws", "ubuntu"], "ubuntu has no workspace"),
@@ -431,15 +315,28 @@ def test_what_is_slow_is_not_imported(desk: Desk) -> None:
         [sys.executable, "-c", code], env=desk.environment, capture_output=True, text=True, check=True
     )
     imported = set(done.stdout.splitlines()[-1].split())
-    assert "rosml.run.concerns" in imported
-    assert not imported & {"csv", "difflib", "httpx", "pydantic", "rich", "yaml", "rosml.matrix", "rosml.cli.publish"}
+    assert "rosml.run.plugins" in imported
+    assert not imported & {
+        "csv",
+        "difflib",
+        "httpx",
+        "importlib.metadata",
+        "socket",
+        "pydantic",
+        "rich",
+        "yaml",
+        "rosml.matrix",
+        "rosml.cli.publish",
+    }
 
 
 # ---- Who runs --------------------------------------------------------------------------------------------------------
 
 PERSON = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin", {"LANG": "de_DE.UTF-8", "LC_TIME": "C"})
-ENGINE_OF_ROOT, NOTHING = Engine(), Flags()
-BARE = ["--user", "1234:5678", "-e", "HOME=/tmp"]
+ENGINE_OF_ROOT = Engine()
+LABEL = ["--label", "io.rosml.run.folder=/home/jo/robot"]
+OWN = [name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")]
+THEIR_IDS = ["--user", "1234:5678", "-e", "HOME=/tmp"]
 CONTRACT = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=5678", "-e", "DOCKER_USER=jo"]
 
 
@@ -447,33 +344,33 @@ def added(
     *words: str,
     image: list[str] = OURS,
     engine: Engine = ENGINE_OF_ROOT,
-    flags: Flags = NOTHING,
     caller: Person = PERSON,
 ) -> list[str]:
-    """What rosml adds to a command of somebody who is not root."""
+    """What rosml adds to a command of somebody who is not root; the label is left out."""
     variables = dict(entry.partition("=")[::2] for entry in image)
-    line = split([*words, "reg.test/me/ros:jazzy"], ())
-    argv = concerns.argv(Context(line, flags, engine, caller, variables))
+    line = split([*words, "reg.test/me/ros:jazzy"], OWN)
+    argv = [*plugins.plan(Context(line, engine, caller, Image(environment=variables), BARE)).argv]
     assert argv[:2] == [engine.program, "run"]
-    return argv[2 : len(argv) - 1 - len(words)]
+    found = argv[2 : len(argv) - 1 - sum(len(given.words) for given in line.engine)]
+    at = found.index("--label")
+    return found[:at] + found[at + 2 :]
 
 
 def without_others(**facts: Any) -> list[str]:
-    flags = Flags(no_rm=True, no_tz=True, no_name=True, no_it=True)
-    return added(*facts.pop("words", ()), flags=flags, **facts)
+    return added("--no-rm", "--no-tz", "--no-name", "--no-it", *facts.pop("words", ()), **facts)
 
 
 @pytest.mark.parametrize(
     ("engine", "image", "expected"),
     [
         (Engine(), OURS, CONTRACT),
-        (Engine(), OTHER, BARE),
+        (Engine(), OTHER, THEIR_IDS),
         (Engine(rootless=True), OURS, []),
         (Engine(rootless=True), OTHER, ["--user", "0:0"]),
         (Engine("podman", podman=True), OURS, CONTRACT),
-        (Engine("podman", podman=True), OTHER, BARE),
+        (Engine("podman", podman=True), OTHER, THEIR_IDS),
         (Engine("podman", podman=True, rootless=True), OURS, ["--userns=keep-id", "--user", "0:0", *CONTRACT]),
-        (Engine("podman", podman=True, rootless=True), OTHER, ["--userns=keep-id", *BARE]),
+        (Engine("podman", podman=True, rootless=True), OTHER, ["--userns=keep-id", *THEIR_IDS]),
     ],
 )
 def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expected: list[str]) -> None:
@@ -485,14 +382,14 @@ def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expecte
     [
         (["--user", "7"], []),
         (["-u7"], []),
-        (["--entrypoint", "bash"], BARE),  # nothing reads DOCKER_UID then
+        (["--entrypoint", "bash"], THEIR_IDS),  # nothing reads DOCKER_UID then
         (["--userns=host"], CONTRACT),
         (["-e", "DOCKER_UID=7"], CONTRACT),  # theirs comes later, and counts
     ],
 )
 def test_whoever_says_who_runs_is_heard(words: list[str], expected: list[str]) -> None:
     assert without_others(words=words) == expected
-    assert added(*words, flags=Flags(True, True, True, True, no_user=True)) == []
+    assert without_others(words=[*words, "--no-user"]) == []
 
 
 def test_podman_takes_one_user_namespace() -> None:
@@ -529,7 +426,7 @@ def test_an_engine_that_says_nothing_of_itself(desk: Desk, name: str, expected: 
     (desk.bin / name).write_text("#!/bin/sh\n")
     (desk.bin / name).chmod(0o755)
     found = engine.ask(str(desk.bin / name), "ours", "")
-    assert (found.engine.podman, found.engine.rootless, found.image) == (*expected, {})
+    assert (found.engine.podman, found.engine.rootless, found.image) == (*expected, Image())
 
 
 # ---- The other concerns ----------------------------------------------------------------------------------------------
@@ -537,9 +434,9 @@ def test_an_engine_that_says_nothing_of_itself(desk: Desk, name: str, expected: 
 
 def test_what_is_added_by_default() -> None:
     assert added() == ["--rm", *CONTRACT, "-e", "TZ=Europe/Berlin"]
-    everything = Flags(no_name=True, no_rm=True, no_it=True, no_tz=True, no_user=True)
+    everything = ["--no-name", "--no-rm", "--no-it", "--no-tz", "--no-user"]
     there = Person(1234, 5678, "jo", "/home/jo/robot", "UTC", {}, terminal=True, reads=True)
-    assert added(flags=everything, caller=there) == []
+    assert added(*everything, caller=there) == []
 
 
 @pytest.mark.parametrize("words", [["--rm"], ["--restart=always"], ["--rmi"], ["--rm=false"]])
@@ -560,13 +457,12 @@ def test_what_goes_with_no_removal(words: list[str]) -> None:
     ],
 )
 def test_the_containers_name(folder: str, image: str, name: str) -> None:
-    def named(*words: str, terminal: bool = True, flags: Flags = NOTHING) -> str:
-        there = Person(0, 0, "root", folder, terminal=terminal)
-        return concerns.name_of(Context(split([*words, image], ()), flags, Engine(), there, {}))
+    def named(*words: str, terminal: bool = True) -> str:
+        return concerns.name_of(split([*words, image], OWN), Person(0, 0, "root", folder, terminal=terminal))
 
     assert named() == name
     assert named("--name", "mine") == "mine"
-    assert named(flags=Flags(no_name=True)) == named(terminal=False) == ""
+    assert named("--no-name") == named("--new") == named(terminal=False) == ""
 
 
 def test_the_time_zone(tmp_path: Path) -> None:
@@ -587,16 +483,16 @@ def test_the_time_zone(tmp_path: Path) -> None:
 
 
 def test_the_locale() -> None:
-    assert added(flags=Flags(loc=True))[-4:] == ["-e", "LANG=de_DE.UTF-8", "-e", "LC_TIME=C"]
+    assert added("--loc")[-4:] == ["-e", "LANG=de_DE.UTF-8", "-e", "LC_TIME=C"]
 
 
 def test_the_current_folder_is_mounted() -> None:
-    both = added(flags=Flags(mwd=True, mws=True))
+    both = added("--mwd", "--mws")
     here = "/home/jo/robot"
     assert both[-6:-2] == ["--mount", f"type=bind,source={here},target={here}", "--workdir", here]
     assert both[-2:] == ["--mount", f"type=bind,source={here},target=/docker-ros/ws/src/target"]
     with pytest.raises(RosmlError, match="has no workspace"):
-        added(flags=Flags(mws=True), image=OTHER)
+        added("--mws", image=OTHER)
 
 
 @pytest.mark.parametrize(

@@ -5,17 +5,18 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
-from typing import Any
 
 import pytest
+from desks import BARE
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_matrix import PROFILE
 
 from rosml.base.errors import RosmlError
 from rosml.cli import run
-from rosml.run import concerns
-from rosml.run.context import Context, Engine, Flags, Person
+from rosml.cli.container import LINE
+from rosml.run import plugins
+from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.words import Given, Line, split, table
 
 OWN = ("--no-rm", "--dry-run", "--help")
@@ -195,13 +196,12 @@ def test_a_command_is_not_changed(options: list[list[str]], image: str, command:
     """Whatever stands before and in it: the engine gets its options, the image and the command word for word."""
     words = [word for option in options for word in option]
     context = run.main.make_context("rosml run", [*words, image, *command])
-    line: Line = context.meta[run.LINE]
-    flags: dict[str, Any] = {name: context.params[name] for name in vars(Flags())}
-    argv = concerns.argv(Context(line, Flags(**flags), Engine(), NOBODY, {"DOCKER_UID": ""}))
+    line: Line = context.meta[LINE]
+    argv = plugins.plan(Context(line, Engine(), NOBODY, Image(environment={"DOCKER_UID": ""}), BARE)).argv
     theirs = [word for option in options if option[0] not in OWN_FLAGS for word in option]
     tail = [*theirs, image, *command]
-    assert argv[len(argv) - len(tail) :] == tail
+    assert [*argv[len(argv) - len(tail) :]] == tail
     added = argv[: len(argv) - len(tail)]
-    assert added[:2] == ["docker", "run"] and not OWN_FLAGS & set(added)
-    is_made = not flags["no_user"] and not line.has("user", "entrypoint")
+    assert added[:2] == ("docker", "run") and not OWN_FLAGS & set(added)
+    is_made = not line.asks("no-user") and not line.has("user", "entrypoint")
     assert ("DOCKER_UID=1000" in added) == is_made

@@ -8,7 +8,7 @@ import click
 import yaml
 from conftest import ROOT
 
-from rosml.cli.run import Run
+from rosml.cli.container import Words
 
 FOLDER = ROOT / ".github/workflows"
 
@@ -32,7 +32,7 @@ def accepted(command: click.Command, arguments: list[str]) -> None:
         assert arguments[0] in command.commands, f"no command {arguments[0]}"
         return accepted(command.commands[arguments[0]], arguments[1:])
     context = click.Context(command, **command.context_settings)
-    if isinstance(command, Run):
+    if isinstance(command, Words):
         arguments = command.for_click(context, arguments)
     _, rest, _ = command.make_parser(context).parse_args(list(arguments))
     assert not rest, f"unexpected words: {' '.join(rest)}"

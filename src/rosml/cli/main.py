@@ -22,7 +22,7 @@ def cli() -> None:
     """ROS base images with machine learning inside.
 
     list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
-    prune with --registry. run needs docker or podman. The others need a checkout.
+    prune with --registry. run and attach need docker or podman. The others need a checkout.
 
     \b
     Examples:
@@ -39,6 +39,7 @@ def cli() -> None:
 
 
 COMMANDS = (
+    "attach",
     "catalogue",
     "diff",
     "explain",
@@ -56,8 +57,10 @@ COMMANDS = (
 )
 """The modules of this package that have a command: `main` in each."""
 
-# Every start of a container waits for `rosml run`, and importing the others takes longer than all that it does itself.
-for name in ("run",) if sys.argv[1:2] == ["run"] else COMMANDS:
+QUICK = ("attach", "run")
+"""Every shell in a container waits for them, and importing the others takes longer than all that they do themselves."""
+
+for name in {*sys.argv[1:2]} & {*QUICK} or COMMANDS:
     cli.add_command(import_module(f"rosml.cli.{name}").main)
 
 

@@ -1,1 +1,2 @@
-"""An image is started: from what a person writes, what the image promises and which engine there is, to the engine's command."""
+"""An image is started, or a container entered: from what a person writes, and what the image and the engine are, to the engine's
+command."""

@@ -7,41 +7,52 @@ counts; where it takes all of them or refuses two, a concern keeps out.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.run import paths
-from rosml.run.context import Context
-from rosml.run.user import user
-
-Concern = Callable[[Context], Sequence[str]]
+from rosml.run.context import Context, Person
+from rosml.run.words import Line
 
 TARGET = "src/target"
 """Where --mws mounts a folder, in the workspace."""
 
+FOLDER = "io.rosml.run.folder"
+"""The label of a container that says from which folder it was started."""
+
 
 def removal(context: Context) -> Sequence[str]:
     """The container is removed when it ends; the engines refuse that together with --restart."""
-    return [] if context.flags.no_rm or context.line.has("rm", "rmi", "restart") else ["--rm"]
+    line = context.line
+    return [] if line.asks("no-rm") or line.has("rm", "rmi", "restart") else ["--rm"]
 
 
 def terminal(context: Context) -> Sequence[str]:
+    """Standard input and a terminal."""
+    return streams(context.line, context.person)
+
+
+def streams(line: Line, person: Person) -> Sequence[str]:
     """Standard input, where there is something to read, and a terminal, where there is one on both sides."""
-    line, person = context.line, context.person
-    if context.flags.no_it:
+    if line.asks("no-it"):
         return []
     reads = ["-i"] if person.reads and not line.has("interactive") else []
     return [*reads, *(["-t"] if person.terminal and not line.has("tty") else [])]
 
 
-def name_of(context: Context) -> str:
+def label(context: Context) -> Sequence[str]:
+    """The folder to which the container belongs: `rosml attach` finds it by that."""
+    return ["--label", f"{FOLDER}={context.person.folder}"]
+
+
+def name_of(line: Line, person: Person) -> str:
     """The container's name: the person's own, or, on a terminal, that of the current folder; of the image where the folder's
     will not do. Empty where the engine makes one up: programs that call rosml twice at a time, as in a pipe, need two."""
-    if context.line.has("name"):
-        return context.line.value("name")
-    if context.flags.no_name or not context.person.terminal:
+    if line.has("name"):
+        return line.value("name")
+    if line.asks("no-name") or line.asks("new") or not person.terminal:
         return ""
-    places = (context.person.folder, context.line.image.partition("@")[0])
+    places = (person.folder, line.image.partition("@")[0])
     return next(filter(None, (_as_name(place.rpartition("/")[2]) for place in places)), "")
 
 
@@ -53,19 +64,19 @@ def _as_name(text: str) -> str:
 
 def name(context: Context) -> Sequence[str]:
     """A name by which people find the container, unless they wrote one."""
-    found = "" if context.line.has("name") else name_of(context)
+    found = "" if context.line.has("name") else name_of(context.line, context.person)
     return ["--name", found] if found else []
 
 
 def timezone(context: Context) -> Sequence[str]:
     """The person's time zone; podman has an option for it."""
-    zone = context.person.timezone
-    return [] if context.flags.no_tz or context.line.has("tz") or not zone else ["-e", f"TZ={zone}"]
+    line, zone = context.line, context.person.timezone
+    return [] if line.asks("no-tz") or line.has("tz") or not zone else ["-e", f"TZ={zone}"]
 
 
 def locale(context: Context) -> Sequence[str]:
     """The person's locale."""
-    if not context.flags.loc:
+    if not context.line.asks("loc"):
         return []
     return [word for key, value in context.person.locale.items() for word in ("-e", f"{key}={value}")]
 
@@ -76,29 +87,26 @@ def mounts(context: Context) -> Sequence[str]:
     Raises:
         RosmlError: the image has no workspace.
     """
-    folder, added = context.person.folder, list[str]()
-    if context.flags.mwd:
-        added += ["--mount", paths.bind(folder, folder), "--workdir", folder]
-    if context.flags.mws:
-        workspace = context.image.get("WORKSPACE", "").rstrip("/")
-        if not workspace:
-            text = f"{context.line.image} has no workspace: WORKSPACE is not in its environment"
-            raise RosmlError(text, "mount the folder with --mwd, or with -v .:/where", exit_code=2)
-        added += ["--mount", paths.bind(folder, f"{workspace}/{TARGET}")]
+    line, folder, added = context.line, context.person.folder, list[str]()
+    for target in targets(line, folder, context.image.environment):
+        added += ["--mount", paths.bind(folder, target), *(["--workdir", folder] if target == folder else [])]
     return added
 
 
-CONCERNS: tuple[Concern, ...] = (removal, terminal, name, user, timezone, locale, mounts)
-"""All of them, in the order of their arguments."""
+def targets(line: Line, folder: str, environment: Mapping[str, str]) -> Sequence[str]:
+    """Where the current folder is mounted, for --mwd and --mws.
 
-
-def argv(context: Context) -> list[str]:
-    """The engine's command: what the concerns add, the person's own options, the image, and the command as it is.
+    Args:
+        environment: the image's, or the container's.
 
     Raises:
-        RosmlError: a concern cannot do what it is asked for.
+        RosmlError: the image has no workspace.
     """
-    line = context.line
-    added = [word for concern in CONCERNS for word in concern(context)]
-    written = [word for given in line.engine for word in paths.resolved(given, context.person.folder).words]
-    return [context.engine.program, "run", *added, *written, line.image, *line.command]
+    found = [folder] if line.asks("mwd") else []
+    if line.asks("mws"):
+        workspace = environment.get("WORKSPACE", "").rstrip("/")
+        if not workspace:
+            text = f"{line.image or 'the image'} has no workspace: WORKSPACE is not in its environment"
+            raise RosmlError(text, "mount the folder with --mwd, or with -v .:/where", exit_code=2)
+        found.append(f"{workspace}/{TARGET}")
+    return found

@@ -2,34 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import os
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from rosml.run.words import Line
 
 
 @dataclass(frozen=True)
-class Flags:
-    """What a person asks of rosml; all of it is off by default. `rosml run --help` says what each does."""
-
-    no_name: bool = False
-    no_rm: bool = False
-    no_it: bool = False
-    no_tz: bool = False
-    no_user: bool = False
-    loc: bool = False
-    mwd: bool = False
-    mws: bool = False
-
-
-@dataclass(frozen=True)
 class Engine:
     """What runs containers. Attributes: program: its command. podman: it is podman, or podman by the name of docker.
-    rootless: it runs without root's rights, so that root in a container is somebody else outside."""
+    rootless: it runs without root's rights, so that root in a container is somebody else outside.
+    nvidia: NVIDIA's container runtime is one of its runtimes. cdi: the folders in which it looks for CDI's files. machine: the
+    name of the machine on which it runs; empty where it does not say."""
 
     program: str = "docker"
     podman: bool = False
     rootless: bool = False
+    nvidia: bool = False
+    cdi: tuple[str, ...] = ()
+    machine: str = ""
 
 
 @dataclass(frozen=True)
@@ -55,11 +48,118 @@ class Person:
 
 
 @dataclass(frozen=True)
+class Image:
+    """An image, as the engine has it.
+
+    Attributes:
+        id: its digest, without `sha256:`.
+        environment, labels, entrypoint, command: as it was built; the last is its `CMD`.
+    """
+
+    id: str = ""
+    environment: Mapping[str, str] = field(default_factory=dict)
+    labels: Mapping[str, str] = field(default_factory=dict)
+    entrypoint: tuple[str, ...] = ()
+    command: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Container:
+    """A container, as the engine has it.
+
+    Attributes:
+        state: such as `running` or `exited`.
+        image: what it was started from, as it is called there. image_id: its digest, without `sha256:`.
+        user: who runs in it, as `--user` has it; empty where nobody said so.
+        mounts: the places in it where something is mounted.
+    """
+
+    name: str
+    state: str
+    image: str = ""
+    image_id: str = ""
+    user: str = ""
+    environment: Mapping[str, str] = field(default_factory=dict)
+    labels: Mapping[str, str] = field(default_factory=dict)
+    entrypoint: tuple[str, ...] = ()
+    mounts: frozenset[str] = frozenset()
+
+
+Address = str | tuple[str, int]
+"""Where something listens: the path of a socket, or a host and a port."""
+
+
+def _nothing(address: Address) -> bool:
+    return False
+
+
+@dataclass(frozen=True)
+class Host:
+    """This machine. Attributes: root: the folder under which its files are. environment: the caller's. name: its own.
+    connects: whether something listens at an address; a path is below the root already."""
+
+    root: Path
+    environment: Mapping[str, str] = field(default_factory=dict)
+    name: str = ""
+    connects: Callable[[Address], bool] = _nothing
+
+    def path(self, place: str) -> Path:
+        """The file at an absolute path."""
+        return self.root / place.lstrip("/")
+
+    def has(self, *places: str) -> bool:
+        """Whether there is a file at each of these paths."""
+        return all(self.path(place).exists() for place in places)
+
+    def content(self, place: str) -> bytes:
+        """What is in a file; nothing where it is missing or may not be read."""
+        try:
+            return self.path(place).read_bytes()
+        except OSError:
+            return b""
+
+    def text(self, place: str) -> str:
+        """The same as text."""
+        return self.content(place).decode(errors="replace")
+
+    def files(self, folder: str) -> list[str]:
+        """The paths of what is in a folder."""
+        try:
+            return [f"{folder}/{name}" for name in sorted(os.listdir(self.path(folder)))]
+        except OSError:
+            return []
+
+    def owner(self, place: str) -> tuple[int, int]:
+        """The ids of the user and the group to whom a file belongs; -1 where it is missing."""
+        try:
+            found = self.path(place).stat()
+        except OSError:
+            return -1, -1
+        return found.st_uid, found.st_gid
+
+    def answers(self, socket: str) -> bool:
+        """Whether something listens at a socket's path."""
+        return self.connects(str(self.path(socket)))
+
+    def program(self, name: str) -> bool:
+        """Whether a program is installed. Those of services may be in a folder that is not on the caller's PATH."""
+        folders = [*self.environment.get("PATH", "").split(":"), "/usr/bin", "/usr/local/bin"]
+        return any(folder.startswith("/") and self.has(f"{folder}/{name}") for folder in folders)
+
+
+@dataclass(frozen=True)
 class Context:
-    """All of it. Attributes: line: what was written. image: the image's environment variables."""
+    """All of it. Attributes: line: what was written."""
 
     line: Line
-    flags: Flags
     engine: Engine
     person: Person
-    image: Mapping[str, str]
+    image: Image
+    host: Host
+
+    @property
+    def is_here(self) -> bool:
+        """Whether containers run on this machine, so that its devices and sockets are theirs. Docker Desktop has its own
+        machine; that for Windows hands in those of WSL."""
+        desktop = self.engine.machine == "docker-desktop" and self.host.has("/dev/dxg")
+        return desktop or self.engine.machine in ("", self.host.name)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.run.context import Engine
+from rosml.run.context import Container, Engine, Image
 from rosml.run.words import Line
 
 ENGINE = "ROSML_ENGINE"
@@ -45,14 +45,24 @@ def program(environment: Mapping[str, str]) -> str:
     return found
 
 
+CDI = ("/etc/cdi", "/var/run/cdi")
+"""Where podman looks for CDI's files."""
+
+IMAGE = "{{json .Id}} {{json .Config}}"
+"""What is asked of an image."""
+
+CONTAINER = "{{json .Name}} {{json .State.Status}} {{json .Image}} {{json .Config}} {{json .Mounts}}"
+"""What is asked of a container."""
+
+
 @dataclass(frozen=True)
 class Facts:
-    """What an engine says. Attributes: image: the image's environment variables; None where the engine does not have it.
-    taken: the state of the container that has the wanted name, such as `running`; empty where there is none."""
+    """What an engine says. Attributes: image: None where the engine does not have it. taken: the container that has the
+    wanted name; None where there is none."""
 
     engine: Engine
-    image: Mapping[str, str] | None
-    taken: str
+    image: Image | None
+    taken: Container | None
 
 
 def ask(command: str, image: str, name: str) -> Facts:
@@ -65,18 +75,66 @@ def ask(command: str, image: str, name: str) -> Facts:
         RosmlError: the engine does not answer.
     """
     about = _begun(command, "info", "--format", "{{json .}}")
-    inspected = _begun(command, "image", "inspect", "--format", "{{json .Config.Env}}", image)
-    containers = (
-        _begun(command, "container", "inspect", "--format", "{{.State.Status}} {{.Name}}", name) if name else None
-    )
-    said, variables = _ended(about), _ended(inspected)
-    taken, _, owner = _ended(containers).text.strip().partition(" ") if containers else ("", "", "")
+    inspected = _begun(command, "image", "inspect", "--format", IMAGE, image)
+    containers = _begun(command, "container", "inspect", "--format", CONTAINER, name) if name else None
+    said, described = _ended(about), _ended(inspected)
+    taken = _containers(_ended(containers).text) if containers else []
     engine = _engine(command, said.text)
-    found = _variables(variables.text) if variables.code == 0 else None
+    found = _image(described.text) if described.code == 0 else None
     if found is None and engine is None:
-        raise _silent(command, variables.complaint or said.complaint)
+        raise _silent(command, described.complaint or said.complaint)
     # An engine also finds a container by the beginning of its id, and its name is not ours then.
-    return Facts(engine or _guessed(command), found, taken if owner.removeprefix("/") == name else "")
+    return Facts(engine or _guessed(command), found, next((x for x in taken if x.name == name), None))
+
+
+def image(command: str, identity: str) -> Image | None:
+    """An image by its name or digest; None where the engine does not have it."""
+    described = _ended(_begun(command, "image", "inspect", "--format", IMAGE, identity))
+    return _image(described.text) if described.code == 0 else None
+
+
+def container(command: str, name: str) -> Container | None:
+    """A container by its name or id; None where there is none.
+
+    Raises:
+        RosmlError: the engine does not answer.
+    """
+    inspected = _ended(_begun(command, "container", "inspect", "--format", CONTAINER, name))
+    found = _containers(inspected.text)
+    if not found and _engine(command, _ended(_begun(command, "info", "--format", "{{json .}}")).text) is None:
+        raise _silent(command, inspected.complaint)
+    return found[0] if found else None
+
+
+def containers(command: str, label: str) -> list[Container]:
+    """The containers with a label, those that have ended among them.
+
+    Args:
+        label: its key.
+
+    Raises:
+        RosmlError: the engine does not answer.
+    """
+    listed = _ended(_begun(command, "ps", "--all", "--quiet", "--no-trunc", "--filter", f"label={label}"))
+    if listed.code:
+        raise _silent(command, listed.complaint)
+    ids = listed.text.split()
+    # One that ends meanwhile is missing in the answer.
+    return _containers(_ended(_begun(command, "container", "inspect", "--format", CONTAINER, *ids)).text) if ids else []
+
+
+def start(command: str, name: str) -> None:
+    """Starts a container that has ended.
+
+    Raises:
+        RosmlError: the engine cannot, or it ends at once.
+    """
+    if subprocess.run([command, "start", name], stdout=subprocess.DEVNULL, check=False).returncode:
+        raise RosmlError(f"{command} cannot start {name}", f"{command} rm {name} removes it")
+    found = container(command, name)
+    if found is None or found.state != "running":
+        remedy = f"{command} logs {name} shows why; {command} rm {name} removes it"
+        raise RosmlError(f"{name} has ended at once: its command had nothing to wait for", remedy)
 
 
 def pull(command: str, line: Line) -> None:
@@ -116,17 +174,22 @@ def _engine(command: str, text: str) -> Engine | None:
     """Which engine answers, by what `info` says; None where none does. podman may be called docker."""
     found = _object(text)
     if "host" in found:
-        return Engine(command, podman=True, rootless=bool(found["host"].get("security", {}).get("rootless")))
+        rootless = bool(found["host"].get("security", {}).get("rootless"))
+        return Engine(
+            command, podman=True, rootless=rootless, cdi=CDI, machine=str(found["host"].get("hostname") or "")
+        )
     if not found or found.get("ServerErrors") or not found.get("ServerVersion"):
         return None
     options = [option.partition(",")[0] for option in found.get("SecurityOptions") or []]
-    return Engine(command, rootless="name=rootless" in options)
+    nvidia = "nvidia" in (found.get("Runtimes") or {})
+    rootless, cdi = "name=rootless" in options, tuple(found.get("CDISpecDirs") or ())
+    return Engine(command, rootless=rootless, nvidia=nvidia, cdi=cdi, machine=str(found.get("Name") or ""))
 
 
 def _guessed(command: str) -> Engine:
     """Which engine it is, where it has the image and yet says nothing of itself that can be read."""
     podman = os.path.basename(command).startswith("podman")
-    return Engine(command, podman, rootless=podman and os.geteuid() != 0)
+    return Engine(command, podman, rootless=podman and os.geteuid() != 0, cdi=CDI if podman else ())
 
 
 def _object(text: str) -> dict[str, Any]:
@@ -137,12 +200,59 @@ def _object(text: str) -> dict[str, Any]:
     return found if isinstance(found, dict) else {}
 
 
-def _variables(text: str) -> Mapping[str, str]:
-    """An image's environment variables, from JSON's list of `NAME=value`; none of null, or of what is no JSON."""
+def _image(text: str) -> Image:
+    """An image, from what `inspect` says; one that says nothing of itself, where that cannot be read."""
     try:
-        return dict(entry.partition("=")[::2] for entry in json.loads(text) or [])
+        identity, config = _values(text)
     except ValueError:
-        return {}
+        return Image()
+    return Image(_bare(identity), *_described(config), _words(config.get("Cmd")))
+
+
+def _containers(text: str) -> list[Container]:
+    """Containers, from what `inspect` says of each; those that cannot be read are left out."""
+    found = []
+    for line in text.splitlines():
+        try:
+            name, state, image, config, mounts = _values(line)
+        except ValueError:
+            continue
+        places = frozenset(str(mount.get("Destination", "")) for mount in mounts or [])
+        named, user = str(config.get("Image") or ""), str(config.get("User") or "")
+        variables, labels, entrypoint = _described(config)
+        given = name.removeprefix("/")  # docker's begin with it
+        found.append(Container(given, state, named, _bare(image), user, variables, labels, entrypoint, places))
+    return found
+
+
+def _described(config: Mapping[str, Any]) -> tuple[Mapping[str, str], Mapping[str, str], tuple[str, ...]]:
+    """The variables, the labels and the entrypoint of an image or a container."""
+    variables = dict(entry.partition("=")[::2] for entry in config.get("Env") or [])
+    return variables, config.get("Labels") or {}, _words(config.get("Entrypoint"))
+
+
+def _words(found: Any) -> tuple[str, ...]:
+    """A command as the engines have it: a list, nothing, or text in podman before 5."""
+    return tuple(found.split() if isinstance(found, str) else found or ())
+
+
+def _bare(identity: str) -> str:
+    """A digest, which podman writes without its kind."""
+    return identity.removeprefix("sha256:")
+
+
+def _values(text: str) -> list[Any]:
+    """The JSON values that follow each other in a text.
+
+    Raises:
+        ValueError: they do not.
+    """
+    decoder, found, rest = json.JSONDecoder(), [], text.strip()
+    while rest:
+        value, end = decoder.raw_decode(rest)
+        found.append(value)
+        rest = rest[end:].lstrip()
+    return found
 
 
 def _silent(command: str, complaint: str) -> RosmlError:
@@ -154,17 +264,6 @@ def _silent(command: str, complaint: str) -> RosmlError:
         remedy = "sudo usermod -aG docker $USER, then log in again"
         return RosmlError(f"{command} does not let you in: {words}", remedy + other)
     return RosmlError(f"{command} does not answer: {words}", f"start it: sudo systemctl start {command}{other}")
-
-
-def taken(command: str, name: str, state: str) -> RosmlError:
-    """What to say where another container has the name."""
-    if state == "running":
-        first = f"{command} exec -it {name} /entrypoint.sh bash opens a shell in it"
-    else:
-        first = f"{command} rm {name} removes it"
-    return RosmlError(
-        f"a container named {name} exists ({state})", f"{first}; --name OTHER or --no-name starts another"
-    )
 
 
 def lacking(command: str, image: str) -> RosmlError:

@@ -18,9 +18,9 @@ def user(context: Context) -> Sequence[str]:
     """An image whose environment has DOCKER_UID makes that user itself (docs/contract.md). In another one, the person's bare
     ids run. In docker without root, root is the person. Where somebody says who runs, nothing is added."""
     line, engine = context.line, context.engine
-    if context.flags.no_user or line.has("user") or (engine.podman and line.has("userns")):
+    if line.asks("no-user") or line.has("user") or (engine.podman and line.has("userns")):
         return []
-    makes_users = "DOCKER_UID" in context.image and not line.has("entrypoint")
+    makes_users = "DOCKER_UID" in context.image.environment and not line.has("entrypoint")
     if engine.rootless and not engine.podman:
         return [] if makes_users else ["--user", "0:0"]
     kept = [KEPT] if engine.rootless else []

@@ -41,14 +41,25 @@ class Line:
     image: str
     command: tuple[str, ...]
 
+    def asks(self, name: str) -> bool:
+        """Whether somebody asked for an option of rosml's own, such as `no-rm`; all of them are switches."""
+        return f"--{name}" in self.own
+
     def has(self, *names: str) -> bool:
         """Whether somebody wrote one of these options of the engine, by their long names."""
         return any(name in given.names for given in self.engine for name in names)
 
     def value(self, name: str) -> str:
         """The value of an option of the engine; the last one where there are several, empty where there is none."""
-        values = [given.value for given in self.engine if given.names[-1] == name]
-        return (values[-1] or "") if values else ""
+        return (self.values(name) or [""])[-1]
+
+    def values(self, *names: str) -> list[str]:
+        """The values of options of the engine, in their order."""
+        return [given.value or "" for given in self.engine if given.names[-1] in names]
+
+    def sets(self, *variables: str) -> bool:
+        """Whether somebody sets one of these environment variables of the container."""
+        return any(value.partition("=")[0] in variables for value in self.values("env"))
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,127 @@
+"""What the commands have in common that become docker or podman: `rosml run` and `rosml attach`."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import signal
+from collections.abc import Callable, Sequence
+from typing import NoReturn
+
+import click
+
+from rosml.base.errors import RosmlError
+from rosml.cli.checkout import Command
+from rosml.run import words
+from rosml.run.context import Container, Person
+
+LINE = "rosml.run.line"
+"""Where the context has the command line, as it was split."""
+
+SETTINGS = {"allow_interspersed_args": False, "help_option_names": ["--help"]}
+"""-h is the engines' own: the container's host name."""
+
+
+class Words(Command):
+    """A command of which click reads its own options, the first word that is none, and nothing else."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        return super().parse_args(ctx, self.for_click(ctx, args))
+
+    def for_click(self, ctx: click.Context, args: Sequence[str]) -> list[str]:
+        """The words that click reads. The whole line is in the context then.
+
+        Raises:
+            RosmlError: an option of the engine is unknown, or lacks its value; not while a shell completes a word.
+        """
+        own = [name for parameter in self.get_params(ctx) for name in parameter.opts if name.startswith("--")]
+        try:
+            line = words.split(args, own)
+        except RosmlError:
+            if not ctx.resilient_parsing:
+                raise
+            return [*args]
+        ctx.meta[LINE] = line
+        return [*line.own, *([line.image, *line.command] if line.image else [])]
+
+
+def showing(main: Callable[..., None]) -> Callable[..., None]:
+    """Adds the options that show what would run."""
+    options = {
+        "--verbose": "print the engine's command on standard error, then run it",
+        "--dry-run": "print the engine's command, and run nothing",
+        "--json": "print its words as JSON, and run nothing",
+    }
+    for name, text in reversed(options.items()):
+        main = click.option(name, is_flag=True, expose_value=False, help=text)(main)
+    return main
+
+
+def only_shown(line: words.Line) -> bool:
+    """Whether nothing is to be run."""
+    return line.asks("dry-run") or line.asks("json")
+
+
+def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] | None = None) -> None:
+    """Shows the engine's command, or becomes it.
+
+    Args:
+        begin: what is done before.
+    """
+    if line.asks("json"):
+        click.echo(json.dumps(argv))
+    elif line.asks("dry-run"):
+        click.echo(shlex.join(argv))
+    else:
+        if line.asks("verbose"):
+            click.echo(shlex.join(argv), err=True)
+        if begin:
+            begin()
+        become(argv)
+
+
+def become(argv: Sequence[str]) -> NoReturn:
+    """Becomes the engine: it has the terminal, the signals and the exit code."""
+    for number in (signal.SIGPIPE, signal.SIGXFSZ):  # Python ignores them, and what is ignored stays so
+        signal.signal(number, signal.SIG_DFL)
+    os.execvp(argv[0], [*argv])
+
+
+def enter(program: str, line: words.Line, caller: Person, container: Container) -> None:
+    """Enters a container, or shows how; one that has ended is started before.
+
+    Args:
+        program: the engine's command.
+
+    Raises:
+        RosmlError: it cannot be entered.
+    """
+    from rosml.run import attach, engine
+
+    attach.check_state(program, container)
+    image = None if line.command else engine.image(program, container.image_id)
+    argv = attach.argv(program, line, caller, container, image)
+    if container.state == "running":
+        perform(line, argv)
+        return
+    if only_shown(line):
+        click.echo(f"{container.name} is {container.state}: {program} start {container.name} comes first", err=True)
+    perform(line, argv, lambda: engine.start(program, container.name))
+
+
+def enter_folder(line: words.Line, command: str) -> None:
+    """Enters the container of the current folder.
+
+    Args:
+        command: how somebody called this, for messages.
+
+    Raises:
+        RosmlError: there is none, or there are several, or it cannot be entered.
+    """
+    from rosml.run import attach, concerns, engine
+    from rosml.run.person import person
+
+    program, caller = engine.program(os.environ), person(os.environ)
+    found = engine.containers(program, concerns.FOLDER)
+    enter(program, line, caller, attach.of_folder(found, caller.folder, command))

@@ -1,0 +1,136 @@
+"""A container that is there is entered: which one, whether it is the one that somebody means, and the engine's command."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.run.concerns import FOLDER, streams, targets
+from rosml.run.context import Container, Image, Person
+from rosml.run.words import Line
+
+HERE = "."
+"""The word for the container of the current folder, in the place of a name."""
+
+ENTRYPOINT = "/entrypoint.sh"
+"""What makes the user in an image of ours, and sources ROS (docs/contract.md)."""
+
+OURS = "io.rosml.component"
+"""A label that all our images have."""
+
+PASSED = frozenset(
+    ("detach", "detach-keys", "env", "env-file", "interactive", "privileged", "tty", "user", "workdir"),
+)
+"""The options of `run` that `exec` has as well."""
+
+IDLE = ("created", "exited", "configured", "initialized", "stopped")
+"""The states from which a container can be started."""
+
+
+def argv(program: str, line: Line, person: Person, container: Container, image: Image | None) -> list[str]:
+    """The engine's command.
+
+    Args:
+        program: the engine's command. line: its command, and options for `exec`; --name and --rm are left out.
+        image: that of the container; None where it is gone.
+
+    Raises:
+        RosmlError: an option is for a container that does not run yet.
+    """
+    given = [x for x in line.engine if not set(x.names) <= {"name", "rm"}]
+    refused = next((x.words[0] for x in given if not set(x.names) <= PASSED), "")
+    if refused:
+        text = f"{refused} is for a container that starts, and {container.name} is there already"
+        raise RosmlError(text, f"rosml attach {container.name} without it; --new starts another container", exit_code=2)
+    runs = ["--user", container.user] if container.user and not line.has("user") else []
+    words = [word for x in given for word in x.words]
+    entered = [ENTRYPOINT] if is_ours(container) else []
+    command = line.command or default(container, image)
+    return [program, "exec", *streams(line, person), *runs, *words, container.name, *entered, *command]
+
+
+def is_ours(container: Container) -> bool:
+    """Whether the container is of an image of ours, or of one that is built on it. --entrypoint may have replaced its own."""
+    contract = "DOCKER_UID" in container.environment
+    return contract and (ENTRYPOINT in container.entrypoint or OURS in container.labels)
+
+
+def default(container: Container, image: Image | None) -> Sequence[str]:
+    """The command where somebody names none: the image's own. In another image with an entrypoint, CMD is a program only
+    with that entrypoint, and bash is what people look for."""
+    if image is None or not image.command or (image.entrypoint and not is_ours(container)):
+        return ["bash"]
+    return image.command
+
+
+def of_folder(found: Sequence[Container], folder: str, command: str) -> Container:
+    """The container of a folder: the one that runs, or else the only one.
+
+    Args:
+        found: all that `rosml run` started. command: how somebody called this, for the message.
+
+    Raises:
+        RosmlError: there is none, or there are several.
+    """
+    here = [container for container in found if container.labels.get(FOLDER) == folder]
+    running = [container for container in here if container.state == "running"]
+    chosen = running or here
+    if len(chosen) == 1:
+        return chosen[0]
+    if chosen:
+        names = ", ".join(_shown(chosen))
+        first = sorted(container.name for container in chosen)[0]
+        raise RosmlError(f"{len(chosen)} containers of this folder: {names}", f"rosml attach {first}", exit_code=2)
+    others = _shown(container for container in found if container.state == "running")
+    elsewhere = f"; rosml attach NAME enters one of other folders: {', '.join(others)}" if others else ""
+    raise RosmlError(
+        f"{command}: no container was started in this folder", f"rosml run IMAGE starts one{elsewhere}", exit_code=2
+    )
+
+
+def _shown(found: Iterable[Container]) -> list[str]:
+    """Containers, as a message names them."""
+    return sorted(f"{x.name} ({x.image}, {x.state})" for x in found)
+
+
+def check_same(program: str, line: Line, person: Person, container: Container, image: Image | None) -> None:
+    """Whether the container that has the name is the one that `rosml run IMAGE` would start: it runs, it is of this folder
+    and of the same image, and has the folder mounted where somebody asks for that.
+
+    Args:
+        image: what was named; None where the engine does not have it.
+
+    Raises:
+        RosmlError: it is another one.
+    """
+    name = container.name
+    new = f"{'another --name' if line.has('name') else '--new'} starts another container"
+    enter = f"rosml attach {name} enters it; {new}"
+    if container.state != "running":
+        again = f"rosml attach {name} starts it again, " if container.state in IDLE else ""
+        text = f"a container named {name} exists ({container.state})"
+        raise RosmlError(text, f"{again}{program} rm {name} removes it; {new}")
+    if container.labels.get(FOLDER) != person.folder:
+        place = container.labels.get(FOLDER)
+        whose = f"it belongs to the folder {place}" if place else "rosml run did not start it"
+        raise RosmlError(f"a container named {name} runs, and {whose}", enter)
+    if image.id != container.image_id if image else line.image != container.image:
+        older = "an older " if line.image == container.image else ""
+        raise RosmlError(f"{name} runs {older}{container.image}, and you ask for {line.image}", enter)
+    missing = [place for place in targets(line, person.folder, container.environment) if place not in container.mounts]
+    if missing:
+        raise RosmlError(f"{name} runs without this folder at {missing[0]}", enter)
+    if line.has("detach"):
+        raise RosmlError(f"{name} runs already", enter)
+
+
+def check_state(program: str, container: Container) -> None:
+    """Whether a container can be entered, or started first.
+
+    Raises:
+        RosmlError: it can neither.
+    """
+    if container.state != "running" and container.state not in IDLE:
+        remedies = {"paused": f"{program} unpause {container.name}"}
+        remedy = remedies.get(container.state, f"wait, or {program} rm --force {container.name}")
+        raise RosmlError(f"{container.name} cannot be entered: it is {container.state}", remedy)

@@ -1,0 +1,102 @@
+"""GPUs: those that this machine's device files show, in the way in which the engine takes them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.run.context import Context, Engine, Host
+from rosml.run.plugin import NOTHING, Added, Plugin
+from rosml.run.words import Line
+
+DRIVER = "io.rosml.gpu.driver"
+"""The label of an image that names the oldest driver on which its CUDA runs (docs/gpus.md)."""
+
+CDI = ["--device", "nvidia.com/gpu=all"]
+JETSON = ("/dev/nvmap", "/etc/nv_tegra_release")
+WSL = ("/dev/dxg", "/usr/lib/wsl/lib/libcuda.so.1")
+"""Windows shows every GPU as /dev/dxg; CUDA's library is there if NVIDIA's driver is."""
+
+HOOKS = ("nvidia-container-runtime-hook", "nvidia-container-toolkit")
+"""What docker calls for --gpus, of NVIDIA's Container Toolkit."""
+
+TOOLKIT = "install NVIDIA's Container Toolkit"
+GUIDE = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/"
+
+
+def gpu(context: Context) -> Added:
+    """All GPUs of NVIDIA; where there are none, the others' /dev/dri. Which ones another machine has is unknown.
+
+    Raises:
+        RosmlError: the machine's driver is too old for the image.
+    """
+    line, host = context.line, context.host
+    if line.asks("no-gpu") or not context.is_here or _is_theirs(line):
+        return NOTHING
+    jetson, wsl = host.has(*JETSON), host.has(*WSL)
+    if not (jetson or wsl or host.has("/dev/nvidiactl")):
+        return Added(_rendering(context))
+    words = _nvidia(context.engine, host, jetson, wsl)
+    if not words:
+        return Added(notes=[_lacking(context.engine)])
+    _check_driver(context)
+    return Added(words)
+
+
+def _is_theirs(line: Line) -> bool:
+    """Whether somebody says themselves which GPUs there are."""
+    devices = any(x.startswith(("nvidia.com/", "/dev/nvidia", "/dev/dri", "/dev/dxg")) for x in line.values("device"))
+    return devices or line.has("gpus", "runtime") or line.sets("NVIDIA_VISIBLE_DEVICES")
+
+
+def _nvidia(engine: Engine, host: Host, jetson: bool, wsl: bool) -> Sequence[str]:
+    """The engine's words for all GPUs of NVIDIA; none where it cannot hand them in."""
+    if jetson and not engine.podman:
+        return ["--runtime", "nvidia"] if engine.nvidia else []
+    if any("nvidia.com/gpu" in host.text(file) for folder in engine.cdi for file in host.files(folder)):
+        return CDI
+    if not engine.podman and (engine.nvidia or wsl or any(map(host.program, HOOKS))):
+        return ["--gpus", "all"]
+    return []
+
+
+def _lacking(engine: Engine) -> tuple[str, str]:
+    """Why there is no GPU, and what to do about it."""
+    text = f"the container gets no GPU: {engine.program} cannot hand in NVIDIA's"
+    made = ", then sudo nvidia-ctk cdi generate --output=/etc/cdi/nvidia.yaml" if engine.podman else ""
+    return text, f"{TOOLKIT}{made} ({GUIDE}); --no-gpu asks for none"
+
+
+def _check_driver(context: Context) -> None:
+    needed = context.image.labels.get(DRIVER, "")
+    found = driver(context.host)
+    if not needed or not found or context.line.sets("NVIDIA_DISABLE_REQUIRE") or _numbers(found) >= _numbers(needed):
+        return
+    text = f"{context.line.image} needs NVIDIA's driver {needed} or newer, and this machine has {found}"
+    raise RosmlError(text, "take an image with an older CUDA, or update the driver; --no-gpu computes on the CPU")
+
+
+def driver(host: Host) -> str:
+    """The version of NVIDIA's driver, such as `580.159.04`; empty where it is unknown."""
+    loaded = re.search(r"Kernel Module\b.*?\s(\d+\.\d[\d.]*)", host.text("/proc/driver/nvidia/version"))
+    return loaded[1] if loaded else host.text("/sys/module/nvidia/version").strip()
+
+
+def _numbers(version: str) -> tuple[int, ...]:
+    return tuple(map(int, re.findall(r"\d+", version)))
+
+
+def _rendering(context: Context) -> Sequence[str]:
+    """The device files of Intel's and AMD's GPUs, with the groups that may open them, which have other numbers elsewhere.
+    Without root's rights no groups can be given."""
+    host, folder = context.host, "/dev/dri"
+    nodes = [file for file in host.files(folder) if re.search(r"/(card|renderD)\d+$", file)]
+    if not nodes:
+        return []
+    groups = {host.owner(node)[1] for node in nodes} - {0, -1, context.person.gid}
+    added = [] if context.engine.rootless else sorted(groups)
+    return ["--device", folder, *(word for group in added for word in ("--group-add", str(group)))]
+
+
+PLUGIN = Plugin("gpu", gpu, {"no-gpu": "no GPUs"})

@@ -1,0 +1,186 @@
+"""What listens at a socket of the person's session: windows of X11 and Wayland, sound, ssh's agent."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.run import xauthority
+from rosml.run.context import Context
+from rosml.run.paths import bind
+from rosml.run.plugin import NOTHING, Added, Plugin
+
+OURS = "/run/rosml"
+"""The folder of the container in which rosml mounts what has no place of its own there."""
+
+DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>\d+)(?:\.\d+)?")
+"""Such as `:0`, `localhost:10.0`, `robot:1`."""
+
+NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
+"""Options that go with a network of the container's own."""
+
+
+def runtime(context: Context) -> str:
+    """The folder of the person's session; empty where they have none. It is removed at logout. sudo may leave that of
+    somebody else in the environment."""
+    own = f"/run/user/{context.person.uid}"
+    places = (context.host.environment.get("XDG_RUNTIME_DIR", "").rstrip("/"), own)
+    return next((x for x in places if x.startswith("/") and context.host.owner(x)[0] == context.person.uid), "")
+
+
+def mounted(source: str, target: str) -> list[str]:
+    """The words for a file that is mounted."""
+    return ["--mount", bind(source, target)]
+
+
+def variables(**values: str) -> list[str]:
+    """The words for environment variables."""
+    return [word for name, value in values.items() for word in ("-e", f"{name}={value}")]
+
+
+def _elsewhere(context: Context, option: str) -> Sequence[str]:
+    """What another machine gets of a session: nothing.
+
+    Raises:
+        RosmlError: somebody asks for it.
+    """
+    if context.line.asks(option):
+        text = f"--{option}: {context.engine.program} runs containers on {context.engine.machine}, and not here"
+        raise RosmlError(text, f"leave out --{option}, or call it there")
+    return []
+
+
+# ---- Windows ---------------------------------------------------------------------------------------------------------
+
+
+def windows(context: Context) -> Added:
+    """The display that answers: X11's, or Wayland's where there is no X11, or where somebody asks for it.
+
+    Raises:
+        RosmlError: somebody asks for Wayland, and nothing answers.
+    """
+    line = context.line
+    if not context.is_here:
+        return Added(_elsewhere(context, "wayland"))
+    x11 = NOTHING if line.asks("no-x11") or line.sets("DISPLAY") else _x11(context)
+    wanted = line.asks("wayland")
+    if not wanted and (x11.words or line.asks("no-x11") or line.sets("DISPLAY", "WAYLAND_DISPLAY")):
+        return x11
+    wayland = _wayland(context)
+    if wanted and not wayland:
+        text = "--wayland: no Wayland socket answers here"
+        raise RosmlError(text, "call it in a Wayland session; X11 needs no option")
+    return Added([*x11.words, *wayland], x11.files) if wayland else x11
+
+
+def _x11(context: Context) -> Added:
+    """X11, where DISPLAY answers; with its cookie, in a file that only this person can read."""
+    host, display = context.host, context.host.environment.get("DISPLAY", "")
+    named = DISPLAY.fullmatch(display)
+    if not named:
+        return NOTHING
+    machine, number = named["machine"], named["number"]
+    socket = f"/tmp/.X11-unix/X{number}"
+    if machine in ("", "unix"):
+        if not host.answers(socket):
+            return NOTHING
+        words = [*mounted(socket, socket), *variables(DISPLAY=f":{number}")]
+    else:
+        if not host.connects((machine, 6000 + int(number))):
+            return NOTHING
+        local = machine in ("localhost", "127.0.0.1")
+        if local and (reason := _no_network(context)):
+            return Added(notes=[(f"no windows: DISPLAY={display} is ssh's, and {reason}", "--no-x11 asks for none")])
+        own = ["--network", "host"] if local and not context.line.has(*NETWORK) else []
+        words = [*own, *variables(DISPLAY=display)]
+    words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
+    place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
+    cookies = xauthority.cookies(xauthority.read(host.content(place)), number, host.name)
+    if not cookies:  # the display may let everybody of this uid in
+        return Added(words)
+    folder = runtime(context)
+    if not folder:
+        remedy = "log in again, or name a folder of yours with XDG_RUNTIME_DIR; --no-x11 asks for none"
+        return Added(notes=[("no windows: there is no place for the display's cookie", remedy)])
+    file, target = f"{folder}/rosml/xauth", f"{OURS}/xauth"
+    words += ["--mount", f"{bind(file, target)},readonly", *variables(XAUTHORITY=target)]
+    return Added(words, {file: xauthority.merged(host.content(file), cookies[0])})
+
+
+def _no_network(context: Context) -> str:
+    """Why a container cannot have this machine's network, where ssh listens; empty where it can."""
+    line, engine = context.line, context.engine
+    if engine.rootless and not engine.podman:
+        return "docker without root does not reach it"
+    own = next((given.words[0] for given in line.engine if set(given.names) & {*NETWORK}), "")
+    if own and (line.values("network", "net") or [""])[-1] != "host":
+        return f"it needs --network host, which does not go with {own}"
+    return ""
+
+
+def _wayland(context: Context) -> list[str]:
+    """Wayland's socket, and what Qt and GTK look at; nothing where none answers."""
+    name, folder = context.host.environment.get("WAYLAND_DISPLAY") or "wayland-0", runtime(context)
+    socket = name if name.startswith("/") else f"{folder}/{name}" if folder else ""
+    if not socket or not context.host.answers(socket):
+        return []
+    inside, called = f"/run/user/{context.person.uid}", name.rpartition("/")[2]
+    toolkits = variables(QT_QPA_PLATFORM="wayland;xcb", GDK_BACKEND="wayland,x11")
+    session = variables(XDG_RUNTIME_DIR=inside, WAYLAND_DISPLAY=called)
+    return [*mounted(socket, f"{inside}/{called}"), *session, *toolkits]
+
+
+# ---- On request ------------------------------------------------------------------------------------------------------
+
+
+def sound(context: Context) -> Sequence[str]:
+    """PulseAudio's socket, which PipeWire has as well, and PipeWire's own.
+
+    Raises:
+        RosmlError: neither answers.
+    """
+    host, line, folder = context.host, context.line, runtime(context)
+    if not context.is_here:
+        return _elsewhere(context, "sound")
+    if not line.asks("sound") or line.sets("PULSE_SERVER"):
+        return []
+    inside = f"/run/user/{context.person.uid}"
+    named = host.environment.get("PULSE_SERVER", "").removeprefix("unix:")
+    pulse = named if named.startswith("/") else f"{folder}/pulse/native"
+    words = []
+    if (named or folder) and host.answers(pulse):
+        words += [*mounted(pulse, f"{inside}/pulse/native"), *variables(PULSE_SERVER=f"unix:{inside}/pulse/native")]
+    if folder and host.answers(f"{folder}/pipewire-0"):
+        words += [
+            *mounted(f"{folder}/pipewire-0", f"{inside}/pipewire-0"),
+            *variables(PIPEWIRE_RUNTIME_DIR=inside),
+        ]
+    if not words:
+        raise RosmlError("--sound: neither PulseAudio nor PipeWire answers here", "start it, or leave out --sound")
+    return words
+
+
+def ssh_agent(context: Context) -> Sequence[str]:
+    """The socket of ssh's agent.
+
+    Raises:
+        RosmlError: there is none.
+    """
+    if not context.is_here:
+        return _elsewhere(context, "ssh-agent")
+    if not context.line.asks("ssh-agent") or context.line.sets("SSH_AUTH_SOCK"):
+        return []
+    socket, target = context.host.environment.get("SSH_AUTH_SOCK", ""), f"{OURS}/ssh-agent"
+    if not socket.startswith("/") or not context.host.answers(socket):
+        raise RosmlError("--ssh-agent: no agent answers here", 'eval "$(ssh-agent)"; ssh-add')
+    return [*mounted(socket, target), *variables(SSH_AUTH_SOCK=target)]
+
+
+PLUGINS = (
+    Plugin("windows", windows, {"no-x11": "no windows", "wayland": "windows by Wayland, also where X11 answers"}),
+    Plugin("sound", sound, {"sound": "sound, by PulseAudio or PipeWire"}),
+    Plugin(
+        "ssh-agent", ssh_agent, {"ssh-agent": "the keys of your ssh agent, which the container can use but not read"}
+    ),
+)

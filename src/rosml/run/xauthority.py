@@ -1,0 +1,67 @@
+"""The file in which X11's cookies are: `XAUTHORITY`, as libXau reads and writes it.
+
+An entry is a family, and four fields with their lengths before them: address, number of the display, kind of secret, secret.
+All numbers have two bytes, the higher one first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+LOCAL, WILD = 256, 65535
+"""Families: a machine by its name, and any address at all."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A cookie. Attributes: number: that of the display; empty for any. kind: such as `MIT-MAGIC-COOKIE-1`."""
+
+    family: int
+    address: bytes
+    number: bytes
+    kind: bytes
+    secret: bytes
+
+
+def read(content: bytes) -> list[Entry]:
+    """The entries of a file, up to where it is damaged."""
+    found, at = [], 0
+    while at + 2 <= len(content):
+        family, at = int.from_bytes(content[at : at + 2]), at + 2
+        fields = []
+        for _ in range(4):
+            size = int.from_bytes(content[at : at + 2])
+            fields.append(content[at + 2 : at + 2 + size])
+            at += 2 + size
+        if at > len(content):
+            break
+        found.append(Entry(family, *fields))
+    return found
+
+
+def written(entries: Iterable[Entry]) -> bytes:
+    """The content of a file with these entries."""
+    content = b""
+    for entry in entries:
+        content += entry.family.to_bytes(2)
+        for value in (entry.address, entry.number, entry.kind, entry.secret):
+            content += len(value).to_bytes(2) + value
+    return content
+
+
+def cookies(entries: Sequence[Entry], number: str, machine: str) -> list[Entry]:
+    """The entries for a display, made good for any machine: a container has another name. Those of this machine come first.
+
+    Args:
+        number: of the display. machine: this one's name.
+    """
+    fitting = [entry for entry in entries if entry.number in (b"", number.encode())]
+    best = sorted(fitting, key=lambda entry: (entry.family, entry.address) != (LOCAL, machine.encode()))
+    return [replace(entry, family=WILD, address=b"", number=number.encode()) for entry in best[:1]]
+
+
+def merged(content: bytes, entry: Entry) -> bytes:
+    """The content of a file in which an entry takes the place of others for its display."""
+    others = [other for other in read(content) if other.number != entry.number]
+    return written([*others, entry])

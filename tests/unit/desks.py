@@ -1,0 +1,179 @@
+"""A folder in which somebody calls `rosml run` and `rosml attach`, with local replacements for docker and podman."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import pty
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from conftest import ROOT
+
+from rosml.run.context import Host
+
+ENGINE = f"""\
+#!{sys.executable} -IS
+import json, os, signal, sys, time
+here, name = os.path.split(os.path.abspath(__file__))
+with open(f"{{here}}/{{name}}.json") as file:
+    says = json.load(file)
+with open(f"{{here}}/calls", "a") as out:
+    out.write(json.dumps([name, *sys.argv[1:]]) + "\\n")
+first, last = sys.argv[1], sys.argv[-1]
+if first == "info":
+    print(json.dumps(says["info"]))
+    sys.exit(says["complaint"] or 0)
+if first == "image":
+    if last not in says["images"]:
+        sys.exit(says["complaint"] or f"Error: No such image: {{last}}")
+    print(json.dumps("sha256:" + last.removeprefix("sha256:")), json.dumps({{"Env": says["images"][last]}} | says["configs"].get(last, {{}})))
+if first == "container":
+    for asked in sys.argv[5:]:
+        if asked in says["containers"]:
+            state, own, image, config, mounts = [*says["containers"][asked], "", {{}}, []][:5]
+            print(*map(json.dumps, [own, state, image, config, mounts]))
+    if not set(sys.argv[5:]) <= {{*says["containers"]}}:
+        sys.exit(says["complaint"] or "Error: No such container")
+if first == "ps":
+    print(*says["containers"], sep="\\n")
+    sys.exit(says["complaint"] or 0)
+if first == "start":
+    says["containers"][last][0] = says["started"]
+    with open(f"{{here}}/{{name}}.json", "w") as file:
+        json.dump(says, file)
+if first == "pull":
+    print("progress")
+    if last not in says["registry"]:
+        sys.exit("pull access denied")
+    says["images"][last] = says["registry"][last]
+    with open(f"{{here}}/{{name}}.json", "w") as file:
+        json.dump(says, file)
+if first in ("run", "exec"):
+    if last == "read":
+        print(sys.stdin.read().upper(), end="")
+    if last == "wait":
+        signal.signal(signal.SIGTERM, lambda *_: os._exit(7))
+        print("waiting", flush=True)
+        time.sleep(60)
+    sys.exit(says["code"])
+"""
+"""An engine that answers as its file says, and writes down all calls as JSON."""
+
+DOCKER = {"ServerVersion": "28.2.2", "SecurityOptions": ["name=seccomp,profile=builtin", "name=cgroupns"]}
+ROOTLESS = {**DOCKER, "SecurityOptions": [*DOCKER["SecurityOptions"], "name=rootless"]}
+PODMAN = {"host": {"security": {"rootless": True}}}
+OURS = ["PATH=/usr/bin", "DOCKER_USER=dockeruser", "DOCKER_UID=", "DOCKER_GID=", "WORKSPACE=/docker-ros/ws"]
+OTHER = ["PATH=/usr/bin"]
+
+UID, GID = os.geteuid(), os.getegid()
+
+
+START = """\
+import sys
+from pathlib import Path
+from rosml.run import host
+host.ROOT, sys.argv = Path(sys.argv[1]), ["rosml", *sys.argv[2:]]
+from rosml.cli.main import run
+sys.exit(run())
+"""
+"""Starts rosml with another folder in the place of /."""
+
+
+BARE = Host(Path("/dev/null/nothing"))
+"""A machine with no files at all."""
+
+
+class Desk:
+    """A folder in which somebody calls `rosml run`, with engines that are local replacements.
+
+    Attributes:
+        folder: the current one. root: where it finds the machine's files. bin: all of PATH. command: `run`, or `attach`.
+    """
+
+    command = "run"
+
+    def __init__(self, path: Path) -> None:
+        self.folder, self.bin = path / "dr", path / "bin"
+        self.root = path / "root"
+        self.root.mkdir()
+        self.folder.mkdir()
+        self.bin.mkdir()
+        self.environment = {"PATH": str(self.bin), "HOME": str(path), "PYTHONPATH": str(ROOT / "src")}
+
+    def engine(self, name: str = "docker", **facts: Any) -> None:
+        """Installs an engine, or changes what it says."""
+        says = {"info": DOCKER, "images": {"ubuntu": OTHER, "ours": OURS}, "containers": {}, "registry": {}}
+        says |= {"code": 0, "complaint": "", "configs": {}, "started": "running"} | facts
+        (self.bin / f"{name}.json").write_text(json.dumps(says))
+        (self.bin / name).write_text(ENGINE)
+        (self.bin / name).chmod(0o755)
+
+    def argv(self, *words: str) -> list[str]:
+        """How rosml is called."""
+        return [sys.executable, "-c", START, str(self.root), self.command, *words]
+
+    def call(self, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+        """Calls `rosml run` without a terminal, and with nothing to read."""
+        env = {**self.environment, **environment}
+        return subprocess.run(
+            self.argv(*words),
+            cwd=self.folder,
+            env=env,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    @property
+    def calls(self) -> list[list[str]]:
+        """All calls of engines so far."""
+        file = self.bin / "calls"
+        return [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+
+    @property
+    def ran(self) -> list[str]:
+        """What the only engine that ran something was called with."""
+        (found,) = [call for call in self.calls if call[1] in ("run", "exec")]
+        return found
+
+    def called(self, word: str) -> bool:
+        """Whether an engine was called with this first word."""
+        return any(call[1] == word for call in self.calls)
+
+    def on_a_terminal(self, *words: str, output: int | None = None) -> tuple[int, bytes]:
+        """Calls it on a terminal of Python's own making: its exit code, and what the terminal gets to see.
+
+        Args:
+            output: in the place of the terminal.
+        """
+        ours, theirs = pty.openpty()
+        out = theirs if output is None else output
+        with subprocess.Popen(
+            self.argv(*words), cwd=self.folder, env=self.environment, stdin=theirs, stdout=out, stderr=theirs
+        ) as process:
+            os.close(theirs)
+            told = b""
+            with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
+                while part := os.read(ours, 1000):
+                    told += part
+        os.close(ours)
+        return process.returncode, told
+
+
+HOME = [] if UID == 0 else ["-e", "HOME=/tmp"]
+USER = ["--user", f"{UID}:{GID}", *HOME]
+
+
+def plain(desk: Desk) -> list[str]:
+    """What rosml adds where there is no terminal and the image makes no user."""
+    return ["docker", "run", "--rm", *labelled(desk), *USER]
+
+
+def labelled(desk: Desk) -> list[str]:
+    """By what `rosml attach` finds it."""
+    return ["--label", f"io.rosml.run.folder={desk.folder}"]
