@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
+import sys
+import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
+from rosml import ROOT
 from rosml.machine.services import Services
 from tests.e2e import engine
 from tests.e2e.conftest import Run
@@ -497,3 +502,75 @@ def test_other_images_work_whoever_starts_them(other: tuple[str, Container], who
     script = f'python3 -c "$PROGRAM" >/dev/null; echo "$(id -u):$(id -g) $HOME"; touch {"/tmp" if who == "read-only" else "~"}/mine'
     said = container.bash(script, options=options, PROGRAM=OTHERS[target], TF_CPP_MIN_LOG_LEVEL="3")
     assert said == expected
+
+
+# ---- rosml run -------------------------------------------------------------------------------------------------------
+
+PERSON = 12345
+
+
+@dataclass
+class Person:
+    """Somebody in a folder of theirs who may talk to the engine: nobody's uid where the tests started it, or else this user."""
+
+    engine: engine.Engine
+    folder: Path
+    uid: int
+
+    def rosml(self, *words: str, typed: str = "") -> Run:
+        """The command, with containers that have no network."""
+        become = ["setpriv", f"--reuid={self.uid}", f"--regid={self.uid}", "--clear-groups"]
+        own = {"HOME": str(self.folder), "PYTHONPATH": str(ROOT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
+        host = {"DOCKER_HOST": self.engine.host} if self.engine.host else {}
+        done = subprocess.run(
+            [*(become if self.engine.host else []), sys.executable, "-m", "rosml", *words],
+            cwd=self.folder,
+            env={**os.environ, **own, **host},
+            input=typed,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+        return Run(done.returncode, done.stdout, done.stderr)
+
+    def run(self, *words: str, typed: str = "") -> Run:
+        return self.rosml("run", "--network", "none", *words, typed=typed)
+
+
+@pytest.fixture
+def person(container: Container, tmp_path: Path) -> Iterator[Person]:
+    folder = Path(tempfile.mkdtemp(prefix="person-"))  # pytest's own are nobody else's
+    found = Person(container.docker, folder, os.geteuid())
+    if container.docker.host:
+        socket = Path(container.docker.host.removeprefix("unix://"))
+        socket.chmod(0o666)
+        socket.parent.chmod(0o755)
+        found.uid = PERSON
+        os.chown(folder, PERSON, PERSON)
+    yield found
+    shutil.rmtree(folder)
+
+
+def test_rosml_run_starts_an_image_as_the_person(container: Container, person: Person) -> None:
+    done = person.run("--mwd", container.image, "bash", "-c", "id -u; pwd; echo $ROS_DISTRO; touch made; exit 37")
+    assert (done.code, done.out.split()) == (37, [str(person.uid), str(person.folder), "Debian"])
+    assert (person.folder / "made").stat().st_uid == person.uid
+    assert person.run(container.image, "printf", "<%s>", "a  b", "", "$HOME", "*").out == "<a  b><><$HOME><*>"
+    assert person.run(container.image, "cat", typed="piped").out == "piped"
+    assert person.run(container.image, "bash", "-c", "kill -TERM $$").code == 143
+    label = f"label=io.rosml.run.folder={person.folder}"
+    assert container.docker.docker("ps", "--all", "--quiet", "--filter", label).out == "", "nothing is left"
+
+
+def test_rosml_attach_enters_the_container_of_the_folder(container: Container, person: Person) -> None:
+    started = person.run("--name", "robot", "--detach", container.image, "sleep", "1000")
+    assert started.code == 0, started.err
+    try:
+        for where in ("robot", "."):
+            done = person.rosml("attach", where, "bash", "-c", "id -u; echo $ROS_DISTRO; exit 3")
+            assert (done.code, done.out) == (3, f"{person.uid}\nDebian\n"), done.err
+        taken = person.rosml("run", "--name", "robot", "--volume", ".:/x", container.image)
+        assert taken.code != 0 and "rosml attach robot" in taken.err
+    finally:
+        container.docker.docker("rm", "--force", "robot")
