@@ -61,8 +61,6 @@ PACKAGES = {
 }
 """Packages of a repository with what they depend on, as REP 2001 has the variants."""
 
-PROGRAMS = ROOT / "tests/e2e/ros_stand_in"
-
 
 # ---- Keys ------------------------------------------------------------------------------------------------------------
 
@@ -139,51 +137,10 @@ def apt_source(folder: Path, generation: str, codename: str, key: str) -> Path:
     return package(folder, f"{generation}-apt-source", "", files, f"1.2.0~{codename}")
 
 
-SETUP = """\
-export ROS_DISTRO={distro} PATH=/{opt}/bin:$PATH PYTHONPATH=/{opt}/lib/python${{PYTHONPATH:+:$PYTHONPATH}}
-"""
-TALKER = """\
-#!/usr/bin/env python3
-import rclpy
-rclpy.init()
-print("[INFO] [talker]: Publishing: Hello World")
-"""
-
-
 def contents(distro: str) -> dict[str, dict[str, str]]:
-    """Files of packages: what the structure tests call, in the place where ROS has it."""
-
-    def program(name: str) -> str:
-        return (PROGRAMS / name).read_text(encoding="utf-8")
-
-    def said(words: str, code: int = 0) -> str:
-        return f"#!/bin/sh\necho '{words}'\nexit {code}\n"
-
-    opt = f"opt/ros/{distro}"
-    transforms = {
-        f"{opt}/lib/tf2_ros/{name}": program(f"{name}.sh") for name in ("static_transform_publisher", "tf2_echo")
-    }
-    messages = "from rclpy import Message\n\n\nclass String(Message):\n    pass\n"
-    ros = {
-        "ros-workspace": {f"{opt}/setup.bash": SETUP.format(distro=distro, opt=opt)},
-        "ros2cli": {f"{opt}/bin/ros2": program("ros2.sh")},
-        "rclpy": {f"{opt}/lib/python/rclpy.py": program("rclpy.py"), f"{opt}/lib/python/std_msgs/msg.py": messages},
-        "tf2-ros": transforms,
-        "rosbag2": {f"{opt}/share/rosbag2/package.xml": "<package/>"},
-        "image-transport": {
-            f"{opt}/lib/image_transport/list_transports": said("Declared transports:\nimage_transport/raw")
-        },
-        "vision-opencv": {f"{opt}/lib/python/{name}.py": "" for name in ("cv_bridge", "image_geometry")},
-        "perception-pcl": {f"{opt}/share/pcl_conversions/package.xml": "<package/>"},
-        "rviz2": {f"{opt}/bin/rviz2": said("rviz2 options:\n  -d, --display-config <arg>", 1)},
-        "rqt": {f"{opt}/bin/rqt": said("usage: rqt [-h] [-p PERSPECTIVE]\n  -p, --perspective PERSPECTIVE")},
-        "demo-nodes-py": {f"{opt}/lib/demo_nodes_py/talker": TALKER},
-    }
-    return {
-        **{f"ros-{distro}-{name}": files for name, files in ros.items()},
-        "python3-colcon-common-extensions": {"usr/local/bin/colcon": program("colcon.sh")},
-        "python3-rosdep": {"usr/local/bin/rosdep": program("rosdep.sh")},
-    }
+    """Files of packages: what the entrypoint sources, in the place where ROS has it. No program of ROS is replaced: images with
+    real ones run those."""
+    return {f"ros-{distro}-ros-workspace": {f"opt/ros/{distro}/setup.bash": f"export ROS_DISTRO={distro}\n"}}
 
 
 def ros_packages(folder: Path, distro: str) -> list[Path]:

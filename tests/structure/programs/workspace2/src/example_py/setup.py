@@ -10,5 +10,5 @@ setup(
     ],
     install_requires=["setuptools"],
     zip_safe=True,
-    entry_points={"console_scripts": ["score = example_py.score:main"]},
+    entry_points={"console_scripts": ["score = example_py.score:main", "count = example_py.count:main"]},
 )

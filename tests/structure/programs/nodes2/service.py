@@ -1,0 +1,27 @@
+"""A service, asked twice: what the client was told is what the server answered."""
+
+import rclpy
+from std_srvs.srv import SetBool
+from waiting import answer, until
+
+rclpy.init()
+node = rclpy.create_node("service")
+
+
+def switch(request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
+    """Answers."""
+    response.success = True
+    response.message = "on" if request.data else "off"
+    return response
+
+
+node.create_service(SetBool, "switch", switch)
+client = node.create_client(SetBool, "switch")
+step = lambda: rclpy.spin_once(node, timeout_sec=0.1)  # noqa: E731
+until("the service /switch is found", client.service_is_ready, step)
+for wanted, told in ((True, "on"), (False, "off")):
+    response = answer(f"/switch answers {told}", client.call_async(SetBool.Request(data=wanted)), step)
+    assert response.success and response.message == told, response
+node.destroy_node()
+rclpy.shutdown()
+print("service: on, off")
