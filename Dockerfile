@@ -50,10 +50,12 @@ CMD ["bash"]
 
 FROM parent AS ros
 ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT ROS_CODENAME ROS_APT_SOURCE
-ARG ROS_LIVE_ADDRESS ROS_SNAPSHOT_ADDRESS ROS_ARCHIVE ROS_COMPONENTS ROS_SIGNED_BY ROS_SYNC_DATE SOURCE_DATE_EPOCH
+ARG ROS_LIVE_ADDRESS ROS_SNAPSHOT_ADDRESS ROS_ARCHIVE ROS_COMPONENTS ROS_SYNC_DATE SOURCE_DATE_EPOCH
+ARG ROS_SIGNED_BY=none.asc
 RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/ros,target=/run/components/ros \
+    --mount=type=bind,source=components/archive-keys/${ROS_SIGNED_BY},target=/run/components/archive-keys/key.asc \
     --mount=type=bind,from=upstream,target=/run/upstream \
     --mount=type=secret,id=ca-bundle \
     --mount=type=secret,id=os-apt-mirror \

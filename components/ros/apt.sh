@@ -50,7 +50,7 @@ judge_signature() {
           "live and snapshot are mixed up, or two archives: check 'apt' or 'archive' in matrix.yaml, and the mirror"
     done
     fail "an apt source is signed with the key $key, which is not a pinned one" \
-      "check the mirror, and if the archive has a new key, pin it in apt_sources of matrix.yaml or in components/ros/keys"
+      "check the mirror, and if the archive has a new key, pin it in apt_sources of matrix.yaml, in components/ros/keys or in components/archive-keys"
   elif key=$(said 'EXPKEYSIG|KEYEXPIRED|not alive|key .*expired'); then
     fail "the key of an apt source has expired ($key)" \
       "pin a newer release in apt_sources of matrix.yaml, or the prolonged key in components/ros/keys"

@@ -7,7 +7,8 @@
 #   ROS_LIVE_ADDRESS, ROS_SNAPSHOT_ADDRESS
 #                   where these are, from matrix.yaml: http://host/ros2/ubuntu, http://host/jazzy/{day}/ubuntu
 #   ROS_ARCHIVE     address of another archive, in the place of all that
-#   ROS_COMPONENTS, ROS_SIGNED_BY  its components, and the file in keys/ with the key that signs it
+#   ROS_COMPONENTS, ROS_SIGNED_BY  its components, and the file in archive-keys/ with the key that signs it, which
+#                   is mounted as key.asc
 #   ROS_VERSION     1 or 2
 #   ROS_CODENAME    suite: of the operating system, such as noble, or of the other archive
 #   ROS_SYNC_DATE   of when the source has to be, if that is said
@@ -81,11 +82,15 @@ if [[ $ROS_CHANNEL == live ]]; then
     fail "the pinned $generation-apt-source has another key than components/ros/keys/live.asc" \
       "put the key of that release there"
 else
-  if [[ $ROS_CHANNEL == archive ]]; then key=${ROS_SIGNED_BY:?} name=archive; else key=snapshots.asc name=snapshots; fi
-  [[ -n $(fingerprint <"$keys/$key") ]] ||
-    fail "components/ros/keys/$key is no public key" "put the armored key there: gpg --armor --export KEY"
+  if [[ $ROS_CHANNEL == archive ]]; then
+    key=$here/../archive-keys/key.asc name=archive
+    [[ -n $(fingerprint <"$key") ]] ||
+      fail "components/archive-keys/${ROS_SIGNED_BY:?} is no public key" "put the armored key there: gpg --armor --export KEY"
+  else
+    key=$keys/snapshots.asc name=snapshots
+  fi
   keyring=/usr/share/keyrings/$generation-$name-keyring.asc
-  install -D --mode=644 "$keys/$key" "$keyring"
+  install -D --mode=644 "$key" "$keyring"
   file=/etc/apt/sources.list.d/$generation-$name.sources
   printf '%s\n' 'Types: deb' "URIs: $address" "Suites: $ROS_CODENAME" "Components: ${ROS_COMPONENTS:-main}" \
     "Signed-By: $keyring" >"$file"

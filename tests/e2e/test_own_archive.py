@@ -17,6 +17,7 @@ from rosml.bake import targets
 from rosml.images import load
 from rosml.machine import regctl
 from rosml.machine.services import Services
+from rosml.matrix.source import read
 from rosml.records import store
 from rosml.registry import oci
 from tests import walk
@@ -112,7 +113,7 @@ class Row:
         return self.image.run(script, env=env, ros_apt_mirror=self.server.url, os_apt_mirror="")
 
     def pin(self, key: str) -> None:
-        (self.image.components / "ros/keys/ours.asc").write_text(self.keys.armored(key))
+        (self.image.components / "archive-keys/key.asc").write_text(self.keys.armored(key))
 
 
 @pytest.fixture
@@ -121,7 +122,7 @@ def ours(tmp_path: Path, keys: Keys, archive: tuple[Server, Repository]) -> Row:
     project.mkdir()
     shutil.copy(ROOT / "matrix.yaml", project)
     row(project)
-    found = targets.of(load.load(project / "matrix.yaml"))
+    found = targets.of(load.image_set(read(project / "matrix.yaml")))
     arguments = {
         component: {
             name: fact
@@ -178,11 +179,11 @@ def no_metapackage(row: Row) -> None:
 
 
 def no_key(row: Row) -> None:
-    (row.image.components / "ros/keys/ours.asc").unlink()
+    (row.image.components / "archive-keys/key.asc").unlink()
 
 
 def no_public_key(row: Row) -> None:
-    (row.image.components / "ros/keys/ours.asc").write_text("<html>not found</html>\n")
+    (row.image.components / "archive-keys/key.asc").write_text("<html>not found</html>\n")
 
 
 def nothing_there(row: Row) -> None:
@@ -195,11 +196,11 @@ def moved(row: Row) -> None:
 
 FAULTS: dict[str, tuple[Callable[[Row], None], str, str]] = {
     "not signed": (unsigned, "has no valid signature", "check the mirror"),
-    "signed by another key": (stranger, "which is not a pinned one", "components/ros/keys"),
+    "signed by another key": (stranger, "which is not a pinned one", "components/archive-keys"),
     "another suite": (other_suite, "has the suite 'sid' in the place of 'bookworm'", "check the mirror"),
     "empty": (empty, "no apt source has a package", "check its name in matrix.yaml"),
     "without the metapackage": (no_metapackage, "no apt source has a package", "check its name in matrix.yaml"),
-    "no key": (no_key, "components/ros/keys/ours.asc is no public key", "gpg --armor --export"),
+    "no key": (no_key, "components/archive-keys/ours.asc is no public key", "gpg --armor --export"),
     "a page in the place of the key": (no_public_key, "ours.asc is no public key", "gpg --armor --export"),
     "no archive": (nothing_there, "there is no such apt repository", "'archive', in matrix.yaml"),
     "moved meanwhile": (moved, f"is of {WHEN}, and not of 2026-11-13T00:00:00Z any more", "run it again"),

@@ -164,7 +164,8 @@ def test_a_name_that_a_distribution_had(small: ImageSet) -> None:
     )
     assert [image.target for image in renamed.images] == [image.target for image in small.images]
     assert why_not(renamed, "old-base-torch-cu1") == "old-base-torch-cu1 is called alpha-base-torch-cu1."
-    assert why_not(small, "old-base-torch-cu1") is None
+    assert why_not(renamed, "old") == "old is called alpha."
+    assert why_not(small, "old-base-torch-cu1") is None and why_not(small, "old") is None
 
 
 def test_no_long_term_release_no_latest() -> None:

@@ -7,9 +7,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 from projects import copy_for_generator
 
 from rosml.bake import targets
+from rosml.bake.inputs import Inputs
+from rosml.base.errors import RosmlError
 from rosml.images import load
 from rosml.images.image_set import ImageSet
 from tests import walk
@@ -40,8 +43,17 @@ def test_a_distribution(project: Path, real: ImageSet) -> None:
     assert all(image.locked for image in made.images if image.target in new and not image.target.endswith("-cpu"))
 
 
+KEY = "-----BEGIN PGP PUBLIC KEY BLOCK-----\n"
+
+
 def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
-    """And a row of ROS's own repository on the same system; tests/e2e/test_own_archive.py builds it."""
+    """tests/e2e/test_own_archive.py builds it."""
+    insert(project, next(block for block in section("ROS from your own archive") if block.title))
+    with pytest.raises(RosmlError, match=r"archive\.key: components/archive-keys/ours\.asc is no armored public key"):
+        load.load(project / "matrix.yaml", project)
+    (project / "matrix.yaml").write_text((ROOT / "matrix.yaml").read_text())
+    before = Inputs(project, load.load(project / "matrix.yaml", project))
+    (project / "components/archive-keys/ours.asc").write_text(KEY)
     said = follow(project, "ROS from your own archive")
     assert "docker-bake.hcl: written" in said and "warning" not in said
     assert "packages come from the suite bookworm of an apt archive, http://packages.example.com/ros2" in said
@@ -55,9 +67,14 @@ def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
         "ROS_PACKAGES": "ros-jazzy-ros-core",
     }.items()
     assert "ROS_CHANNEL" not in arguments and "ROS_ARCHIVE" not in targets.of(made)["ros1-bookworm-core"].arguments
+    after = Inputs(project, made)
+    for target in ("ros1-bookworm-core", "jazzy-base"):
+        assert after.of(target, "amd64") == before.of(target, "amd64"), "a key is an input of its own rows alone"
+    assert "components/archive-keys/ours.asc" in after.of("jazzy-ours-core", "amd64")
 
 
 def test_ros_one(project: Path) -> None:
+    (project / "components/archive-keys/ros-one.asc").write_text(KEY)
     [row] = section("ROS One")
     matrix = project / "matrix.yaml"
     matrix.write_text(matrix.read_text().replace("\ndisk: #", f"\n{row.text.rstrip()}\n\ndisk: #", 1))

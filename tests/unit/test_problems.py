@@ -469,7 +469,7 @@ WRONG = {
     "a key that is no file": (
         "    apt: {channel: snapshot, date: 2026-11-01}\n",
         "    archive: {address: http://a.test, suite: x, key: ../a.asc}\n",
-        "64:49: distributions.omega.archive.key: expected a file in components/ros/keys with an armored public key, "
+        "64:49: distributions.omega.archive.key: expected a file in components/archive-keys with an armored public key, "
         "such as mine.asc, found '../a.asc'",
     ),
     "a generation in quotes": (

@@ -97,6 +97,9 @@ def why_not(image_set: ImageSet, name: str) -> str | None:
     """One sentence about why a combination does not exist; None where it exists or the name is not understood."""
     if name in image_set.by_target:
         return None
+    for row, facts in image_set.matrix.distributions.items():
+        if name in facts.aliases:
+            return f"{name} is called {row}."
     for wanted in _readings(image_set.matrix, name):
         if sentence := _reason(image_set, name, wanted):
             return sentence

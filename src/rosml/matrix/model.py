@@ -59,8 +59,8 @@ MEANING = {
     URL: "an address, such as https://example.org/images",
     APT: "the address of an apt repository, such as http://packages.example.org/{generation}/ubuntu",
     DEB: "the address of a Debian package, such as https://packages.example.org/{generation}-source_{version}.deb",
-    ARCHIVE: "the address of an apt archive, such as http://packages.example.org/ros2",
-    KEY_FILE: "a file in components/ros/keys with an armored public key, such as mine.asc",
+    ARCHIVE: "the address of an apt archive without a password and without a slash at the end, such as http://packages.example.org/ros2",
+    KEY_FILE: "a file in components/archive-keys with an armored public key, such as mine.asc",
     PLATFORM: "a platform, such as linux/arm64",
     RMW: "an RMW implementation, such as rmw_cyclonedds_cpp",
     WORD: "one word",
@@ -339,7 +339,7 @@ class Archive(Facts):
     components: Annotated[tuple[Word, ...], Field(min_length=1)] = Field(
         default=("main",), description="its components, such as main"
     )
-    key: KeyFile = Field(description="file in components/ros/keys with the public key that signs it")
+    key: KeyFile = Field(description="file in components/archive-keys with the public key that signs it")
 
 
 class Distribution(Facts):

@@ -296,7 +296,7 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
             yield (*path, "rmw"), "ROS 1 has no RMW implementations; they are ROS 2's"
         if distribution.apt and distribution.archive:
             yield (*path, "archive"), "ROS comes from 'apt' already; keep one of the two"
-        if distribution.os in matrix.operating_systems:
+        elif distribution.os in matrix.operating_systems:
             os = matrix.operating_systems[distribution.os]
             yield from _apt((*path, "apt"), distribution, os) if distribution.apt else _no_apt(path, distribution, os)
 
