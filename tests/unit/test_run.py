@@ -173,7 +173,7 @@ def test_signals_reach_the_engine(desk: Desk) -> None:
 def test_no_signal_is_ignored_that_was_not_before(desk: Desk) -> None:
     """Python ignores SIGPIPE and SIGXFSZ, which a program that it becomes would go on to do."""
     (desk.bin / "docker").write_text(
-        "#!/bin/sh\nif [ $1 = run ]; then exec /usr/bin/grep SigIgn /proc/self/status; fi\n"
+        "#!/bin/sh\ncase $1 in run) exec /usr/bin/grep SigIgn /proc/self/status;; image) echo '\"x\" {}';; esac\n"
     )
     ignored = int(desk.call("ubuntu").stdout.split()[1], 16)
     assert not ignored & (1 << signal.SIGPIPE - 1 | 1 << signal.SIGXFSZ - 1)
@@ -188,6 +188,22 @@ def test_what_would_run_is_shown(desk: Desk) -> None:
     assert shown.stdout == f"{shlex.join(wanted)}\n" and shown.stderr == as_json.stderr == ""
     said = desk.call("--no-tz", "--verbose", "--name", "x", "ubuntu", "echo", "a  b")
     assert (said.stdout, said.stderr, desk.ran) == ("", shown.stdout, wanted)
+
+
+@pytest.mark.parametrize("option", ["--dry-run", "--verbose"])
+def test_bytes_that_are_no_text_are_shown_as_a_shell_reads_them(desk: Desk, option: str) -> None:
+    words = [b"\xffab'c\\d e\n", "ü".encode(), "ü".encode() + b"\xfe"]
+    done = subprocess.run(
+        [*desk.argv("--no-tz", option, "ubuntu", "ls"), *words],
+        cwd=desk.folder,
+        env=desk.environment,
+        capture_output=True,
+        check=True,
+    )
+    told = done.stdout + done.stderr
+    assert b"$'\\xff" in told and "ü".encode() in told
+    read = subprocess.run(["bash", "-c", b"printf '%s\\0' " + told], capture_output=True, check=True).stdout
+    assert read.split(b"\0")[-4:-1] == words
 
 
 # ---- The engine and the image ----------------------------------------------------------------------------------------
@@ -294,6 +310,44 @@ def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:
     done = desk.call(*words)
     assert (done.returncode, says in done.stderr) == (2, True), done.stderr
     assert not [call for call in desk.calls if call[1] == "run"]
+
+
+@pytest.mark.parametrize(
+    "words", [["--network", "host"], ["-v", "host"], ["-itv", "host"], ["-e", "host"], ["-u", "host"]]
+)
+def test_an_option_that_took_the_image(desk: Desk, words: list[str]) -> None:
+    done = desk.call(*words)
+    assert done.returncode == 2, done.stderr
+    assert f"'host' is the value of {words[0]}" in done.stderr and "rosml run … IMAGE" in done.stderr
+
+
+def test_a_folder_with_a_colon_goes_with_no_volume(desk: Desk) -> None:
+    desk.folder = desk.folder / "a:b, c"
+    desk.folder.mkdir()
+    done = desk.call("-v", ".:/x:ro", "ubuntu")
+    assert done.returncode == 2 and f"error: -v cannot mount {desk.folder}: the path has a colon\n" in done.stderr
+    (remedy,) = [line for line in done.stderr.splitlines() if line.startswith("remedy: ")]
+    assert shlex.split(remedy)[1:] == ["--mount", f'type=bind,"source={desk.folder}",target=/x,readonly']
+    assert not desk.called("run")
+
+
+@pytest.mark.parametrize("option", ["--dry-run", "--json", "--help"])
+def test_output_that_goes_nowhere(desk: Desk, option: str) -> None:
+    """Nobody reads it, or the disk is full: nothing was to be done, so nothing has failed, and no service is in the way."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    argv = desk.argv(option, "ubuntu")
+    done = subprocess.run(
+        argv, cwd=desk.folder, env=desk.environment, stdout=writer, stderr=subprocess.PIPE, check=False
+    )
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (0, b"")
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            argv, cwd=desk.folder, env=desk.environment, stdout=full, stderr=subprocess.PIPE, check=False
+        )
+    assert done.returncode == 1 and done.stderr.startswith(b"error: standard output: No space left on device\nremedy: ")
+    assert b"setup" not in done.stderr and done.stderr.count(b"\n") == 2
 
 
 def test_a_folder_that_is_gone(desk: Desk) -> None:
@@ -423,10 +477,72 @@ def test_an_engine_says_what_it_is(desk: Desk, info: Any, expected: tuple[bool, 
 
 @pytest.mark.parametrize(("name", "expected"), [("docker", (False, False)), ("podman", (True, UID != 0))])
 def test_an_engine_that_says_nothing_of_itself(desk: Desk, name: str, expected: tuple[bool, bool]) -> None:
-    (desk.bin / name).write_text("#!/bin/sh\n")
+    (desk.bin / name).write_text("#!/bin/sh\n[ $1 != image ] || echo '\"sha256:x\" {}'\n")
     (desk.bin / name).chmod(0o755)
     found = engine.ask(str(desk.bin / name), "ours", "")
-    assert (found.engine.podman, found.engine.rootless, found.image) == (*expected, Image())
+    assert (found.engine.podman, found.engine.rootless, found.image) == (*expected, Image("x"))
+
+
+ODD = "error: docker answers with something that rosml does not understand: "
+
+
+@pytest.mark.parametrize(
+    "info",
+    [
+        *({"host": {"security": None}}, {"host": 5}, {"host": {"security": [1]}}, 5, [1, 2], None),
+        *({**DOCKER, "SecurityOptions": found} for found in ([5], 5, "rootless", {"a": 1})),
+        *({**DOCKER, "CDISpecDirs": found} for found in ([5], 5)),
+        {**DOCKER, "Runtimes": 5},
+    ],
+)
+def test_an_engine_that_describes_itself_oddly(desk: Desk, info: Any) -> None:
+    desk.engine(info=info)
+    done = desk.call("ours")
+    assert (done.returncode, done.stdout) == (1, "") and done.stderr.startswith(ODD), done.stderr
+    assert done.stderr.endswith("\nremedy: try `docker info --format '{{json .}}'`\n")
+    assert not desk.called("run")
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        *("nonsense", "", "null", '{"A": 1}', "[1, 2]", "5", '"x" 5', '"x" null', "5 {}", '"x" {} {}'),
+        *('"x" {"Env": 5}', '"x" {"Env": [5]}', '"x" {"Labels": [1]}', '"x" {"Cmd": 5}', '"x" {"Entrypoint": [5]}'),
+    ],
+)
+def test_an_image_that_is_described_oddly(desk: Desk, answer: str) -> None:
+    """It may be one of ours, and would run as the wrong user."""
+    desk.engine(answers={"image": answer})
+    done = desk.call("ours")
+    assert (done.returncode, done.stdout) == (1, "") and done.stderr.startswith(ODD), done.stderr
+    assert done.stderr.endswith("\nremedy: try `docker image inspect ours`\n")
+    assert not desk.called("run") and not desk.called("pull")
+
+
+def test_a_warning_before_the_answer(desk: Desk) -> None:
+    image = f'WARNING: x\n"sha256:x" {json.dumps({"Env": OURS})}'
+    desk.engine(answers={"image": image, "info": f"WARNING: y\n{json.dumps(DOCKER, indent=1)}"})
+    assert desk.call("ours").returncode == 0 and f"DOCKER_UID={UID}" in desk.ran
+
+
+def test_an_image_that_is_missing_after_it_was_pulled(desk: Desk) -> None:
+    (desk.bin / "docker").write_text(
+        f"#!/bin/sh\ncase $1 in info) echo '{json.dumps(DOCKER)}';; image) exit 1;; run) exit 7;; esac\n"
+    )
+    done = desk.call("ours")
+    assert done.returncode == 1 and "error: docker has pulled ours, and yet does not have it\n" in done.stderr
+    assert "docker images" in done.stderr and "docker pull" not in done.stderr
+
+
+def test_an_engine_that_cannot_be_run(desk: Desk) -> None:
+    file = desk.folder / "file"
+    file.write_text("x")
+    for named in (file, desk.folder):
+        done = desk.call("ubuntu", ROSML_ENGINE=str(named))
+        assert done.returncode == 1 and f"error: '{named}', which ROSML_ENGINE names, cannot be run" in done.stderr
+    (desk.bin / "docker").write_text("no program")
+    done = desk.call("ubuntu")
+    assert done.returncode == 1 and "error: docker cannot be run: Exec format error\nremedy: " in done.stderr
 
 
 # ---- The other concerns ----------------------------------------------------------------------------------------------

@@ -145,6 +145,26 @@ def test_an_engine_that_does_not_answer(desk: Desk, words: list[str]) -> None:
     assert done.returncode == 1 and "error: docker does not answer: Cannot connect" in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("what", "answer", "words"),
+    [
+        *(("container", answer, ["x"]) for answer in ("[1, 2]", "5", "null", '"x" "y"', '5 5 5 5 5')),
+        *(("container", f'"/x" "running" "sha256:y" {config} {mounts}', ["x"]) for config, mounts in [
+            ("5", "null"), ('{"Env": [5]}', "null"), ('{"Labels": [5]}', "null"), ("{}", "5"), ("{}", "[5]"),
+            ('{"Labels": {"a": 5}}', "null"),
+        ]),
+        ("container", "[1, 2]", []),
+        ("ps", "[1, 2]", []),
+    ],
+)  # fmt: skip
+def test_containers_that_are_described_oddly(desk: Desk, what: str, answer: str, words: list[str]) -> None:
+    desk.engine(containers={"x": ["running", "/x"]}, answers={what: answer})
+    done = desk.call(*words)
+    assert done.returncode == 1, done.stderr
+    assert done.stderr.startswith("error: docker answers with something that rosml does not understand: ")
+    assert f"\nremedy: try `docker {what} " in done.stderr and done.stderr.count("\n") == 2
+
+
 def test_options_that_only_a_start_takes(desk: Desk) -> None:
     desk.engine(containers={"dr": facts(desk)})
     done = desk.call("-itv./a:/a", ".")

@@ -86,13 +86,21 @@ def test_its_own_options_are_its_own_before_the_image_alone() -> None:
         (["-e"], "the option -e lacks its value", "after it"),
         (["-ite"], "the option -e lacks its value", "after it"),
         (["--env"], "the option --env lacks its value", "after it"),
-        (["-", "x"], "'-' is no name of an image", "write an image"),
+        (["-", "x"], "'-' is no name of an image", "rosml run IMAGE"),
+        *(([word, "x", "image"], f"unknown option {word}", "DOCKER_CONTEXT") for word in ("--context", "--host", "-H")),
+        *(([word, "x", "image"], f"unknown option {word}", "--dry-run") for word in ("--log-level", "--debug", "-D")),
+        (["--config", "x", "image"], "unknown option --config", "DOCKER_CONFIG"),
+        (["--connection", "x", "image"], "unknown option --connection", "CONTAINER_HOST"),
+        (["--version"], "unknown option --version", "rosml --version"),
+        (["-P8080:80", "image"], "unknown option -8 in '-P8080:80'", "did you mean -p 8080:80?"),
+        (["--=x", "image"], "unknown option --=x", "a name before ="),
         (["--", "--privileged"], "'--privileged' is no name of an image", "write an image"),
     ],
 )
 def test_what_cannot_be_read_has_a_remedy(words: list[str], says: str, remedy: str) -> None:
     with pytest.raises(RosmlError) as caught:
         split(words, OWN)
+    assert "--context=" not in caught.value.remedy
     assert caught.value.exit_code == 2
     assert says in caught.value.message and remedy in caught.value.remedy
 

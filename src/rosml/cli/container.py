@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import json
 import os
 import shlex
 import signal
-from collections.abc import Callable, Sequence
+import sys
+from collections.abc import Callable, Iterator, Sequence
 from typing import NoReturn
 
 import click
@@ -27,7 +30,8 @@ class Words(Command):
     """A command of which click reads its own options, the first word that is none, and nothing else."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        return super().parse_args(ctx, self.for_click(ctx, args))
+        with printing():  # --help
+            return super().parse_args(ctx, self.for_click(ctx, args))
 
     def for_click(self, ctx: click.Context, args: Sequence[str]) -> list[str]:
         """The words that click reads. The whole line is in the context then.
@@ -70,15 +74,49 @@ def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] |
         begin: what is done before.
     """
     if line.asks("json"):
-        click.echo(json.dumps(argv))
+        with printing():
+            click.echo(json.dumps(argv))
     elif line.asks("dry-run"):
-        click.echo(shlex.join(argv))
+        with printing():
+            click.echo(shown(argv))
     else:
         if line.asks("verbose"):
-            click.echo(shlex.join(argv), err=True)
+            click.echo(shown(argv), err=True)
         if begin:
             begin()
         become(argv)
+
+
+def shown(argv: Sequence[str]) -> str:
+    """A command as a shell reads it. Bytes that are no text are written as bash, zsh and ksh read them."""
+    return " ".join(map(_quoted, argv))
+
+
+def _quoted(word: str) -> str:
+    try:
+        word.encode()
+    except UnicodeEncodeError:
+        safe = {code: chr(code) for code in range(ord(" "), 127) if chr(code) not in "'\\"}
+        return f"$'{''.join(safe.get(code) or f'{chr(92)}x{code:02x}' for code in os.fsencode(word))}'"
+    return shlex.quote(word)
+
+
+@contextlib.contextmanager
+def printing() -> Iterator[None]:
+    """What does nothing but print: whoever reads it may stop.
+
+    Raises:
+        RosmlError: it cannot be written.
+    """
+    try:
+        yield
+    except OSError as error:
+        if error.errno not in (errno.EPIPE, errno.ENOSPC):
+            raise
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python would try it again when it ends
+        if error.errno == errno.EPIPE:
+            raise click.exceptions.Exit(0) from None
+        raise RosmlError(f"standard output: {error.strerror}", "send it to another place") from None
 
 
 def become(argv: Sequence[str]) -> NoReturn:

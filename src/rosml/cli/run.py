@@ -73,9 +73,28 @@ def main(context: click.Context, /) -> None:
     if not line.image:
         if line.asks("new"):
             raise RosmlError("--new starts an image, and none is named", "rosml run --new IMAGE", exit_code=2)
-        container.enter_folder(line, "rosml run without an image")
+        enter(line)
         return
     start(engine.program(os.environ), line, person(os.environ))
+
+
+def enter(line: words.Line) -> None:
+    """Enters the container of the current folder, as no image is named. An option may have taken the image as its value.
+
+    Raises:
+        RosmlError: there is none, or there are several, or it cannot be entered.
+    """
+    from rosml.run import attach
+
+    remedy = "write the image after it: rosml run … IMAGE"
+    if line.taken and not set(line.engine[-1].names) <= attach.PASSED:
+        raise RosmlError(f"no image is named: {line.taken}", remedy, exit_code=2)
+    try:
+        container.enter_folder(line, "rosml run without an image")
+    except RosmlError as error:
+        if line.taken and error.exit_code == 2:
+            error.remedy += f"; {line.taken}: if it is the image, {remedy}"
+        raise
 
 
 def start(program: str, line: words.Line, caller: Person) -> None:
@@ -104,7 +123,7 @@ def start(program: str, line: words.Line, caller: Person) -> None:
         engine.pull(program, line)
         facts = engine.ask(program, line.image, "")
     if facts.image is None:
-        raise engine.lacking(program, line.image)
+        raise engine.still_lacking(program, line.image)
     machine = host(os.environ)
     plan = plugins.plan(Context(line, facts.engine, caller, facts.image, machine), found().plugins)
     for text, remedy in (*found().notes, *plan.notes):

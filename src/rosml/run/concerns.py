@@ -1,7 +1,7 @@
 """What rosml adds to `docker run`: one small function for each concern, from what is known to arguments of the engine.
 
-A person's own options follow them on the engine's command line. Where the engine takes the last of several, the person's
-counts; where it takes all of them or refuses two, a concern keeps out.
+A person's own options follow them on the engine's command line. Of two that set the same thing the engines take the last one,
+which is the person's. Where they take both, or refuse two, a concern keeps out. An `--env-file` ranks below every `-e`.
 """
 
 from __future__ import annotations

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
+import re
+import shlex
 import shutil
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 from rosml.base.errors import RosmlError
 from rosml.run.context import Container, Engine, Image
 from rosml.run.words import Line
+
+T = TypeVar("T")
 
 ENGINE = "ROSML_ENGINE"
 """The environment variable that names an engine, or its path."""
@@ -37,6 +42,10 @@ def program(environment: Mapping[str, str]) -> str:
     if named := environment.get(ENGINE, ""):
         if shutil.which(named, path=path):
             return named
+        if "/" in named and os.path.exists(named):
+            kind = "it is a folder" if os.path.isdir(named) else "it is no program, or not yours to run"
+            remedy = f"name a program, such as {ENGINE}=podman, or unset it"
+            raise RosmlError(f"{named!r}, which {ENGINE} names, cannot be run: {kind}", remedy)
         raise RosmlError(f"no program {named!r}, which {ENGINE} names", f"install it, or unset {ENGINE}")
     found = next((name for name in ENGINES if shutil.which(name, path=path)), "")
     if not found:
@@ -44,6 +53,12 @@ def program(environment: Mapping[str, str]) -> str:
         raise RosmlError("neither docker nor podman is installed, or not on PATH", f"{remedy}; {ENGINE} names another")
     return found
 
+
+INFO = "{{json .}}"
+"""What an engine is asked of itself."""
+
+ID = re.compile("[A-Za-z0-9][A-Za-z0-9_.-]*")
+"""How an engine calls a container."""
 
 CDI = ("/etc/cdi", "/var/run/cdi")
 """Where podman looks for CDI's files."""
@@ -72,15 +87,16 @@ def ask(command: str, image: str, name: str) -> Facts:
         command: the engine's command. image: as the person wrote it. name: for a container; empty where none is wanted.
 
     Raises:
-        RosmlError: the engine does not answer.
+        RosmlError: the engine does not answer, or with something else than what was asked.
     """
-    about = _begun(command, "info", "--format", "{{json .}}")
+    about = _begun(command, "info", "--format", INFO)
     inspected = _begun(command, "image", "inspect", "--format", IMAGE, image)
     containers = _begun(command, "container", "inspect", "--format", CONTAINER, name) if name else None
     said, described = _ended(about), _ended(inspected)
-    taken = _containers(_ended(containers).text) if containers else []
-    engine = _engine(command, said.text)
-    found = _image(described.text) if described.code == 0 else None
+    named = _ended(containers) if containers else _Answer(0, "", "")
+    engine = _engine(command, said)
+    taken = _containers(command, named, name)
+    found = _image(command, described, image)
     if found is None and engine is None:
         raise _silent(command, described.complaint or said.complaint)
     # An engine also finds a container by the beginning of its id, and its name is not ours then.
@@ -88,9 +104,12 @@ def ask(command: str, image: str, name: str) -> Facts:
 
 
 def image(command: str, identity: str) -> Image | None:
-    """An image by its name or digest; None where the engine does not have it."""
-    described = _ended(_begun(command, "image", "inspect", "--format", IMAGE, identity))
-    return _image(described.text) if described.code == 0 else None
+    """An image by its name or digest; None where the engine does not have it.
+
+    Raises:
+        RosmlError: what the engine says of it cannot be read.
+    """
+    return _image(command, _ended(_begun(command, "image", "inspect", "--format", IMAGE, identity)), identity)
 
 
 def container(command: str, name: str) -> Container | None:
@@ -100,8 +119,8 @@ def container(command: str, name: str) -> Container | None:
         RosmlError: the engine does not answer.
     """
     inspected = _ended(_begun(command, "container", "inspect", "--format", CONTAINER, name))
-    found = _containers(inspected.text)
-    if not found and _engine(command, _ended(_begun(command, "info", "--format", "{{json .}}")).text) is None:
+    found = _containers(command, inspected, name)
+    if not found and _engine(command, _ended(_begun(command, "info", "--format", INFO))) is None:
         raise _silent(command, inspected.complaint)
     return found[0] if found else None
 
@@ -119,8 +138,13 @@ def containers(command: str, label: str) -> list[Container]:
     if listed.code:
         raise _silent(command, listed.complaint)
     ids = listed.text.split()
+    with _understood(command, listed, "ps", "--all", "--quiet"):
+        if not all(map(ID.fullmatch, ids)):
+            raise ValueError(listed.text)
+    if not ids:
+        return []
     # One that ends meanwhile is missing in the answer.
-    return _containers(_ended(_begun(command, "container", "inspect", "--format", CONTAINER, *ids)).text) if ids else []
+    return _containers(command, _ended(_begun(command, "container", "inspect", "--format", CONTAINER, *ids)), *ids)
 
 
 def start(command: str, name: str) -> None:
@@ -141,7 +165,7 @@ def pull(command: str, line: Line) -> None:
     """Has the engine pull an image; what it says of its progress goes to standard error, as that of `docker run` does.
 
     Raises:
-        RosmlError: it cannot, or must not, or it has pulled nothing that could be read.
+        RosmlError: it cannot, or must not.
     """
     if line.value("pull") == "never":
         raise RosmlError(f"no image {line.image} here, and --pull=never", f"{command} pull {line.image}")
@@ -162,7 +186,13 @@ class _Answer:
 
 def _begun(*argv: str) -> subprocess.Popen[str]:
     pipe, quiet = subprocess.PIPE, subprocess.DEVNULL
-    return subprocess.Popen(argv, stdin=quiet, stdout=pipe, stderr=pipe, text=True, errors="replace", encoding="utf-8")
+    try:
+        return subprocess.Popen(
+            argv, stdin=quiet, stdout=pipe, stderr=pipe, text=True, errors="replace", encoding="utf-8"
+        )
+    except OSError as error:
+        remedy = f"install it again, or name another one with {ENGINE}"
+        raise RosmlError(f"{argv[0]} cannot be run: {error.strerror}", remedy) from None
 
 
 def _ended(process: subprocess.Popen[str]) -> _Answer:
@@ -170,19 +200,52 @@ def _ended(process: subprocess.Popen[str]) -> _Answer:
     return _Answer(process.returncode, text, complaint.strip())
 
 
-def _engine(command: str, text: str) -> Engine | None:
-    """Which engine answers, by what `info` says; None where none does. podman may be called docker."""
-    found = _object(text)
-    if "host" in found:
-        rootless = bool(found["host"].get("security", {}).get("rootless"))
-        return Engine(
-            command, podman=True, rootless=rootless, cdi=CDI, machine=str(found["host"].get("hostname") or "")
-        )
-    if not found or found.get("ServerErrors") or not found.get("ServerVersion"):
+@contextlib.contextmanager
+def _understood(command: str, answer: _Answer, *words: str) -> Iterator[None]:
+    """What reads an answer.
+
+    Args:
+        words: with which a person can ask the same.
+
+    Raises:
+        RosmlError: in the place of a ValueError.
+    """
+    try:
+        yield
+    except ValueError:
+        lines = answer.text.strip().splitlines() or ["nothing at all"]
+        text = f"{command} answers with something that rosml does not understand: {lines[0][:60]}"
+        raise RosmlError(text, f"try `{shlex.join([command, *words])}`") from None
+
+
+def _engine(command: str, said: _Answer) -> Engine | None:
+    """Which engine answers, by what `info` says; None where none does. podman may be called docker.
+
+    Raises:
+        RosmlError: it says something else.
+    """
+    if not said.text.strip():
         return None
-    options = [option.partition(",")[0] for option in found.get("SecurityOptions") or []]
-    nvidia = "nvidia" in (found.get("Runtimes") or {})
-    rootless, cdi = "name=rootless" in options, tuple(found.get("CDISpecDirs") or ())
+    with _understood(command, said, "info", "--format", INFO):
+        (found,) = _values(_answer(said.text))
+        return _described_engine(command, _kind(dict, found))
+
+
+def _described_engine(command: str, found: Mapping[str, Any]) -> Engine | None:
+    """Which engine describes itself so.
+
+    Raises:
+        ValueError: it is no description.
+    """
+    if "host" in found:
+        host = _kind(dict, found["host"])
+        rootless = bool(_kind(dict, host.get("security", {})).get("rootless"))
+        return Engine(command, podman=True, rootless=rootless, cdi=CDI, machine=str(host.get("hostname") or ""))
+    if found.get("ServerErrors") or not found.get("ServerVersion"):
+        return None
+    options = [option.partition(",")[0] for option in _texts(found.get("SecurityOptions"))]
+    nvidia = "nvidia" in _kind(dict, found.get("Runtimes") or {})
+    rootless, cdi = "name=rootless" in options, tuple(_texts(found.get("CDISpecDirs")))
     return Engine(command, rootless=rootless, nvidia=nvidia, cdi=cdi, machine=str(found.get("Name") or ""))
 
 
@@ -192,53 +255,80 @@ def _guessed(command: str) -> Engine:
     return Engine(command, podman, rootless=podman and os.geteuid() != 0, cdi=CDI if podman else ())
 
 
-def _object(text: str) -> dict[str, Any]:
-    try:
-        found = json.loads(text)
-    except ValueError:
-        return {}
-    return found if isinstance(found, dict) else {}
+def _kind(kind: type[T], found: object) -> T:
+    """What was found, which is of a kind.
 
-
-def _image(text: str) -> Image:
-    """An image, from what `inspect` says; one that says nothing of itself, where that cannot be read."""
-    try:
-        identity, config = _values(text)
-    except ValueError:
-        return Image()
-    return Image(_bare(identity), *_described(config), _words(config.get("Cmd")))
-
-
-def _containers(text: str) -> list[Container]:
-    """Containers, from what `inspect` says of each; those that cannot be read are left out."""
-    found = []
-    for line in text.splitlines():
-        try:
-            name, state, image, config, mounts = _values(line)
-        except ValueError:
-            continue
-        places = frozenset(str(mount.get("Destination", "")) for mount in mounts or [])
-        named, user = str(config.get("Image") or ""), str(config.get("User") or "")
-        variables, labels, entrypoint = _described(config)
-        given = name.removeprefix("/")  # docker's begin with it
-        found.append(Container(given, state, named, _bare(image), user, variables, labels, entrypoint, places))
+    Raises:
+        ValueError: it is not.
+    """
+    if not isinstance(found, kind):
+        raise ValueError(found)
     return found
+
+
+def _texts(found: object) -> list[str]:
+    """A list of texts; the engines write null for one that is empty."""
+    return [_kind(str, text) for text in _kind(list, found or [])]
+
+
+def _image(command: str, answer: _Answer, name: str) -> Image | None:
+    """An image, from what `inspect` says; None where the engine does not have it.
+
+    Raises:
+        RosmlError: that cannot be read. Who runs in the image depends on it.
+    """
+    if answer.code:
+        return None
+    with _understood(command, answer, "image", "inspect", name):
+        identity, config = _values(_answer(answer.text))
+        return Image(_bare(identity), *_described(_kind(dict, config)), _words(config.get("Cmd")))
+
+
+def _containers(command: str, answer: _Answer, *names: str) -> list[Container]:
+    """Containers, from what `inspect` says of each; of those that are missing it says nothing.
+
+    Raises:
+        RosmlError: that cannot be read.
+    """
+    with _understood(command, answer, "container", "inspect", *names):
+        return [_container(line) for line in _answer(answer.text).splitlines() if line.strip()]
+
+
+def _container(line: str) -> Container:
+    """A container, from a line of what `inspect` says.
+
+    Raises:
+        ValueError: it is no such line.
+    """
+    name, state, image, config, mounts = _values(line)
+    places = frozenset(str(_kind(dict, mount).get("Destination", "")) for mount in _kind(list, mounts or []))
+    variables, labels, entrypoint = _described(_kind(dict, config))
+    named, user = str(config.get("Image") or ""), str(config.get("User") or "")
+    given = _kind(str, name).removeprefix("/")  # docker's begin with it
+    return Container(given, _kind(str, state), named, _bare(image), user, variables, labels, entrypoint, places)
 
 
 def _described(config: Mapping[str, Any]) -> tuple[Mapping[str, str], Mapping[str, str], tuple[str, ...]]:
     """The variables, the labels and the entrypoint of an image or a container."""
-    variables = dict(entry.partition("=")[::2] for entry in config.get("Env") or [])
-    return variables, config.get("Labels") or {}, _words(config.get("Entrypoint"))
+    variables = dict(entry.partition("=")[::2] for entry in _texts(config.get("Env")))
+    labels = _kind(dict, config.get("Labels") or {})
+    _texts([*labels.values()])
+    return variables, labels, _words(config.get("Entrypoint"))
 
 
-def _words(found: Any) -> tuple[str, ...]:
+def _words(found: object) -> tuple[str, ...]:
     """A command as the engines have it: a list, nothing, or text in podman before 5."""
-    return tuple(found.split() if isinstance(found, str) else found or ())
+    return tuple(found.split() if isinstance(found, str) else _texts(found))
 
 
-def _bare(identity: str) -> str:
+def _answer(text: str) -> str:
+    """What an engine prints, without warnings before the answer, which is an object or begins with a text."""
+    return re.sub(r'\A(?:(?!["{]).*\n)+(?=["{])', "", text)
+
+
+def _bare(identity: object) -> str:
     """A digest, which podman writes without its kind."""
-    return identity.removeprefix("sha256:")
+    return _kind(str, identity).removeprefix("sha256:")
 
 
 def _values(text: str) -> list[Any]:
@@ -269,3 +359,9 @@ def _silent(command: str, complaint: str) -> RosmlError:
 def lacking(command: str, image: str) -> RosmlError:
     """What to say where an image is missing, and nothing may be pulled: who runs in it depends on the image."""
     return RosmlError(f"no image {image} here", f"{command} pull {image}, then call it again")
+
+
+def still_lacking(command: str, image: str) -> RosmlError:
+    """What to say where an image is missing although it was pulled."""
+    remedy = f"`{command} image inspect {image}` says why; `{command} images` lists what is there"
+    return RosmlError(f"{command} has pulled {image}, and yet does not have it", remedy)

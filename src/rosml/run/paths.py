@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Sequence
 
+from rosml.base.errors import RosmlError
 from rosml.run.words import Given
 
 SOURCES = ("source=", "src=")
@@ -17,6 +19,9 @@ def resolved(given: Given, folder: str) -> Given:
     Args:
         given: options of the engine.
         folder: the current one.
+
+    Raises:
+        RosmlError: the engine would read the path as two.
     """
     if given.value is None or given.names[-1] not in ("volume", "mount"):
         return given
@@ -32,7 +37,15 @@ def _volume(value: str, folder: str) -> str:
     """`./a:/b`, `a/b:/c`, `.:/b:ro` and `~/a:/b`; not `/a`, which is a place in the container, or `name:/b`."""
     source, colon, rest = value.partition(":")
     is_path = source in (".", "..") or "/" in source
-    return f"{_absolute(source, folder)}:{rest}" if colon and is_path else value
+    if not colon or not is_path:
+        return value
+    path = _absolute(source, folder)
+    if ":" in path:
+        target, _, options = rest.partition(":")
+        mount = bind(path, target) + (",readonly" if "ro" in options.split(",") else "")
+        remedy = shlex.join(["--mount", mount])
+        raise RosmlError(f"-v cannot mount {path}: the path has a colon", remedy, exit_code=2)
+    return f"{path}:{rest}"
 
 
 def _mount(value: str, folder: str) -> str:

@@ -9,6 +9,19 @@ from pathlib import Path
 
 from rosml.base.errors import RosmlError
 
+_WHERE = "it is an option of docker itself: set DOCKER_CONTEXT or DOCKER_HOST, or call `docker context use NAME`"
+_SPOKEN = "it is an option of the engine itself: `rosml run --dry-run` prints a command, into which you can write it"
+_PODMAN = "it is an option of podman itself: set CONTAINER_HOST, or call `podman system connection default NAME`"
+
+NOT_OF_RUN = {
+    **dict.fromkeys(("context", "host", "H", "tls", "tlscacert", "tlscert", "tlskey", "tlsverify"), _WHERE),
+    **dict.fromkeys(("debug", "D", "log-level"), _SPOKEN),
+    **dict.fromkeys(("connection", "identity", "remote", "url"), _PODMAN),
+    "config": "it is an option of docker itself: set DOCKER_CONFIG",
+    "version": "rosml --version, or docker --version, or podman --version",
+}
+"""What to do about options that the engines, or rosml, have at another place."""
+
 
 @dataclass(frozen=True)
 class Given:
@@ -56,6 +69,12 @@ class Line:
     def values(self, *names: str) -> list[str]:
         """The values of options of the engine, in their order."""
         return [given.value or "" for given in self.engine if given.names[-1] in names]
+
+    @property
+    def taken(self) -> str:
+        """Which option took the last word as its value, where no image follows; empty where none did."""
+        last = self.engine[-1] if self.engine and not self.image else Given((), ())
+        return f"{last.value!r} is the value of {last.words[0]}" if len(last.words) > 1 else ""
 
     def sets(self, *variables: str) -> bool:
         """Whether somebody sets one of these environment variables of the container."""
@@ -122,13 +141,16 @@ def split(words: Collection[str], own: Collection[str]) -> Line:
 def _line(own: list[str], engine: list[Given], rest: list[str]) -> Line:
     image = rest[0] if rest else ""
     if image.startswith("-"):  # after `--`; the engine would take it for an option
-        raise RosmlError(f"{image!r} is no name of an image", "write an image after --", exit_code=2)
+        remedy = "rosml run IMAGE" if image == "-" else "write an image after --"
+        raise RosmlError(f"{image!r} is no name of an image", remedy, exit_code=2)
     return Line(tuple(own), tuple(engine), image, tuple(rest[1:]))
 
 
 def _long(word: str, rest: Iterator[str], own: Collection[str]) -> Given:
     """One option with a long name."""
     name, equals, value = word[2:].partition("=")
+    if equals and not name:
+        raise RosmlError(f"unknown option {word}", "write a name before =", exit_code=2)
     if equals:
         return Given((word,), (name,), value)
     if name in table().switches:
@@ -141,6 +163,8 @@ def _long(word: str, rest: Iterator[str], own: Collection[str]) -> Given:
 
 def _remedy(word: str, own: Collection[str]) -> str:
     """What to do about an unknown option: the name that may be meant, and how an option of a newer engine is written."""
+    if word.removeprefix("--") in NOT_OF_RUN:
+        return NOT_OF_RUN[word.removeprefix("--")]
     from difflib import get_close_matches  # only needed when something is wrong
 
     known = [*(name.removeprefix("--") for name in own), *table().names]
@@ -156,7 +180,9 @@ def _letters(word: str, rest: Iterator[str]) -> Given:
     while left:
         letter, left = left[0], left[1:]
         if letter not in table().letters:
-            remedy = "write its long name with its value: --option=VALUE"
+            remedy = NOT_OF_RUN.get(letter, "write its long name with its value: --option=VALUE")
+            if names == ["publish-all"] and letter.isdigit():
+                remedy = f"did you mean -p {letter}{left}? -P publishes all ports"
             raise RosmlError(f"unknown option -{letter} in {word!r}", remedy, exit_code=2)
         names.append(table().letters[letter])
         if left.startswith("=") and len(left) > 1:
