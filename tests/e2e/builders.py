@@ -82,7 +82,8 @@ def _clear(folder: Path) -> None:
             subprocess.run(["umount", "--lazy", place], check=False)
     for process in Path("/proc").glob("[0-9]*"):
         try:
-            if str(folder) in (process / "cmdline").read_text() or str(folder) in os.readlink(process / "root"):
+            words, root = (process / "cmdline").read_bytes(), os.readlink(process / "root")
+            if os.fsencode(folder) in words or str(folder) in root:
                 os.kill(int(process.name), signal.SIGKILL)
         except OSError:
             continue

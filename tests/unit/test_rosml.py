@@ -250,7 +250,8 @@ def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
 
 def test_an_image_is_run(wheel: Path, tmp_path: Path) -> None:
     """The table of the engines' options is in the wheel. The engine is a local replacement."""
-    (tmp_path / "docker").write_text('#!/bin/sh\nif [ "$1" = run ]; then printf "%s|" "$@"; exit 3; fi\necho "{}"\n')
+    engine = '#!/bin/sh\ncase $1 in\n  run) printf "%s|" "$@"; exit 3 ;;\n  image) echo \'"sha256:1" {}\' ;;\n  *) echo "{}" ;;\nesac\n'
+    (tmp_path / "docker").write_text(engine)
     (tmp_path / "docker").chmod(0o755)
     words = ("run", "--no-tz", "--no-user", "-eA=b c", "ubuntu", "echo", "a  b")
     done = installed(wheel, tmp_path, *words, PATH=f"{tmp_path}:/usr/bin:/bin")
