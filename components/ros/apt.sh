@@ -53,7 +53,7 @@ judge_signature() {
       "check the mirror, and if the archive has a new key, pin it in apt_sources of matrix.yaml, in components/ros/keys or in components/archive-keys"
   elif key=$(said 'EXPKEYSIG|KEYEXPIRED|not alive|key .*expired'); then
     fail "the key of an apt source has expired ($key)" \
-      "pin a newer release in apt_sources of matrix.yaml, or the prolonged key in components/ros/keys"
+      "pin a newer release in apt_sources of matrix.yaml, or the prolonged key in components/ros/keys or components/archive-keys"
   elif key=$(said 'BADSIG|GPG error|OpenPGP|is not signed'); then
     fail "an apt source has no valid signature ($key)" "check the mirror"
   fi
@@ -88,7 +88,7 @@ apt_update() {
 require_sync() {
   local path=${1#*://} release suite sync
   release=$(find /var/lib/apt/lists -name "*${path//\//_}_dists_${ROS_CODENAME:?}_*Release")
-  grep -q -x -E "(Suite|Codename): $ROS_CODENAME" "$release" || {
+  grep -q -x -F -e "Suite: $ROS_CODENAME" -e "Codename: $ROS_CODENAME" "$release" || {
     suite=$(sed -n 's/^Codename: //p' "$release")
     fail "$1 has the suite '$suite' in the place of '$ROS_CODENAME'" "check the mirror"
   }
