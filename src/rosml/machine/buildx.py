@@ -177,7 +177,8 @@ def _run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]
             _stop(process)
             raise
     if code != 0:
-        services.require_registry()
+        if services.registry:
+            services.require_registry()
         services.require_builder()
         raise failure(bake, progress, log_path, code)
     return progress, _metadata(metadata, bake.target)

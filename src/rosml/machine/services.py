@@ -76,6 +76,31 @@ class Services:
         except (TypeError, ValueError):
             raise RosmlError(f"{path} is damaged", f"{REMEDY}, which writes it anew") from None
 
+    @classmethod
+    def of_docker(cls, folder: Path) -> Services:
+        """The builder that the user's Docker builds with, where there is no checkout, and no registry.
+
+        Args:
+            folder: for what is kept.
+
+        Raises:
+            RosmlError: there is no Docker with buildx.
+        """
+        remedy = "install Docker with buildx, and start it; or call this in a checkout, after 'rosml setup'"
+        buildx = ("docker", "buildx")
+        try:
+            done = subprocess.run(
+                [*buildx, "inspect"], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=BUILDER_SECONDS
+            )
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise RosmlError(f"docker buildx does not answer: {error}", remedy) from None
+        named = [line.split(":", 1)[1].strip() for line in done.stdout.splitlines() if line.startswith("Name:")]
+        if done.returncode != 0 or not named:
+            said = done.stderr.strip().splitlines()
+            raise RosmlError(f"docker buildx does not answer: {said[-1] if said else 'it names no builder'}", remedy)
+        bundle = os.environ.get("SSL_CERT_FILE", "")
+        return cls(folder, "", buildx, named[0], "user", None, "", "", bundle, bases=())
+
     def save(self) -> None:
         """Writes them down for `load`.
 

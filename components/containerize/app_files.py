@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""What an app adds to its base image: the files that its packages bring, and its install space.
+
+    app_files.py BASE RUNTIME BUILT OUT
+
+BASE is the base image, RUNTIME the same with the packages that the app needs to run, BUILT holds the install space. OUT/root gets
+the files, OUT/app.json what is to be known of them. Times and owners do not depend on when and where it was built.
+
+The app has no copy of dpkg's database: it would be that of one base. Its packages are in `/var/lib/dpkg/status.d`, where
+scanners look for them.
+"""
+
+from __future__ import annotations
+
+import compileall
+import filecmp
+import json
+import os
+import py_compile
+import re
+import shutil
+import stat
+import sys
+from pathlib import Path
+
+LEFT_OUT = re.compile(
+    r"etc/ld\.so\.cache|var/lib/dpkg/(?!status\.d).*|var/lib/apt/.*|var/cache/.*|var/log/.*|(tmp|run|proc|sys|dev)/.*"
+    r"|root/\.cache/.*"
+)
+"""Files that differ and belong to no app: the state of dpkg and apt, caches. glibc finds libraries in its default folders
+without ld.so.cache."""
+
+TIME = 1767225600
+"""2026-01-01T00:00:00Z, as the layers of all parts have it."""
+
+
+def entries(root: Path) -> dict[str, os.stat_result]:
+    """All files, links and folders below a root, by path."""
+    found = {}
+    for folder, folders, names in os.walk(root):
+        for name in folders + names:
+            path = os.path.join(folder, name)
+            found[os.path.relpath(path, root)] = os.lstat(path)
+    return found
+
+
+def same(path: str, one: Path, other: Path, before: os.stat_result, after: os.stat_result) -> bool:
+    """Whether a file is as it was; of a folder, only its owner and mode."""
+    if (before.st_mode, before.st_uid, before.st_gid) != (after.st_mode, after.st_uid, after.st_gid):
+        return False
+    if stat.S_ISLNK(after.st_mode):
+        return os.readlink(one / path) == os.readlink(other / path)
+    if not stat.S_ISREG(after.st_mode):
+        return True
+    if before.st_size != after.st_size:
+        return False
+    return before.st_mtime_ns == after.st_mtime_ns or filecmp.cmp(one / path, other / path, shallow=False)
+
+
+def status(root: Path) -> dict[str, str]:
+    """dpkg's entries, by package and architecture."""
+    entries = {}
+    path = root / "var/lib/dpkg/status"
+    for text in path.read_text().split("\n\n") if path.exists() else []:
+        fields = dict(re.findall(r"^(Package|Architecture|Status): (.*)$", text, re.MULTILINE))
+        if fields.get("Status") == "install ok installed":
+            entries[f"{fields['Package']}:{fields['Architecture']}"] = text.strip() + "\n"
+    return entries
+
+
+def put(source: Path, target: Path) -> None:
+    """Copies one file, link or folder, without what is in it."""
+    facts = os.lstat(source)
+    if stat.S_ISDIR(facts.st_mode):
+        target.mkdir(exist_ok=True)
+    elif stat.S_ISLNK(facts.st_mode):
+        target.symlink_to(os.readlink(source))
+        os.lchown(target, facts.st_uid, facts.st_gid)
+        return
+    elif stat.S_ISREG(facts.st_mode):
+        shutil.copyfile(source, target)
+    else:
+        return
+    os.chown(target, facts.st_uid, facts.st_gid)
+    os.chmod(target, stat.S_IMODE(facts.st_mode))
+
+
+def copy(source: Path, path: str, out: Path) -> None:
+    """Copies a file with the folders above it."""
+    parts = Path(path).parts
+    for number in range(1, len(parts)):
+        folder = Path(*parts[:number])
+        if not (out / folder).exists():
+            put(source / folder, out / folder)
+    put(source / path, out / path)
+
+
+def main(base: Path, runtime: Path, built: Path, out: Path) -> None:
+    root = out / "root"
+    root.mkdir(parents=True)
+    old, new = entries(base), entries(runtime)
+    wanted = [path for path in sorted(new) if not LEFT_OUT.fullmatch(path)]
+    changed = [path for path in wanted if path in old and not same(path, base, runtime, old[path], new[path])]
+    removed = [path for path in sorted(old) if path not in new and not LEFT_OUT.fullmatch(path)]
+    for path in wanted:
+        if path not in old or path in changed:
+            copy(runtime, path, root)
+
+    known, installed = status(base), status(runtime)
+    added = sorted(installed.keys() - known.keys())
+    if added:
+        folder = root / "var/lib/dpkg/status.d"
+        copy(runtime, "var/lib/dpkg/status", root)
+        (root / "var/lib/dpkg/status").unlink()
+        folder.mkdir()
+        for name in added:
+            (folder / name.partition(":")[0]).write_text(installed[name])
+    replaced = sorted(name for name in known if installed.get(name) != known[name])
+
+    install = "docker-ros/ws/install"
+    for above, folders, names in os.walk(built / install):
+        if "__pycache__" in folders:
+            folders.remove("__pycache__")
+        for name in [*folders, *names, "."]:
+            path = os.path.normpath(os.path.relpath(os.path.join(above, name), built))
+            if not os.path.lexists(root / path):
+                copy(built, path, root)
+
+    # Compiled by the time of a source it would hold when it was built, and be stale now.
+    compileall.compile_dir(
+        str(root / install),
+        quiet=2,
+        stripdir=str(root),
+        prependdir="/",
+        invalidation_mode=py_compile.PycInvalidationMode.CHECKED_HASH,
+    )
+
+    for above, folders, names in os.walk(root):
+        for name in [*folders, *names, "."]:
+            os.utime(os.path.join(above, name), (TIME, TIME), follow_symlinks=False)
+    facts = {"packages": added, "replaced": replaced, "changed": changed, "removed": removed}
+    (out / "app.json").write_text(json.dumps(facts, indent=2) + "\n")
+    if removed or replaced:
+        sys.exit(
+            f"error: the packages that the app needs change the base image: {', '.join([*replaced, *removed][:10])}; take a"
+            " base image that has them"
+        )
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))

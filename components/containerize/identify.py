@@ -1,0 +1,205 @@
+#!/usr/bin/env python3
+"""Which packages of the operating system ROS packages need: their package.xml, and rosdep's lists.
+
+    identify.py MANIFESTS LEFT_OUT INDEX SCRATCH OUT
+
+Into OUT go `packages/KIND.KIND`, a sorted list for each kind of dependency (build, exec, test) and each way to install it
+(apt, pip), and `dependencies.json`, which says what each key of rosdep became and who asked for it. LEFT_OUT is a list of
+ROS packages that do not count.
+
+Keys are looked up in the lists that the image has itself, or in INDEX, a folder such as a checkout of ros/rosdistro. Only
+if they do not know all keys, the network is asked.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from collections import defaultdict
+from pathlib import Path
+from typing import Iterator, NamedTuple
+
+import manifests
+from manifests import fail
+from rosdep2 import RosdepLookup, create_default_installer_context, get_default_installer
+from rosdep2.lookup import ResolutionError
+from rosdep2.rospkg_loader import DEFAULT_VIEW_KEY
+from rosdep2.sources_list import SourcesListLoader
+
+KINDS = {
+    "build": ("buildtool_depends", "build_depends", "buildtool_export_depends", "build_export_depends"),
+    "exec": ("exec_depends",),
+    "test": ("test_depends",),
+}
+"""What a manifest calls dependencies of a kind."""
+
+INSTALLERS = ("apt", "pip")
+"""Ways of rosdep to install something that an image can have."""
+
+SOURCES = Path("/etc/ros/rosdep/sources.list.d")
+
+EMPTY = "empty.yaml"
+"""An index of distributions that has none."""
+
+Packages = dict[str, dict[str, set[str]]]
+"""Keys of rosdep that packages ask for, by package and kind."""
+
+
+class Answer(NamedTuple):
+    """What a key became: how it is installed, and the names of the packages."""
+
+    installer: str
+    names: tuple[str, ...]
+
+
+def read(folder: Path, left_out: Path) -> Packages:
+    """What each package needs: its keys of rosdep by kind."""
+    context = {name: os.environ.get(name, "") for name in ("ROS_DISTRO", "ROS_VERSION")}
+    context["ROS_PYTHON_VERSION"] = os.environ.get("ROS_PYTHON_VERSION", "3")
+    packages: Packages = {}
+    for path, package in manifests.packages(folder, left_out):
+        try:
+            package.evaluate_conditions(context)
+        except ValueError as error:
+            fail(f"{path}: {error}", "check its conditions")
+        packages[package.name] = {
+            kind: {
+                dependency.name
+                for attribute in attributes
+                for dependency in getattr(package, attribute)
+                if dependency.evaluated_condition
+            }
+            for kind, attributes in KINDS.items()
+        }
+    return packages
+
+
+class Rosdep:
+    """rosdep's lists: those of the image, and of a folder or, where that is empty, of the network."""
+
+    def __init__(self, index: Path, scratch: Path) -> None:
+        self._index, self._scratch = index, scratch
+        self._may_ask = not any(index.iterdir())
+        # Debian's own ROS 1 is in no index of distributions.
+        self._distribution = os.environ.get("ROS_DISTRO", "").replace("Debian", "")
+        self.failure = ""
+        os.environ["ROS_HOME"] = str(scratch / "ros")
+        self._update(self._local(), self._own_index())
+        if self.failure:
+            fail(f"rosdep's lists cannot be read: {self.failure}", "check them, and the folder of --rosdep-index")
+
+    def find(self, key: str) -> list[Answer]:
+        """What a key becomes, with what its rule depends on; asks the network for one that is not known here.
+
+        Raises:
+            KeyError: nobody knows it.
+        """
+        try:
+            return list(self._resolve(key))
+        except KeyError:
+            if not self._may_ask:
+                raise
+        self._may_ask = False
+        self._update("", "")
+        return list(self._resolve(key))
+
+    def _resolve(self, key: str) -> Iterator[Answer]:
+        try:
+            rule_installer, rule = self._view.lookup(key).get_rule_for_platform(*self._platform)
+        except (KeyError, ResolutionError):
+            raise KeyError(key) from None
+        installer = self._context.get_installer(rule_installer)
+        yield Answer(rule_installer, tuple(str(name) for name in installer.resolve(rule)))
+        for other in installer.get_depends(rule):
+            yield from self._resolve(other)
+
+    def _local(self) -> str:
+        """A folder with the lists that are files: the image's and the folder's."""
+        folder = self._scratch / "sources"
+        folder.mkdir()
+        for path in sorted(SOURCES.glob("*.list")):
+            lines = [line for line in path.read_text().splitlines() if line.startswith("yaml file:")]
+            (folder / path.name).write_text("\n".join(lines) + "\n")
+        listed = [f"yaml file://{path}" for path in sorted(self._index.glob("rosdep/*.yaml"))]
+        (folder / "50-index.list").write_text("\n".join(listed) + "\n")
+        return str(folder)
+
+    def _own_index(self) -> str:
+        """The address of the index of distributions: the folder's, or of an empty one."""
+        given = self._index / "index-v4.yaml"
+        if self._distribution and given.exists():
+            return f"file://{given}"
+        empty = self._scratch / EMPTY
+        empty.write_text("%YAML 1.1\n---\ndistributions: {}\ntype: index\nversion: 4\n")
+        return f"file://{empty}"
+
+    def _update(self, sources: str, index: str) -> None:
+        """Reads lists and index, from the network where they are empty, and takes them."""
+        command = ["rosdep", "update"]
+        if self._distribution and not index.endswith(EMPTY):
+            command.append(f"--rosdistro={self._distribution}")
+        given = {"ROSDEP_SOURCE_PATH": sources, "ROSDISTRO_INDEX_URL": index} if index else {}
+        done = subprocess.run(command, env={**os.environ, **given}, capture_output=True, text=True)
+        if done.returncode:
+            told = [line.strip(" []\t") for line in done.stderr.splitlines() if line.strip(" []\t")]
+            self.failure = told[-1] if told else f"rosdep update ended with {done.returncode}"
+        lookup = RosdepLookup.create_from_rospkg(sources_loader=SourcesListLoader.create_default())
+        self._view = lookup.get_rosdep_view(DEFAULT_VIEW_KEY)
+        self._context = create_default_installer_context()
+        _, keys, default, system, version = get_default_installer(self._context)
+        self._platform = system, version, keys, default
+
+
+def answers(packages: Packages, skipped: set[str], rosdep: Rosdep) -> dict[str, list[Answer]]:
+    """What each key became that is no package of the workspace; ends the program where nobody knows some."""
+    asking: defaultdict[str, set[str]] = defaultdict(set)
+    for package, kinds in packages.items():
+        for key in set().union(*kinds.values()) - packages.keys() - skipped:
+            asking[key].add(package)
+    found, unknown = {}, []
+    for key in sorted(asking):
+        try:
+            found[key] = rosdep.find(key)
+        except KeyError:
+            unknown.append(f"{key} (asked for by {', '.join(sorted(asking[key]))})")
+            continue
+        for answer in found[key]:
+            if answer.installer not in INSTALLERS:
+                fail(f"rosdep installs {key} by {answer.installer}", f"install it in a script, and --skip-keys {key}")
+    if unknown:
+        why = f"; its lists on the network could not be had: {rosdep.failure}" if rosdep.failure else ""
+        fail(
+            f"rosdep does not know {', '.join(unknown)}{why}",
+            "check the names; put a package that is missing into a .repos file, name other lists with --rosdep-index, or"
+            " leave a key out with --skip-keys",
+        )
+    return found
+
+
+def main(folder: Path, left_out: Path, index: Path, scratch: Path, out: Path) -> None:
+    packages = read(folder, left_out)
+    skipped = set(os.environ.get("SKIP_KEYS", "").split())
+    found = answers(packages, skipped, Rosdep(index, scratch))
+    lists: defaultdict[str, set[str]] = defaultdict(set)
+    for kinds in packages.values():
+        for kind, keys in kinds.items():
+            for answer in (answer for key in keys if key in found for answer in found[key]):
+                lists[f"{kind}.{answer.installer}"].update(answer.names)
+    (out / "packages").mkdir(parents=True)
+    for name in (f"{kind}.{installer}" for kind in KINDS for installer in INSTALLERS):
+        (out / "packages" / name).write_text("".join(f"{package}\n" for package in sorted(lists[name])))
+    described = {
+        "packages": {
+            name: {kind: sorted(keys) for kind, keys in kinds.items()} for name, kinds in sorted(packages.items())
+        },
+        "keys": {key: [answer._asdict() for answer in found[key]] for key in sorted(found)},
+        "skipped": sorted(skipped),
+    }
+    (out / "dependencies.json").write_text(json.dumps(described, indent=2, sort_keys=True) + "\n")
+    print(f"{len(packages)} packages, {len(found)} keys of rosdep")
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))

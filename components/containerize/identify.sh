@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Finds out which packages the manifests in /run/manifests need, and writes them into a folder, as identify.py says.
+#   SKIP_KEYS    keys of rosdep that are left out, separated by spaces
+#   ROSDEP_DAY   the day on which rosdep's index was asked last; with another one the step runs again
+set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
+
+if ! python3 -c 'import catkin_pkg, rosdep2' 2>/dev/null; then
+  echo "error: the base image has no rosdep; take one of ours, or install python3-rosdep in yours" >&2
+  exit 1
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work" "$APT_CONFIG" "$APT_CONFIG.sources"' EXIT
+"$here/identify.py" /run/manifests /run/requests/blacklist /run/rosdep "$work" "$1"

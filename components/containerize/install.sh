@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Installs what the lists in /run/needed say, of the kinds that are named: build, exec, test. With build, also the tools that
+# build a workspace, if the base image lacks them. Besides, what the repository asks for itself, in /run/requests: packages of
+# apt and pip, and scripts before and after.
+#   install.sh KIND…
+set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
+# shellcheck source=components/ros/apt.sh
+source "$here/../ros/apt.sh"
+
+listed() { for kind in "${kinds[@]}"; do cat "/run/needed/$kind.$1"; done | sort -u; }
+
+# script FILE NAME: runs a script of the repository.
+script() {
+  [[ -s /run/requests/$1 ]] || return 0
+  (cd "${WORKSPACE:-/}" && exec bash -e "/run/requests/$1") ||
+    fail "the script $2 the installation of dependencies ended with $?" "the lines above say why"
+}
+
+export SOURCE_DATE_EPOCH=1767225600 # as the files of all parts: nothing here depends on the commit
+kinds=("$@")
+if [[ -n $(ls -A /run/additional) ]]; then
+  mkdir -p /docker-ros/additional-files
+  cp -R --preserve=mode,links /run/additional/. /docker-ros/additional-files
+fi
+if [[ -s /run/requests/before.sh || -s /run/requests/after.sh ]]; then apt_update; fi # what these scripts expect
+script before.sh before
+mapfile -t debs < <(listed apt; cat /run/requests/apt)
+mapfile -t requirements < <(listed pip; cat /run/requests/pip)
+if [[ " $* " == *" build "* ]]; then
+  if ! command -v g++ >/dev/null || ! command -v cmake >/dev/null; then debs+=(build-essential cmake); fi
+  if ! command -v colcon >/dev/null; then debs+=(python3-colcon-common-extensions); fi
+fi
+if [[ ${#requirements[@]} -gt 0 ]] && ! python3 -m pip --version >/dev/null 2>&1; then debs+=(python3-pip); fi
+
+missing=()
+for name in "${debs[@]}"; do
+  status=$(dpkg-query --show --showformat '${db:Status-Status}' "$name" 2>/dev/null || true)
+  if [[ $status != installed ]]; then missing+=("$name"); fi
+done
+if [[ ${#missing[@]} -gt 0 ]]; then
+  use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
+  apt_update
+  apt_install "${missing[@]}"
+fi
+if [[ ${#requirements[@]} -gt 0 ]]; then
+  PIP_BREAK_SYSTEM_PACKAGES=1 python3 -m pip install --no-cache-dir --root-user-action ignore "${requirements[@]}"
+fi
+script after.sh after
+"$here/../build/clean.sh"

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""The ROS packages below a folder, and those of them that are to be left out.
+
+    manifests.py FOLDER LEFT_OUT
+
+Removes the packages that the list LEFT_OUT names from FOLDER.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from pathlib import Path
+from typing import Any, NoReturn
+
+from catkin_pkg.package import InvalidPackage, parse_package
+
+IGNORED = {"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"}
+"""Files that keep colcon from looking for packages in a folder."""
+
+
+def fail(message: str, remedy: str) -> NoReturn:
+    sys.exit(f"error: {message}; {remedy}")
+
+
+def _manifests(folder: Path) -> list[Path]:
+    """The package.xml of all packages, as colcon finds them: none in an ignored folder, and none inside of another package."""
+    found = []
+    for path, folders, names in os.walk(folder):
+        folders.sort()
+        ignored = IGNORED & set(names)
+        if "package.xml" in names and not ignored:
+            found.append(Path(path, "package.xml"))
+        if ignored or "package.xml" in names:
+            folders.clear()
+    return found
+
+
+def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
+    """All packages by name: the place of each below the folder, and its manifest."""
+    found: dict[str, tuple[Path, Any]] = {}
+    for path in _manifests(folder):
+        place = path.parent.relative_to(folder)
+        try:
+            package = parse_package(str(path))
+        except InvalidPackage as error:
+            why = " ".join(str(error).replace(str(path), "").split()).strip(" :'")
+            fail(f"{place / path.name} is no manifest: {why}", "correct it")
+        if package.name in found:
+            fail(
+                f"two packages are called {package.name}: {found[package.name][0]} and {place}",
+                "put COLCON_IGNORE into one",
+            )
+        found[package.name] = place, package
+    return found
+
+
+def packages(folder: Path, left_out: Path) -> list[tuple[Path, Any]]:
+    """The packages that count, each with its place."""
+    found = all_packages(folder)
+    names = left_out.read_text().split()
+    for name in names:
+        if name not in found:
+            fail(f"no package is called {name}, which is to be left out", f"there are: {', '.join(sorted(found))}")
+    counting = [found[name] for name in found if name not in names]
+    if not counting:
+        fail("there is no package left to build", "leave fewer out")
+    return counting
+
+
+def main(folder: Path, left_out: Path) -> None:
+    kept = {place for place, _package in packages(folder, left_out)}
+    for place, _package in all_packages(folder).values():
+        if place not in kept:
+            shutil.rmtree(folder / place)
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Puts the sources into the workspace: the repository into src/target, upstream sources into src/upstream. Runs the repository's
+# script that may change them, and takes packages out that are to be left out.
+set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
+
+workspace=/docker-ros/ws
+mkdir -p $workspace/src/target $workspace/src/upstream $workspace/src/downstream
+cd $workspace
+for name in target upstream; do
+  # Without git's folders, and without files of secrets.
+  tar --create --directory "/run/sources/$name" --exclude=.git --exclude=.env . | tar --extract --directory "src/$name" --no-same-owner
+done
+if [[ -s /run/requests/identification.sh ]]; then
+  if /run/requests/identification.sh; then :; else
+    echo "error: the script before the identification of dependencies ended with $?; the lines above say why" >&2
+    exit 1
+  fi
+fi
+if [[ -s /run/requests/blacklist ]]; then "$here/manifests.py" src /run/requests/blacklist; fi

@@ -1,0 +1,256 @@
+"""What a user can say about an app: one table, from which the command's options and their documentation are made.
+
+Names, variables and defaults are those of docker-ros (https://github.com/ika-rwth-aachen/docker-ros), so that its users keep
+their files. Values come from the command line, else from the environment, else from a file `.env` in the folder.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosml.base.errors import RosmlError
+
+
+@dataclass(frozen=True)
+class Input:
+    """One thing that a user can say.
+
+    Attributes:
+        name: as an option of the command and an input of the action, such as `base-image`.
+        help: what it means, in one clause.
+        default: its value where nobody says anything.
+        flag: it is `true` or `false`.
+        gone: why it means nothing here, for a name of docker-ros that is answered and not followed.
+    """
+
+    name: str
+    help: str = ""
+    default: str = ""
+    flag: bool = False
+    gone: str = ""
+
+    @property
+    def variable(self) -> str:
+        """Its name as a variable, such as `BASE_IMAGE`."""
+        return self.name.upper().replace("-", "_")
+
+
+def _gone(name: str, why: str) -> Input:
+    return Input(name, gone=why)
+
+
+_RECURSIVE = "take every file of that name in the repository and its upstream sources"
+
+TABLE = (
+    Input("base-image", "the image to build on; without a registry, one of the local registry or of Docker Hub"),
+    Input("command", "what the run image starts, as a shell reads it"),
+    Input("target", "images to build, separated by commas: run, dev", "run,dev"),
+    Input("platform", "platforms, separated by commas, such as linux/arm64; this machine's own if left out"),
+    Input("image-name", "name of the run image; the folder's name if left out"),
+    Input("image-tag", "its tag", "latest"),
+    Input("dev-image-name", "name of the dev image; that of the run image if left out"),
+    Input("dev-image-tag", "its tag; that of the run image with -dev if left out"),
+    Input("push", "push the images to the registry that their names begin with", "false", flag=True),
+    Input("enable-push-as-latest", "also give the tags latest and latest-dev", "false", flag=True),
+    Input("ros-distro", "the ROS distribution, if the base image does not say it"),
+    Input("rmw-implementation", "the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable"),
+    Input("tests", "run the tests of your packages, and make no image if one fails", "true", flag=True),
+    Input("cmake-args", "arguments of CMake for all packages", "-DCMAKE_BUILD_TYPE=Release"),
+    Input("skip-keys", "keys of rosdep that are left out, separated by blanks"),
+    Input("rosdep-index", "a checkout of ros/rosdistro, in the place of rosdep's lists on the network"),
+    Input("additional-debs-file", "packages for apt, one a line", "docker/additional-debs.txt"),
+    Input("enable-recursive-additional-debs", _RECURSIVE, "false", flag=True),
+    Input("additional-pip-file", "requirements for pip, one a line", "docker/additional-pip-requirements.txt"),
+    Input("enable-recursive-additional-pip", _RECURSIVE, "false", flag=True),
+    Input("additional-files-dir", "folder that becomes /docker-ros/additional-files", "docker/additional-files"),
+    Input(
+        "before-dependency-identification-script",
+        "script that may change the sources before their dependencies are read",
+        "docker/before_dependency_identification.sh",
+    ),
+    Input(
+        "before-dependency-installation-script",
+        "script that runs before dependencies are installed",
+        "docker/before_dependency_installation.sh",
+    ),
+    Input("enable-recursive-before-dependency-installation-script", _RECURSIVE, "false", flag=True),
+    Input(
+        "after-dependency-installation-script",
+        "script that runs after dependencies are installed",
+        "docker/custom.sh",
+    ),
+    Input("enable-recursive-after-dependency-installation-script", _RECURSIVE, "false", flag=True),
+    Input("blacklisted-packages-file", "names of ROS packages to leave out", "docker/blacklisted-packages.txt"),
+    Input("enable-recursive-blacklisted-packages", _RECURSIVE, "false", flag=True),
+    Input("enable-recursive-vcs-import", "import every .repos file, also of what was imported", "true", flag=True),
+    Input("vcs-import-file", "the .repos file, if not every one is imported", ".repos"),
+    Input("git-https-server", "server of private repositories, without https://", "github.com"),
+    Input("git-https-user", "user on it"),
+    Input("git-https-password", "password or token on it; name it in the environment, not on the command line"),
+    Input("git-ssh-private-key", "key for private repositories over ssh; name it in the environment"),
+    Input("git-ssh-known-host-keys", "what ssh-keyscan says of their servers"),
+    _gone("disable-ros-installation", "nothing is installed besides what your packages ask for"),
+    _gone("custom-script-file", "it is after-dependency-installation-script"),
+    _gone("slim-build-args", "no program is watched to find out what an image needs"),
+    _gone("additional-slim-build-args", "no program is watched to find out what an image needs"),
+    _gone("enable-slim", "there is no slim image yet; the run image has no compiler beyond its base image's"),
+    _gone("slim-image-name", "there is no slim image yet"),
+    _gone("slim-image-tag", "there is no slim image yet"),
+    _gone("enable-industrial-ci", "tests run here without it: see the input tests"),
+    _gone("docker-ros-git-ref", "the version of rosml decides"),
+)
+"""All inputs, in the order in which they are documented."""
+
+SECRET = ("git-https-password", "git-ssh-private-key")
+"""Inputs that are no options: other users of the machine see command lines."""
+
+_IMAGE = Input("image")
+"""The run image with its tag, as docker-ros' local script knows it: image-name and image-tag in one."""
+
+FILE = ".env"
+
+_PIECE = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^\s'"\\]+)""", re.DOTALL)
+
+_LINE = re.compile(r"\s*(?:export\s+)?([A-Za-z_][A-Za-z0-9_]*)=(.*)", re.DOTALL)
+
+
+def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> dict[str, str]:
+    """The value of each input, by name.
+
+    Args:
+        given: on the command line; None where it says nothing.
+        folder: the repository, where `.env` may be.
+        environment: of the process.
+
+    Raises:
+        RosmlError: `.env` cannot be read, or a flag is neither true nor false (exit code 2).
+    """
+    file = read_env(folder / FILE)
+    found = {}
+    for item in TABLE:
+        if item.gone:
+            continue
+        said = (given.get(item.name), environment.get(item.variable), file.get(item.variable))
+        value = next((text for text in said if text), item.default)
+        if item.flag:
+            value = value.lower()
+            if value not in ("true", "false"):
+                raise RosmlError(f"{item.name} is true or false, not {value!r}", f"check {item.variable}", exit_code=2)
+        found[item.name] = value
+    named = environment.get(_IMAGE.variable) or file.get(_IMAGE.variable, "")
+    if named and not (given.get("image-name") or given.get("image-tag")):
+        name, colon, tag = named.rpartition(":")
+        if not colon or "/" in tag:
+            name, tag = named, ""
+        found["image-name"] = name
+        found["image-tag"] = tag or found["image-tag"]
+    return found
+
+
+def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
+    """A sentence for each variable of docker-ros that is set and means nothing here."""
+    file = read_env(folder / FILE)
+    for item in TABLE:
+        if item.gone and (environment.get(item.variable) or file.get(item.variable)):
+            yield f"{item.variable} is not used: {item.gone}"
+
+
+def read_env(file: Path) -> dict[str, str]:
+    """The variables of a file of `NAME=VALUE` lines, as a shell reads them. Nothing is run or expanded.
+
+    Raises:
+        RosmlError: it cannot be read; or a line is no such line, or would need a shell (exit code 2).
+    """
+    try:
+        text = file.read_text()
+    except FileNotFoundError:
+        return {}
+    except UnicodeDecodeError:
+        raise RosmlError(f"{file} is not UTF-8", "save it as UTF-8", exit_code=2) from None
+    except OSError as error:
+        raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
+    found: dict[str, str] = {}
+    pending, first = "", 0
+    for number, line in enumerate(text.splitlines(), 1):
+        first = first if pending else number
+        pending += line
+        if not pending.strip() or pending.lstrip().startswith("#"):
+            pending = ""
+            continue
+        match = _LINE.fullmatch(pending)
+        if not match:
+            raise _damaged(file, first, "it is not NAME=VALUE")
+        value = _unquoted(match[2], functools.partial(_damaged, file, first))
+        if value is None:  # a quotation that goes on in the next line
+            pending += "\n"
+            continue
+        found[match[1]] = value
+        pending = ""
+    if pending:
+        raise _damaged(file, first, "its quotation has no end")
+    return found
+
+
+def _damaged(file: Path, line: int, why: str) -> RosmlError:
+    return RosmlError(f"{file}:{line}: {why}", "write NAME='value'", exit_code=2)
+
+
+def _unquoted(text: str, refusal: Callable[[str], RosmlError]) -> str | None:
+    """What a shell makes of the value of a variable; None where a quotation has no end."""
+    value, place = "", 0
+    while place < len(text):
+        if text[place].isspace():
+            rest = text[place:].strip()
+            if rest and not rest.startswith("#"):
+                raise refusal("a value with blanks needs quotes")
+            return value
+        piece = _PIECE.match(text, place)
+        if piece is None:
+            return None
+        single, double, escaped, bare = piece.groups()
+        if re.search(r"(?<!\\)(\\\\)*(\$[A-Za-z_{(]|`)", double or bare or ""):
+            raise refusal("a shell would expand it: put the value into single quotes")
+        if double is not None:
+            value += re.sub(r"\\([$`\"\\\n])", lambda found: found[1].strip("\n"), double)
+        else:
+            value += single or escaped or bare or ""
+        place = piece.end()
+    return value
+
+
+def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -> str:
+    """What a file of the repository says; of all files of that name where it is meant so. Empty if there is none.
+
+    Args:
+        folder: the repository. name: the file, below it.
+        recursive: every file of that name below the roots counts.
+        roots: the repository and its upstream sources.
+
+    Raises:
+        RosmlError: one cannot be read.
+    """
+    found = [folder / name]
+    if recursive:
+        base = os.path.basename(name)
+        found = [path for root in roots for path in sorted(root.rglob(base)) if ".git" not in path.parts]
+    texts = []
+    for path in found:
+        if not path.is_file():
+            continue
+        try:
+            texts.append(path.read_text())
+        except (OSError, UnicodeDecodeError) as error:
+            reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
+            raise RosmlError(f"cannot read {path}: {reason}", "check the file", exit_code=2) from None
+    return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines of a list, without comments and empty ones."""
+    stripped = (re.sub(r"(^|\s)#.*", "", line).strip() for line in text.splitlines())
+    return [line for line in stripped if line]

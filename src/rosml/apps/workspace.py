@@ -1,0 +1,101 @@
+"""The sources of an app as the build gets them: manifests apart from everything else, and what files of the repository say."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from rosml.apps import inputs
+from rosml.base.errors import RosmlError
+
+IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
+"""Files that keep colcon from looking for packages in a folder."""
+
+
+def manifests(root: Path) -> Iterator[Path]:
+    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others."""
+    for folder, folders, names in os.walk(root):
+        folders[:] = sorted(name for name in folders if name != ".git")
+        hidden = [name for name in IGNORED if name in names]
+        if hidden:
+            yield Path(folder, hidden[0])
+        elif "package.xml" in names:
+            yield Path(folder, "package.xml")
+        if hidden or "package.xml" in names:
+            folders.clear()
+
+
+def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
+    """Copies the manifests of some folders, each below its name; gives the number of packages.
+
+    Raises:
+        RosmlError: there is no package.
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    count = 0
+    for name, root in roots.items():
+        for path in manifests(root):
+            target = out / name / path.relative_to(root)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(path, target)
+            count += path.name == "package.xml"
+    if not count:
+        where = " or ".join(str(root) for root in roots.values())
+        raise RosmlError(
+            f"there is no package.xml in {where}", "call it in a folder with ROS packages, or name one", exit_code=2
+        )
+    return count
+
+
+def write_requests(
+    values: Mapping[str, str], folder: Path, upstream: Path, environment: Mapping[str, str], out: Path
+) -> None:
+    """Writes down what the build does besides: packages, scripts, and packages to leave out. A file for each; empty where
+    the repository has none.
+
+    Raises:
+        RosmlError: a file that was named is not there, or cannot be read (exit code 2).
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    roots = (folder, upstream)
+
+    def said(name: str, recursive: str = "") -> str:
+        every = bool(recursive) and values[recursive] == "true"
+        default = next(item.default for item in inputs.TABLE if item.name == name)
+        if values[name] != default and not every and not (folder / values[name]).is_file():
+            raise RosmlError(f"{name}: there is no file {values[name]} in {folder}", "check its name", exit_code=2)
+        return inputs.text_of(folder, values[name], every, roots)
+
+    debs = inputs.lines_of(said("additional-debs-file", "enable-recursive-additional-debs"))
+    if values["rmw-implementation"] and environment.get("ROS_VERSION") != "1":
+        distribution = values["ros-distro"] or environment.get("ROS_DISTRO", "")
+        debs.append(f"ros-{distribution}-{values['rmw-implementation'].replace('_', '-')}")
+    for name in debs:
+        if not re.fullmatch(r"[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?(=\S+)?", name):
+            where = values["additional-debs-file"]
+            raise RosmlError(f"{where}: {name!r} is no package of apt", "write one a line: name or name=version", 2)
+    texts = {
+        "apt": "".join(f"{line}\n" for line in debs),
+        "pip": "".join(
+            f"{line}\n" for line in inputs.lines_of(said("additional-pip-file", "enable-recursive-additional-pip"))
+        ),
+        "blacklist": "".join(
+            f"{line}\n"
+            for line in inputs.lines_of(said("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
+        ),
+        "identification.sh": said("before-dependency-identification-script"),
+        "before.sh": said(
+            "before-dependency-installation-script", "enable-recursive-before-dependency-installation-script"
+        ),
+        "after.sh": said(
+            "after-dependency-installation-script", "enable-recursive-after-dependency-installation-script"
+        ),
+    }
+    for name, text in texts.items():
+        (out / name).write_text(text)
+    (out / "identification.sh").chmod(0o755)  # it is called, by whatever its first line says

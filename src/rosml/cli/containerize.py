@@ -1,0 +1,89 @@
+"""`rosml containerize`: images of a repository with ROS packages."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from rosml import IN_CHECKOUT, ROOT, STATE
+from rosml.apps import inputs
+from rosml.cli import options
+from rosml.cli.call import say
+from rosml.cli.checkout import Command
+from rosml.cli.options import Function
+
+if TYPE_CHECKING:
+    from rosml.machine.services import Services
+
+KEPT = "interrupted: no image was made; finished steps are kept, the next call carries on"
+"""What is said after Ctrl-C."""
+
+
+def _options(function: Function) -> Function:
+    """An option for each input of the table."""
+    for item in reversed(inputs.TABLE):
+        if item.gone or item.name in inputs.SECRET:
+            continue
+        text = f"{item.help} [{item.default}]" if item.default else item.help
+        name = f"--{item.name}/--no-{item.name}" if item.flag else f"--{item.name}"
+        function = click.option(name, item.variable, default=None, help=text)(function)
+    return function
+
+
+def _services() -> Services:
+    """What builds: what was set up for the checkout; where there is none, the user's Docker."""
+    from rosml.cli import setup
+    from rosml.machine.services import Services
+
+    if not IN_CHECKOUT:
+        return Services.of_docker(STATE)
+    if not setup.is_up(ROOT):
+        setup.bring_up(ROOT)
+    services = Services.load(ROOT)
+    services.require_registry()
+    return services
+
+
+@click.command("containerize", cls=Command, alone=True, kept=KEPT)
+@click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path), default=".")
+@_options
+@options.JSON
+def main(folder: Path, as_json: bool, **given: str | bool | None) -> None:
+    """Builds images of the ROS packages in FOLDER: one to run them, and one to work on them.
+
+    \b
+    NAME:TAG      the base image with your packages built, and what they need to run; starts --command
+    NAME:TAG-dev  the base image with all dependencies and your sources
+
+    Each option can be a variable instead, such as BASE_IMAGE, in the environment or in a file .env in FOLDER. Passwords and
+    keys can only be variables: GIT_HTTPS_PASSWORD, GIT_SSH_PRIVATE_KEY.
+
+    \b
+    Example:
+      rosml containerize --base-image ros-torch:jazzy-base --command "ros2 launch my_package all.launch.py"
+    """
+    from rosml.apps import build
+
+    folder = folder.resolve()
+    said = {
+        item.name: str(value).lower() if item.flag else str(value)
+        for item in inputs.TABLE
+        if (value := given.get(item.variable)) is not None
+    }
+    values = inputs.values(said, folder, os.environ)
+    for sentence in inputs.answers(folder, os.environ):
+        say(sentence)
+    services = _services()
+    services.require_builder()
+    built = build.App(folder, values, os.environ, services, say).build()
+    if as_json:
+        click.echo(json.dumps(built.to_json(), indent=2))
+        return
+    for image in built.images:
+        click.echo(f"{image.target:<5}  {image.reference}")
+    for name, text in built.summary():
+        click.echo(f"{name:<5}  {text}")

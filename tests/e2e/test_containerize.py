@@ -1,0 +1,221 @@
+"""Apps, built, tested and entered: the example as its folder stands, and a repository that asks for everything at once."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosml import ROOT
+from rosml.machine import regctl
+from rosml.machine.services import Services
+from rosml.registry import oci
+from tests.e2e.conftest import NAMESPACE, Run, run
+from tests.e2e.images import Publish, build
+
+BASE = "ros1-bookworm-core"
+CANARY = "canary-9d1f"
+
+PACKAGE = """<package format="2"><name>{0}</name><version>1.0.0</version><description>{0}</description>
+<maintainer email="nobody@example.org">nobody</maintainer><license>Apache-2.0</license>
+<buildtool_depend>catkin</buildtool_depend>{1}</package>
+"""
+CMAKE = """cmake_minimum_required(VERSION 3.16)
+project({0} NONE)
+find_package(catkin REQUIRED)
+catkin_package()
+file(WRITE ${{CMAKE_CURRENT_BINARY_DIR}}/said "${{GREETING}}\\n")
+install(FILES ${{CMAKE_CURRENT_BINARY_DIR}}/said DESTINATION ${{CATKIN_PACKAGE_SHARE_DESTINATION}})
+"""
+
+
+def commit(folder: Path) -> None:
+    for command in (("init", "--quiet"), ("add", "--all", "--force"), ("commit", "--quiet", "--message", "All")):
+        names = ("-c", "user.name=nobody", "-c", "user.email=nobody@example.org")
+        subprocess.run(["git", "-C", str(folder), *names, *command], check=True)
+
+
+def containerize(folder: Path, *options: str) -> Run:
+    return run(sys.executable, str(ROOT / "src"), "containerize", str(folder), "--json", *options)
+
+
+def made(folder: Path, *options: str) -> dict[str, Any]:
+    outcome = containerize(folder, *options)
+    assert outcome.code == 0, outcome.err + outcome.out
+    found: dict[str, Any] = json.loads(outcome.out)
+    return found | {image["target"]: image for image in found["images"]}
+
+
+def ran(services: Services, name: str) -> set[str]:
+    """The stages of which a step ran, and was not in the cache, in the last build of an app."""
+    log = (services.state / f"log/containerize-{name.replace('/', '-')}.log").read_text()
+    return set(re.findall(r"^[\d.]+ s \[(?:report )?([a-z-]+) \d+/\d+\] RUN", log, re.MULTILINE))
+
+
+def config(services: Services, reference: str) -> dict[str, Any]:
+    place = oci.parse(reference)
+    with oci.Registry(services.registry) as registry:
+        manifest = registry.manifest(place.repository, place.reference)
+        assert manifest
+        return registry.json_blob(place.repository, manifest.content["config"]["digest"])
+
+
+def test_the_example(published: Publish, services: Services, tmp_path: Path) -> None:
+    base = published(BASE)
+    folder, name = tmp_path / "compass", f"{NAMESPACE}/compass"
+    shutil.copytree(ROOT / "examples/ros1", folder)
+    with (folder / ".env").open("a") as file:
+        file.write(f"GIT_HTTPS_PASSWORD={CANARY}\n")
+    commit(folder)
+    options = ("--base-image", base.result["reference"], "--image-name", name)
+
+    found = made(folder, *options)
+    assert found["packages"] == ["compass"]
+    assert found["installed"] == ["libangles-dev:all", "python3-angles:all"]
+    assert found["tests"]["count"] == 2 and not found["tests"]["failures"]
+    assert list(Path(found["reports"]).rglob("gtest-*.xml"))
+    run_image, dev_image = found["run"]["reference"], found["dev"]["reference"]
+    layers = [layer.digest for layer in regctl.layers(services, run_image)]
+    assert layers[:-1] == base.layers, "the base image and one layer of the app"
+    for reference in (run_image, dev_image):
+        assert CANARY not in json.dumps(config(services, reference))
+    assert CANARY not in (services.state / f"log/containerize-{NAMESPACE}-compass.log").read_text()
+
+    (tmp_path / "chk").mkdir()
+    (tmp_path / "chk/Dockerfile").write_text(
+        f"""FROM {run_image} AS run
+RUN bash -c '(timeout --signal=INT 20 /tini -s -- /entrypoint.sh bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
+      until /entrypoint.sh timeout 5 rostopic echo -n 4 /direction; do :; done >/said; wait) 2>&1' && \\
+    sort -u /said && test "$(grep -c -E "east|north|west|south" /said)" -ge 4
+RUN test -e /var/lib/dpkg/status.d/python3-angles && ! grep -q libangles /var/lib/dpkg/status && \\
+    test ! -e /docker-ros/ws/src && test ! -e /docker-ros/ws/build
+FROM {dev_image} AS dev
+RUN test -e /docker-ros/ws/src/target/src/compass/package.xml && ! grep -r {CANARY} /docker-ros && \\
+    test -z "$(find /docker-ros -name .git -o -name .env)"
+RUN DOCKER_UID=1000 DOCKER_GID=1000 /entrypoint.sh bash -c 'cd ~/ws && colcon build && . install/setup.bash && rospack find compass'
+FROM scratch
+COPY --from=run /said /
+COPY --from=dev /tini /
+"""
+    )
+    build(services, tmp_path / "chk")
+
+    again = made(folder, *options)
+    assert (again["run"]["digest"], ran(services, name)) == (found["run"]["digest"], set()), "nothing runs twice"
+
+    source = folder / "src/compass/src/compass.cpp"
+    source.write_text(source.read_text().replace('"west"', '"WEST"'))
+    outcome = containerize(folder, *options)
+    assert outcome.code == 1
+    assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "no apt, and no identification"
+    error = json.loads(outcome.out)["error"]
+    assert "1 of 2 tests failed; no image was made" in error and "Compass.Quarters" in error
+    with oci.Registry(services.registry) as registry:
+        assert registry.head(name, "latest") == found["run"]["digest"], "the tag stays where it was"
+
+
+@pytest.fixture
+def everything(tmp_path: Path) -> Path:
+    """A repository that uses each file which it may have, and upstream sources that name others."""
+    for name, needs in (("wanted", "<depend>base</depend>"), ("unwanted", "<depend>nobody_has_this</depend>")):
+        (tmp_path / f"robot/{name}").mkdir(parents=True)
+        (tmp_path / f"robot/{name}/package.xml").write_text(PACKAGE.format(name, needs))
+        (tmp_path / f"robot/{name}/CMakeLists.txt").write_text(CMAKE.format(name))
+    for number, (name, names) in enumerate((("base", "further"), ("further", ""))):
+        upstream = tmp_path / name
+        upstream.mkdir()
+        (upstream / "package.xml").write_text(PACKAGE.format(name, f"<depend>{names}</depend>" if names else ""))
+        (upstream / "CMakeLists.txt").write_text(CMAKE.format(name))
+        if names:
+            (upstream / "more.repos").write_text(
+                f"repositories:\n  {names}: {{type: git, url: 'file://{tmp_path / names}', version: master}}\n"
+            )
+        subprocess.run(["git", "init", "--quiet", "--initial-branch=master", str(upstream)], check=True)
+        commit(upstream)
+        assert number < 2
+    folder = tmp_path / "robot"
+    (folder / ".repos").write_text(
+        f"repositories:\n  base: {{type: git, url: 'file://{tmp_path / 'base'}', version: master}}\n"
+    )
+    docker = folder / "docker"
+    (docker / "additional-files").mkdir(parents=True)
+    (docker / "additional-files/hello").write_text("from a file\n")
+    (docker / "additional-debs.txt").write_text("# to look around\ntree  # and count\n")
+    (docker / "additional-pip-requirements.txt").write_text("toolz  # small\n")
+    (docker / "blacklisted-packages.txt").write_text("unwanted  # needs what nobody has\n")
+    (docker / "before_dependency_identification.sh").write_text(
+        "#!/usr/bin/env python3\nfrom pathlib import Path\n"
+        "path = Path('src/target/wanted/package.xml')\n"
+        "path.write_text(path.read_text().replace('</package>', '<depend>angles</depend></package>'))\n"
+    )
+    (docker / "before_dependency_installation.sh").write_text(
+        "apt-get install --yes sl >/dev/null\ntouch /opt/before\n"
+    )
+    (docker / "custom.sh").write_text("cp /docker-ros/additional-files/hello /opt/after\npython3 -c 'import toolz'\n")
+    return folder
+
+
+def test_a_repository_may_ask_for_everything(
+    published: Publish, services: Services, everything: Path, tmp_path: Path
+) -> None:
+    options = ("--base-image", published(BASE).result["reference"], "--image-name", f"{NAMESPACE}/everything")
+    found = made(
+        everything, *options, "--command", "echo $((6 * 7)) && cat /opt/after", "--cmake-args", "-DGREETING='two words'"
+    )
+    assert found["packages"] == ["base", "further", "wanted"]
+    assert {repository["path"]: repository["moving"] for repository in found["upstream"]} == {
+        "base": True,
+        "further": True,
+    }
+    assert {"tree:amd64", "sl:amd64", "python3-angles:all"} <= {
+        re.sub(":(arm64)$", ":amd64", name) for name in found["installed"]
+    }
+    (tmp_path / "chk").mkdir()
+    lines = [
+        "FROM {} AS {}",
+        "RUN command -v tree && python3 -c 'import toolz' && test -e /opt/before && cat /opt/after",
+    ]
+    (tmp_path / "chk/Dockerfile").write_text(
+        "\n".join(
+            [
+                *(line.format(found["run"]["reference"], "run") for line in lines),
+                """RUN test "$(/entrypoint.sh bash -c 'exec bash -c "$DEFAULT_CMD"' | tr '\\n' /)" = '42/from a file/' && \\
+    test "$(cat /docker-ros/ws/install/*/share/*/said | sort -u)" = "two words" && test ! -e /docker-ros/ws/install/unwanted""",
+                *(line.format(found["dev"]["reference"], "dev") for line in lines),
+                "RUN cd /docker-ros/ws/src && test -e upstream/base/package.xml -a -e upstream/further/package.xml && \\",
+                "    grep angles target/wanted/package.xml && test ! -e target/unwanted",
+                "FROM scratch",
+                "COPY --from=run /tini /run",
+                "COPY --from=dev /tini /dev",
+            ]
+        )
+    )
+    build(services, tmp_path / "chk")
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "says"),
+    [
+        ("a/package.xml", PACKAGE.format("a", "<depend>a_typo</depend>"), "rosdep does not know a_typo (asked for by a)"),
+        ("a/package.xml", "<package>", "target/a/package.xml is no manifest"),
+        ("b/package.xml", PACKAGE.format("a", ""), "two packages are called a: target/a and target/b"),
+        ("docker/blacklisted-packages.txt", "c", "no package is called c"),
+        ("docker/custom.sh", "echo before; false; echo after", "the script after the installation of dependencies ended with 1"),
+        ("docker/additional-debs.txt", "no-such-package", "Unable to locate package no-such-package"),
+        ("docker/before_dependency_identification.sh", "#!/bin/sh\nexit 3", "identification of dependencies ended with 3"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_named(file: str, text: str, says: str, published: Publish, tmp_path: Path) -> None:
+    folder = tmp_path / "robot"
+    for path, content in (("a/package.xml", PACKAGE.format("a", "")), (file, text)):
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(content)
+    outcome = containerize(folder, "--base-image", published(BASE).result["reference"], "--command", "true")
+    assert outcome.code == 1
+    assert says in json.loads(outcome.out)["error"]

@@ -1,0 +1,103 @@
+"""What users say about an app: options before the environment before `.env`, and names of docker-ros that mean nothing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosml.apps import inputs
+from rosml.base.errors import RosmlError
+
+
+def test_the_command_line_wins_over_the_environment_and_that_over_the_file(tmp_path: Path) -> None:
+    (tmp_path / ".env").write_text("BASE_IMAGE=file\nCOMMAND=file\nIMAGE_TAG=file\n")
+    found = inputs.values({"base-image": "line"}, tmp_path, {"BASE_IMAGE": "variable", "COMMAND": "variable"})
+    assert (found["base-image"], found["command"], found["image-tag"]) == ("line", "variable", "file")
+    assert found["cmake-args"] == "-DCMAKE_BUILD_TYPE=Release"
+
+
+def test_image_and_tag_may_be_one_variable(tmp_path: Path) -> None:
+    """As docker-ros' local script has them."""
+    found = inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot:v1"})
+    assert (found["image-name"], found["image-tag"]) == ("127.0.0.1:5000/me/robot", "v1")
+    found = inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot"})
+    assert (found["image-name"], found["image-tag"]) == ("127.0.0.1:5000/me/robot", "latest")
+    found = inputs.values({"image-name": "mine"}, tmp_path, {"IMAGE": "robot:v1"})
+    assert (found["image-name"], found["image-tag"]) == ("mine", "latest")
+
+
+@pytest.mark.parametrize(
+    ("line", "value"),
+    [
+        ("COMMAND=ros2", "ros2"),
+        ("export COMMAND=ros2", "ros2"),
+        ("  COMMAND=ros2  # starts it", "ros2"),
+        ("COMMAND='ros2 run a b'", "ros2 run a b"),
+        ('COMMAND="ros2 run a b"', "ros2 run a b"),
+        ("COMMAND='echo $HOME # all'", "echo $HOME # all"),
+        ('COMMAND="costs \\$5"', "costs $5"),
+        ("COMMAND=", ""),
+        ("# COMMAND=no\nCOMMAND='one\ntwo'", "one\ntwo"),
+    ],
+)
+def test_a_file_of_variables_is_read_as_a_shell_reads_it(line: str, value: str, tmp_path: Path) -> None:
+    (tmp_path / ".env").write_text(f"\n{line}\n")
+    assert inputs.read_env(tmp_path / ".env") == {"COMMAND": value}
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("A=1\nCOMMAND=ros2 run", ".env:2: a value with blanks needs quotes"),
+        ('COMMAND="echo $HOME"', ".env:1: a shell would expand it"),
+        ("COMMAND=`id`", ".env:1: a shell would expand it"),
+        ("COMMAND='ros2", ".env:1: its quotation has no end"),
+        ("command: ros2", ".env:1: it is not NAME=VALUE"),
+    ],
+)
+def test_what_a_shell_would_be_needed_for_is_refused(text: str, says: str, tmp_path: Path) -> None:
+    (tmp_path / ".env").write_text(text)
+    with pytest.raises(RosmlError, match=says.replace(".", r"\.")) as caught:
+        inputs.read_env(tmp_path / ".env")
+    assert caught.value.exit_code == 2
+
+
+def test_a_flag_is_true_or_false(tmp_path: Path) -> None:
+    assert inputs.values({}, tmp_path, {"TESTS": "False"})["tests"] == "false"
+    with pytest.raises(RosmlError, match="tests is true or false, not 'no'"):
+        inputs.values({}, tmp_path, {"TESTS": "no"})
+
+
+def test_names_that_lost_their_meaning_are_answered(tmp_path: Path) -> None:
+    (tmp_path / ".env").write_text("CUSTOM_SCRIPT_FILE=docker/custom.sh\n")
+    said = list(inputs.answers(tmp_path, {"SLIM_BUILD_ARGS": "--http-probe=false"}))
+    assert len(said) == 2
+    assert "CUSTOM_SCRIPT_FILE is not used: it is after-dependency-installation-script" in said
+
+
+def test_every_name_of_docker_ros_is_known() -> None:
+    """Of its action and of its local script, but for those that its workflow has for itself."""
+    known = {item.variable for item in inputs.TABLE} | {"IMAGE"}
+    theirs = (
+        "ADDITIONAL_DEBS_FILE ADDITIONAL_FILES_DIR ADDITIONAL_PIP_FILE ADDITIONAL_SLIM_BUILD_ARGS"
+        " AFTER_DEPENDENCY_INSTALLATION_SCRIPT BASE_IMAGE BEFORE_DEPENDENCY_IDENTIFICATION_SCRIPT"
+        " BEFORE_DEPENDENCY_INSTALLATION_SCRIPT BLACKLISTED_PACKAGES_FILE CMAKE_ARGS COMMAND CUSTOM_SCRIPT_FILE"
+        " DEV_IMAGE_NAME DEV_IMAGE_TAG DISABLE_ROS_INSTALLATION ENABLE_INDUSTRIAL_CI ENABLE_PUSH_AS_LATEST"
+        " ENABLE_RECURSIVE_ADDITIONAL_DEBS ENABLE_RECURSIVE_ADDITIONAL_PIP"
+        " ENABLE_RECURSIVE_AFTER_DEPENDENCY_INSTALLATION_SCRIPT ENABLE_RECURSIVE_BEFORE_DEPENDENCY_INSTALLATION_SCRIPT"
+        " ENABLE_RECURSIVE_BLACKLISTED_PACKAGES ENABLE_RECURSIVE_VCS_IMPORT ENABLE_SLIM GIT_HTTPS_PASSWORD"
+        " GIT_HTTPS_SERVER GIT_HTTPS_USER GIT_SSH_KNOWN_HOST_KEYS GIT_SSH_PRIVATE_KEY IMAGE IMAGE_NAME IMAGE_TAG"
+        " PLATFORM RMW_IMPLEMENTATION ROS_DISTRO SLIM_BUILD_ARGS SLIM_IMAGE_NAME SLIM_IMAGE_TAG TARGET VCS_IMPORT_FILE"
+    )
+    assert set(theirs.split()) <= known
+
+
+def test_lists_lose_comments_and_files_of_one_name_come_together(tmp_path: Path) -> None:
+    for folder, text in (("a", "htop # tools\n"), ("b/c", "\n# none\nnano"), (".git/d", "no\n")):
+        (tmp_path / folder).mkdir(parents=True)
+        (tmp_path / folder / "debs.txt").write_text(text)
+    every = inputs.text_of(tmp_path, "docker/debs.txt", True, (tmp_path,))
+    assert inputs.lines_of(every) == ["htop", "nano"]
+    assert inputs.lines_of(inputs.text_of(tmp_path, "a/debs.txt", False, (tmp_path,))) == ["htop"]
+    assert inputs.text_of(tmp_path, "docker/debs.txt", False, (tmp_path,)) == ""

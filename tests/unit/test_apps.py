@@ -1,0 +1,268 @@
+"""An app before anything is built: its base image, its manifests and requests, its bake file, and what tests said."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from registry_stand_in import StandIn, standing_in
+
+from rosml.apps import base, build, inputs, junit, sources, workspace
+from rosml.base.errors import RosmlError
+from rosml.machine import buildx
+from rosml.machine.base_images import native_architecture
+from rosml.machine.services import Services
+from rosml.registry import oci
+
+PACKAGE = "<package><name>{}</name></package>"
+
+
+@pytest.fixture
+def registry() -> Iterator[StandIn]:
+    with standing_in() as found:
+        yield found
+
+
+@pytest.fixture
+def services(registry: StandIn, tmp_path: Path) -> Services:
+    state = tmp_path / "rosml"
+    return Services(state, registry.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
+
+
+def put(services: Services, name: str, *platforms: str, **variables: str) -> str:
+    """An image for some platforms; gives the digest of its index."""
+    repository, _, tag = name.partition(":")
+    with oci.Registry(services.registry) as client:
+        entries = []
+        for platform in platforms:
+            system, architecture = platform.split("/")
+            config = {
+                "os": system,
+                "architecture": architecture,
+                "config": {"Env": [f"{name}={value}" for name, value in variables.items()]},
+            }
+            blob = oci.encoded(config)
+            client.put_blob(repository, blob)
+            manifest = oci.encoded(
+                {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, blob), "layers": []}
+            )
+            client.put_manifest(repository, "", manifest)
+            facts = {"os": system, "architecture": architecture}
+            entries.append({**oci.descriptor(oci.IMAGE, manifest), "platform": facts})
+        index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+        return client.put_manifest(repository, tag, index, oci.INDEX)
+
+
+# ---- The base image --------------------------------------------------------------------------------------------------
+
+
+def test_a_short_name_is_the_local_registrys_or_docker_hubs(services: Services) -> None:
+    local = services.registry
+    assert base.candidates("ros-tf:jazzy", services) == (
+        f"{local}/rosml/ros-tf:jazzy",
+        f"{local}/ros-tf:jazzy",
+        "docker.io/library/ros-tf:jazzy",
+    )
+    assert base.candidates("me/robot", services)[-1] == "docker.io/me/robot"
+    assert base.candidates("ghcr.io/me/robot:1", services) == ("ghcr.io/me/robot:1",)
+    assert base.candidates("localhost/robot", services) == ("localhost/robot",)
+
+
+def test_a_base_image_is_read_and_held_by_its_digest(services: Services) -> None:
+    digest = put(services, "rosml/ros:jazzy", "linux/amd64", "linux/arm64", ROS_DISTRO="jazzy")
+    found = base.find(f"{services.registry}/rosml/ros:jazzy", services, ("linux/arm64",))
+    assert found.reference == f"{services.registry}/rosml/ros@{digest}"
+    assert found.environment == {"ROS_DISTRO": "jazzy"}
+    with pytest.raises(RosmlError, match=r"rosml/ros:jazzy is not for linux/riscv64"):
+        base.find(f"{services.registry}/rosml/ros:jazzy", services, ("linux/amd64", "linux/riscv64"))
+    with pytest.raises(RosmlError, match="there is no image") as caught:
+        base.find(f"{services.registry}/rosml/ros:jazy", services, ("linux/amd64",))
+    assert "rosml list" in caught.value.remedy
+
+
+# ---- Sources ---------------------------------------------------------------------------------------------------------
+
+
+def test_manifests_are_those_that_colcon_finds(tmp_path: Path) -> None:
+    repository = tmp_path / "robot"
+    for path in ("a", "a/inner", "b/c", "hidden/d", ".git/e"):
+        (repository / path).mkdir(parents=True)
+        (repository / path / "package.xml").write_text(PACKAGE.format(path[-1]))
+    (repository / "hidden/COLCON_IGNORE").touch()
+    (repository / "a/node.cpp").touch()
+    (tmp_path / "none").mkdir()
+    assert workspace.write_manifests({"target": repository, "upstream": tmp_path / "none"}, tmp_path / "out") == 2
+    written = sorted(
+        str(path.relative_to(tmp_path / "out")) for path in (tmp_path / "out").rglob("*") if path.is_file()
+    )
+    assert written == ["target/a/package.xml", "target/b/c/package.xml", "target/hidden/COLCON_IGNORE"]
+    with pytest.raises(RosmlError, match=r"there is no package\.xml"):
+        workspace.write_manifests({"target": tmp_path / "none"}, tmp_path / "out")
+
+
+def requests(folder: Path, given: dict[str, str], environment: dict[str, str]) -> dict[str, str]:
+    values = inputs.values(given, folder, {})
+    out = folder.parent / "requests"
+    workspace.write_requests(values, folder, folder.parent / "upstream", environment, out)
+    return {path.name: path.read_text() for path in out.iterdir()}
+
+
+def test_what_a_repository_asks_for_is_written_down(tmp_path: Path) -> None:
+    folder = tmp_path / "robot"
+    (folder / "docker").mkdir(parents=True)
+    (folder / "docker/additional-debs.txt").write_text("htop  # to look around\nnano=7.2-1\n")
+    (folder / "docker/custom.sh").write_text("echo done")
+    given = {"rmw-implementation": "rmw_cyclonedds_cpp"}
+    found = requests(folder, given, {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy"})
+    assert found.pop("apt") == "htop\nnano=7.2-1\nros-jazzy-rmw-cyclonedds-cpp\n"
+    assert found.pop("after.sh") == "echo done\n"
+    assert set(found.values()) == {""}
+    assert requests(folder, given, {"ROS_VERSION": "1", "ROS_DISTRO": "noetic"})["apt"] == "htop\nnano=7.2-1\n"
+
+
+def test_a_file_that_is_named_must_be_there(tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    with pytest.raises(RosmlError, match=r"additional-debs-file: there is no file debs\.txt"):
+        requests(tmp_path / "robot", {"additional-debs-file": "debs.txt"}, {})
+
+
+def test_what_is_no_package_of_apt_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "robot/docker").mkdir(parents=True)
+    (tmp_path / "robot/docker/additional-debs.txt").write_text("htop; rm -rf /\n")
+    with pytest.raises(RosmlError, match="'htop; rm -rf /' is no package of apt"):
+        requests(tmp_path / "robot", {}, {})
+
+
+# ---- The build -------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Path:
+    folder = tmp_path / "Robot"
+    (folder / "src/robot").mkdir(parents=True)
+    (folder / "src/robot/package.xml").write_text(PACKAGE.format("robot"))
+    return folder
+
+
+@pytest.fixture
+def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
+    """What the builder is told, target by target; it leaves the report that tests ask for in `results`."""
+    seen: list[dict[str, Any]] = []
+
+    def run(services: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:
+        wanted = json.loads(bake.file.read_text())["target"][bake.target]
+        seen.append({"name": bake.target, **wanted})
+        if bake.target == "report":
+            report = Path(wanted["output"][0].partition("dest=")[2])
+            report.mkdir(parents=True)
+            (report / "dependencies.json").write_text(json.dumps({"packages": {"robot": {}}, "keys": {}}))
+            (report / "app.json").write_text(json.dumps({"packages": ["libfoo:all"], "changed": []}))
+        return None, {"containerimage.digest": "sha256:1"}
+
+    monkeypatch.setattr(buildx, "run", run)
+    monkeypatch.setattr(sources, "fetch", lambda *_, **__: [])
+    return seen
+
+
+def app(folder: Path, services: Services, **given: str) -> build.App:
+    values = inputs.values({name.replace("_", "-"): value for name, value in given.items()}, folder, {})
+    return build.App(folder, values, {}, services, lambda line: None)
+
+
+def test_images_are_joined_after_the_report_is_read(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    digest = put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    command = 'ros2 run robot "a $b" \\'
+    built = app(
+        repository, services, base_image="ros:jazzy", command=command, rmw_implementation="rmw_zenoh_cpp"
+    ).build()
+    local = services.registry
+    assert [image.reference for image in built.images] == [f"{local}/robot:latest", f"{local}/robot:latest-dev"]
+    report, run, dev = calls
+    assert report["contexts"]["base"] == f"docker-image://{local}/rosml/ros@{digest}"
+    assert report["args"]["ROS_DISTRO"] == "jazzy"
+    assert (run["name"], dev["name"]) == ("run", "dev")
+    lines = run["dockerfile-inline"].splitlines()
+    assert lines[:2] == ["FROM base", "COPY --link --from=app / /"]
+    assert not [line for line in lines if line.startswith("RUN")]
+    assert r'ENV DEFAULT_CMD="ros2 run robot \"a \$b\" \\"' in lines
+    assert 'ENV RMW_IMPLEMENTATION="rmw_zenoh_cpp"' in lines
+    assert run["labels"][build.BASE_DIGEST] == digest
+    assert dev["dockerfile-inline"].startswith("FROM workspace\n")
+
+
+def test_names_and_tags_are_those_of_docker_ros(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    given = {"base_image": "ros:jazzy", "command": "true", "image_name": "ghcr.io/me/robot", "image_tag": "v1"}
+    app(repository, services, **given, push="true", enable_push_as_latest="true").build()
+    assert calls[1]["tags"] == ["ghcr.io/me/robot:v1", "ghcr.io/me/robot:latest"]
+    assert calls[2]["tags"] == ["ghcr.io/me/robot:v1-dev", "ghcr.io/me/robot:latest-dev"]
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"command": "true"}, "there is no base image"),
+        ({"base_image": "ros:jazzy"}, "there is no command for the run image"),
+        ({"base_image": "ros:jazzy", "command": "true", "target": "run,slim"}, "'slim' is no target"),
+        ({"base_image": "ros:jazzy", "command": "true", "image_name": "Robot!"}, "'Robot!' is no name of an image"),
+        ({"base_image": "ros:jazzy", "command": "true", "image_tag": "a b"}, "'a b' is no tag"),
+        ({"base_image": "ros:jazzy", "command": "true", "image_name": "ghcr.io/me/robot"}, "there is no Docker here"),
+    ],
+)
+def test_what_is_wrong_is_said_before_anything_is_built(
+    given: dict[str, str], says: str, repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    with pytest.raises(RosmlError, match=says) as caught:
+        app(repository, services, **given).build()
+    assert caught.value.exit_code == 2 and caught.value.remedy
+    assert calls == []
+
+
+def test_a_base_without_ros_is_asked_about(repository: Path, services: Services, calls: list[dict[str, Any]]) -> None:
+    put(services, "rosml/plain:1", f"linux/{native_architecture()}")
+    with pytest.raises(RosmlError, match="does not say which ROS it has") as caught:
+        app(repository, services, base_image="plain:1", command="true").build()
+    assert "--ros-distro" in caught.value.remedy
+    app(repository, services, base_image="plain:1", command="true", ros_distro="jazzy").build()
+    assert 'ENV ROS_DISTRO="jazzy"' in calls[-1]["dockerfile-inline"]
+
+
+# ---- Tests of the app ------------------------------------------------------------------------------------------------
+
+SUITE = """<testsuites><testsuite name="robot">
+<testcase name="good" classname="a"/><testcase name="later" classname="a"><skipped/></testcase>
+<testcase name="bad" classname="a"><failure message="1 is not&#x0A;2"/></testcase>
+</testsuite></testsuites>"""
+
+
+def test_failures_are_named_with_what_they_said(tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/a.xml").write_text(SUITE)
+    (tmp_path / "failed").write_text("robot: build/robot/a.xml: 3 tests, 1 failure\n")
+    assert junit.read(tmp_path) == junit.Tests(3, 1, ("robot: a.bad: 1 is not 2",))
+
+
+def test_what_left_no_report_counts_as_failed(tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "failed").write_text("tests do not build\n")
+    assert junit.read(tmp_path).failures == ("tests do not build",)
+    (tmp_path / "robot/a.xml").write_text(SUITE[:40])
+    assert junit.read(tmp_path).failures == ("robot: a.xml is no XML: its program was ended",)
+
+
+def test_no_image_is_made_where_a_test_failed(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    monkeypatch.setattr(junit, "read", lambda folder: junit.Tests(3, 1, ("robot: a.bad: 1 is not 2",)))
+    with pytest.raises(RosmlError, match=r"1 of 3 tests failed; no image was made") as caught:
+        app(repository, services, base_image="ros:jazzy", command="true").build()
+    assert "robot: a.bad: 1 is not 2" in caught.value.message
+    assert [call["name"] for call in calls] == ["report"]
