@@ -1,6 +1,6 @@
 """The library behind the commands: packages with one noun each and one direction of imports, which `lint-imports` holds.
 
-From the top: cli; publish, catalogue; build, scan; join; records; machine, locks; registry, bake; images; matrix, run; base.
+From the top: cli; apps; publish, catalogue; build, scan; join; records; machine, locks; registry, bake; images; matrix, run; base.
 Each imports from those below it alone. docs/architecture.md walks through them.
 """
 

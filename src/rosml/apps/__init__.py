@@ -1,0 +1,1 @@
+"""Apps: a user's ROS packages, with the repositories that they need, as a part."""
