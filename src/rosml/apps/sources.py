@@ -1,0 +1,195 @@
+"""Upstream sources: the repositories that `.repos` files name, at exact commits, as a folder without `.git`.
+
+They are fetched on the caller's machine. The folder is a context of the build, which needs no credentials.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path, PurePosixPath
+
+from rosml.apps import repos_file, urls
+from rosml.apps.git import Access, Failed, Git, opened
+from rosml.apps.repos_file import Entry
+from rosml.apps.store import Store
+from rosml.apps.tree import Tree, beside
+from rosml.apps.versions import resolve
+from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
+
+__all__ = ["Access", "Repository", "fetch"]
+
+WORKERS = 8
+"""How many repositories are fetched at the same time; what takes time is the answer of a server."""
+
+DEFAULT = ".repos"
+
+Say = Callable[[str], object]
+
+
+@dataclass(frozen=True)
+class Repository:
+    """One repository that was fetched.
+
+    Attributes:
+        path: below the folder for upstream sources. url: without user and password.
+        version: as written: a tag, a branch, a commit; empty for the default branch. commit: its whole hash.
+        named_in: the `.repos` file. moving: whether the version is a branch, and may mean another commit tomorrow.
+    """
+
+    path: str
+    url: str
+    version: str
+    commit: str
+    named_in: str
+    moving: bool
+
+
+def fetch(
+    target: Path,
+    out: Path,
+    cache: Path,
+    access: Access,
+    *,
+    recursive: bool = True,
+    file: str = DEFAULT,
+    say: Say = lambda text: None,
+) -> list[Repository]:
+    """Writes the repositories that a target needs, and nothing else, into a folder.
+
+    After an error the folder is not complete. The next call completes it.
+
+    Args:
+        target: the folder of the user's packages.
+        out: a folder for each path, with the same files and modes for the same commits. Repositories that did not change
+            are not written again. Two files beside it say what is in it.
+        cache: repositories for the next call; it may be shared, and removed at any time.
+        recursive: whether each `.repos` file counts, also in what was fetched; otherwise `file` alone, below the target.
+        say: gets a sentence for people, from any thread.
+
+    Returns:
+        The repositories, sorted by path.
+
+    Raises:
+        RosmlError: a repository cannot be had, with the file that names it; or a file is wrong (exit code 2).
+        OSError: a folder cannot be written.
+    """
+    cache.mkdir(mode=0o700, parents=True, exist_ok=True)
+    out.mkdir(parents=True, exist_ok=True)
+    out, cache = out.resolve(), cache.resolve()
+    files = repos_file.found(target, without=(out, cache)) if recursive else _alone(target, file)
+    with turn(beside(out, "lock"), lambda: say(f"waiting for another process, which writes to {out}")):
+        tree = Tree(out)
+        known: dict[str, Entry] = {}
+        done: list[Repository] = []
+        if wave := _entries(files, target, "", local=True):
+            with opened(access, cache) as git:
+                store = Store(git, cache, say)
+                while new := _new(wave, known):
+                    fetched = _at_once(git, new, lambda entry: _fetch(entry, git, store, tree, say))
+                    done += fetched
+                    wave = (
+                        [entry for repository in fetched for entry in _named_by(repository, out)] if recursive else []
+                    )
+        tree.keep(known)
+    return sorted(done, key=lambda repository: repository.path)
+
+
+def _alone(target: Path, file: str) -> list[Path]:
+    """The one file that counts; none where the default is not there."""
+    if (target / file).is_file():
+        return [target / file]
+    if file == DEFAULT:
+        return []
+    raise RosmlError(f"{target / file}: no such file", "name a .repos file below the target", exit_code=2)
+
+
+def _entries(files: Iterable[Path], folder: Path, prefix: str, local: bool) -> list[Entry]:
+    names = [(file, f"{prefix}{file.relative_to(folder).as_posix()}") for file in files]
+    return [entry for file, name in names for entry in repos_file.read(file, name, local)]
+
+
+def _named_by(repository: Repository, out: Path) -> list[Entry]:
+    """What the `.repos` files of a repository name."""
+    folder = out / repository.path
+    prefix = f"upstream/{repository.path}/"
+    return _entries(repos_file.found(folder), folder, prefix, local=urls.is_local(repository.url))
+
+
+def _new(entries: Iterable[Entry], known: dict[str, Entry]) -> list[Entry]:
+    """Those that are not known yet, by path; they are known from now on.
+
+    Raises:
+        RosmlError: one contradicts another, or lies within another (exit code 2).
+    """
+    new: list[str] = []
+    for entry in entries:
+        first = known.setdefault(entry.path, entry)
+        if first is entry:
+            new.append(entry.path)
+        elif not entry.same(first):
+            raise RosmlError(
+                f"{entry.path} is two different things:\n"
+                f"  {first.place}: {first.version or 'the default branch'} of {first.url}\n"
+                f"  {entry.place}: {entry.version or 'the default branch'} of {entry.url}",
+                "give it the same url and version in both files, or another path",
+                exit_code=2,
+            )
+    for path in sorted(new):
+        for above in map(str, PurePosixPath(path).parents):
+            if above in known:
+                raise RosmlError(
+                    f"{known[path].place}: {path} lies within {above}, which {known[above].place} names",
+                    "give one of them another path",
+                    exit_code=2,
+                )
+    return [known[path] for path in sorted(new)]
+
+
+def _at_once(git: Git, entries: Iterable[Entry], work: Callable[[Entry], Repository]) -> list[Repository]:
+    """Works on several entries at the same time. The first error, by their order, ends all."""
+    pool = ThreadPoolExecutor(WORKERS)
+    try:
+        return list(pool.map(work, entries))
+    except BaseException:  # also Ctrl-C
+        pool.shutdown(wait=False, cancel_futures=True)
+        git.stop()
+        raise
+    finally:
+        pool.shutdown()
+
+
+def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, say: Say) -> Repository:
+    head = f"{entry.place}: {entry.path} ({entry.url})"
+    try:
+        version = resolve(git, entry.url, entry.version)
+        version = replace(version, commit=store.commit(entry.url, version))
+        if version.also_branch:
+            say(f"{head}: {entry.version} is a tag and a branch; the tag counts")
+        if not tree.has(entry.path, entry.url, version.commit):
+            with tree.new(entry.path, entry.url, version.commit) as folder:
+                store.write(entry.url, version, folder)
+            say(f"{entry.path}: {entry.version or 'default branch'} is {version.commit}")
+    except Failed as error:
+        raise _told(head, entry.url, error) from None
+    except RosmlError as error:
+        raise RosmlError(f"{head}: {error.message}", error.remedy, error.exit_code) from None
+    return Repository(entry.path, entry.url, entry.version, version.commit, entry.file, version.moving)
+
+
+def _told(head: str, url: str, error: Failed) -> RosmlError:
+    """What git's failure means, and what to do about it."""
+    if error.disk_is_full:
+        return RosmlError(f"{head}: the disk is full", "free some disk space, then run it again")
+    host = urls.host(url)
+    if any(text in error.said for text in ("Host key verification failed", "host key is known", "IDENTIFICATION HAS")):
+        text = f"{head}: the host key of {host} is unknown, or is another one"
+        name, _, port = host.partition(":")
+        scan = f"ssh-keyscan {f'-p {port} ' if port else ''}{name}"
+        return RosmlError(text, f"if this prints the host's key, add it to GIT_SSH_KNOWN_HOST_KEYS: {scan}")
+    if urls.is_local(url):
+        return RosmlError(f"{head}: cannot be read: {error.reason}", "check the URL")
+    secret = "GIT_HTTPS_SERVER and GIT_HTTPS_PASSWORD" if url.startswith("http") else "GIT_SSH_PRIVATE_KEY"
+    return RosmlError(f"{head}: cannot be read: {error.reason}", f"check the URL; if it is private, set {secret}")

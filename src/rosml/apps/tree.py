@@ -1,0 +1,104 @@
+"""The folder with upstream sources: repositories in it are whole, and those that did not change stay as they are."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import shutil
+import tempfile
+import threading
+from collections.abc import Collection, Iterator
+from pathlib import Path, PurePosixPath
+
+from rosml.base.files import write
+
+
+def beside(folder: Path, kind: str) -> Path:
+    """A file or folder that goes with a folder, and is not in it."""
+    return folder.with_name(f".{folder.name}.{kind}")
+
+
+class Tree:
+    """A folder with a folder for each repository. One process at a time may change it; its threads may do so together.
+
+    A repository is written elsewhere and moved here when it is whole. A file beside the folder says which commits are here.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._file = beside(folder, "json")
+        self._staging = beside(folder, "new")
+        self._guard = threading.Lock()
+        self._here = _read(self._file)
+        if self._staging.exists():  # of a process that was killed
+            shutil.rmtree(self._staging)
+        self._staging.mkdir()
+
+    def has(self, path: str, url: str, commit: str) -> bool:
+        """Whether a commit is here."""
+        return self._here.get(path) == [url, commit] and (self._folder / path).is_dir()
+
+    @contextlib.contextmanager
+    def new(self, path: str, url: str, commit: str) -> Iterator[Path]:
+        """A place to write a commit to, which is its folder in the end, if nothing fails."""
+        with tempfile.TemporaryDirectory(dir=self._staging) as staging:
+            yield Path(staging) / "new"
+            with self._guard:
+                self._forget(path)
+                self._make_above(path)
+                (Path(staging) / "new").rename(self._folder / path)
+                self._here[path] = [url, commit]
+                self._save()
+
+    def keep(self, paths: Collection[str]) -> None:
+        """Removes all else."""
+        wanted = {self._folder / path for path in paths}
+        around = {folder for path in wanted for folder in path.parents}
+        for path in self._here.keys() - set(paths):
+            del self._here[path]
+        self._save()
+        pending = [self._folder]
+        while pending:
+            for item in pending.pop().iterdir():
+                if item in around and item.is_dir() and not item.is_symlink():
+                    pending.append(item)
+                elif item not in wanted:
+                    _remove(item)
+        shutil.rmtree(self._staging)
+
+    def _forget(self, path: str) -> None:
+        """Removes what is at a path, around it or below it."""
+        for other in list(self._here):
+            if f"{path}/".startswith(f"{other}/") or other.startswith(f"{path}/"):
+                del self._here[other]
+        self._save()
+        for above in [*map(str, reversed(PurePosixPath(path).parents[:-1])), path]:
+            place = self._folder / above
+            if above == path or place.is_symlink() or not place.is_dir():
+                _remove(place)
+
+    def _make_above(self, path: str) -> None:
+        """Makes the folders around a repository, with the same modes whatever the umask."""
+        for above in reversed(PurePosixPath(path).parents[:-1]):
+            if not (self._folder / above).exists():
+                (self._folder / above).mkdir()
+                (self._folder / above).chmod(0o755)
+
+    def _save(self) -> None:
+        write(self._file, json.dumps(self._here, indent=1, sort_keys=True))
+
+
+def _read(file: Path) -> dict[str, list[str]]:
+    """Which commits are in a folder. A damaged file says none."""
+    try:
+        content = json.loads(file.read_bytes())
+    except (FileNotFoundError, ValueError):
+        return {}
+    return content if isinstance(content, dict) else {}
+
+
+def _remove(place: Path) -> None:
+    if place.is_dir() and not place.is_symlink():
+        shutil.rmtree(place)
+    else:
+        place.unlink(missing_ok=True)

@@ -1,0 +1,96 @@
+"""URLs of git repositories: which ones are allowed, and what they look like without secrets."""
+
+from __future__ import annotations
+
+import re
+
+PROTOCOLS = ("https", "http", "ssh", "git", "file")
+"""What git may speak. Others, such as `ext::`, start programs."""
+
+_SCP = re.compile(r"(?:(?P<user>[^@:/]+)@)?(?P<host>\[[^]/]+\]|[^@:/\[]+):(?P<path>.+)")
+
+
+class Refused(ValueError):
+    """A URL that is not allowed: why, and what to do about it. The text has nothing of the URL that may be secret."""
+
+    def __init__(self, text: str, remedy: str) -> None:
+        super().__init__(text)
+        self.remedy = remedy
+
+
+_WHOLE = "write a URL that begins with https:// or ssh://, or user@host:path"
+_NO_PASSWORD = "take it out of the file, and set GIT_HTTPS_USER and GIT_HTTPS_PASSWORD"
+
+
+def checked(url: str, local: bool) -> str:
+    """A URL without its user, except the user of ssh.
+
+    Args:
+        local: whether a repository of this machine may be named.
+
+    Raises:
+        Refused: it holds a password, names another protocol, or git could take it for something else.
+    """
+    if not url or url.startswith("-") or not url.isprintable() or " " in url or "\\" in url:
+        raise Refused("the url is none", _WHOLE)
+    scheme, separator, rest = url.partition("://")
+    if not separator:
+        return _without_scheme(url, local)
+    if scheme not in PROTOCOLS:
+        raise Refused(f"the url begins with {scheme}://, which is not allowed", f"use one of {', '.join(PROTOCOLS)}")
+    if scheme == "file":
+        return _local(url, local)
+    authority, slash, path = rest.partition("/")
+    user, at, host = authority.rpartition("@")
+    if ":" in user:
+        raise Refused("the url holds a password", _NO_PASSWORD)
+    if not host or host.startswith(("-", ":")) or user.startswith("-") or not path:
+        raise Refused("the url has no host or no path", _WHOLE)
+    return f"{scheme}://{user if scheme == 'ssh' else ''}{at if scheme == 'ssh' else ''}{host}{slash}{path}"
+
+
+def _without_scheme(url: str, local: bool) -> str:
+    if re.match(r"[^/:]*::", url):
+        raise Refused(f"the url begins with {url.partition('::')[0]}::, which starts a program", _WHOLE)
+    if url.startswith("/"):
+        return _local(url, local)
+    scp = _SCP.fullmatch(url)
+    if scp is None or scp["host"].startswith("-") or (scp["user"] or "").startswith("-"):
+        raise Refused("the url is none", _WHOLE)
+    return url
+
+
+def _local(url: str, local: bool) -> str:
+    if not local:
+        raise Refused("a repository from a server names one of this machine", _WHOLE)
+    return url
+
+
+def is_local(url: str) -> bool:
+    """Whether a checked URL names a repository of this machine."""
+    return url.startswith(("/", "file://"))
+
+
+def host(url: str) -> str:
+    """The host of a checked URL, with its port; empty where it is local."""
+    if "://" in url:
+        return url.partition("://")[2].partition("/")[0].rpartition("@")[2]
+    return "" if is_local(url) else url.partition(":")[0].rpartition("@")[2]
+
+
+def key(url: str) -> str:
+    """What is equal for two spellings of the same repository."""
+    return url.rstrip("/").removesuffix(".git")
+
+
+def below(url: str, relative: str) -> str:
+    """The URL of a submodule, which may be relative to that of the repository around it, as git resolves it."""
+    if not relative.startswith(("./", "../")):
+        return relative
+    base, separator = url.rstrip("/"), "/"
+    while relative.startswith(("./", "../")):
+        step, _, relative = relative.partition("/")
+        if step == "..":
+            separator = "/" if "/" in base else ":"
+            base = base.rpartition(separator)[0]
+    return f"{base}{separator}{relative}"
