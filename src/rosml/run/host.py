@@ -15,10 +15,13 @@ ROOT = Path("/")
 PATIENCE = 0.3
 """Seconds in which a display answers, or does not."""
 
+GROUP = "239.255.0.1"
+"""Where nodes of ROS 2 announce themselves: DDS's own group."""
+
 
 def host(environment: Mapping[str, str]) -> Host:
     """This machine."""
-    return Host(ROOT, environment, os.uname().nodename, connects)
+    return Host(ROOT, environment, os.uname().nodename, connects, owns, echoes)
 
 
 def connects(address: Address) -> bool:
@@ -33,6 +36,42 @@ def connects(address: Address) -> bool:
         except OSError:
             return False
     return True
+
+
+def owns(address: str) -> bool:
+    """Whether an address, or what a name stands for, is one of this machine's own."""
+    import socket
+
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+        try:
+            asked.bind((address, 0))
+        except OSError:
+            return False
+    return True
+
+
+def echoes(port: int) -> bool:
+    """Whether a packet to the group of DDS's discovery comes back to this machine, which it does not leave. Nodes that listen
+    there as well pass over it."""
+    import socket
+    import time
+
+    packet = os.urandom(16)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+        asked.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        asked.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 0)
+        try:
+            asked.bind(("", port))
+            asked.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(GROUP) + bytes(4))
+            asked.sendto(packet, (GROUP, port))
+            until = time.monotonic() + PATIENCE
+            while (left := until - time.monotonic()) > 0:
+                asked.settimeout(left)
+                if asked.recv(len(packet)) == packet:
+                    return True
+        except OSError:
+            return False
+    return False
 
 
 def write(path: Path, content: bytes) -> None:
