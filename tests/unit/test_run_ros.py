@@ -211,6 +211,7 @@ def test_all_is_well(robot: Robot) -> None:
     [
         ([], "network", "problem: bridge: containers on it", "--ros-network"),
         (["--network", "robots"], "network", "advice: robots: containers on it", "--ros-network"),
+        (["-e", "ROS_STATIC_PEERS=172.17.0.1"], "network", "advice: bridge: containers on it see", "--ros-network"),
         (["--network=none"], "network", "problem: none", "leave out --network none"),
         (["--network", "host"], "shared memory", "problem: its own, with --network host", "--ipc host"),
         (["-e", "ROS_DOMAIN_ID=7"], "domain", "problem: 7, and 3 in this shell", "-e ROS_DOMAIN_ID=3, or export"),
@@ -279,8 +280,14 @@ def test_a_machine_on_which_nodes_are_not_heard(robot: Robot) -> None:
     lost = robot.found("--ros-network")["multicast"]
     assert lost.state == "problem" and "port 7400, does not come back" in lost.found and "dev eth0" in lost.remedy
     robot.file("/sys/class/net/eth0/flags", "0x1002\n")
-    down = robot.found("--ros-network", "-e", "ROS_STATIC_PEERS=x")["multicast"]
+    down = robot.found("--ros-network")["multicast"]
     assert down.state == "problem" and "no network interface" in down.found and "ROS_STATIC_PEERS" in down.remedy
+
+
+def test_an_older_ros_knows_no_range(robot: Robot) -> None:
+    robot.environment = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF"}
+    assert robot.found("--ros-network", image={"ROS_DISTRO": "humble"})["discovery range"].state == "good"
+    assert robot.found("--ros-network", image=JAZZY)["discovery range"].state == "problem"
 
 
 def test_small_limits_of_the_kernel(robot: Robot) -> None:

@@ -88,6 +88,9 @@ def network(context: Context, place: Place) -> Finding:
         return Finding(what, GOOD, f"{name}; nodes reach each other by a router")
     if name == ALONE:
         return Finding(what, PROBLEM, "its own alone: no others see its nodes", WHOLE)
+    if place.version == "2" and place.environment.get("ROS_STATIC_PEERS"):
+        text = "containers on it see its nodes, and peers on this machine that have its address in ROS_STATIC_PEERS"
+        return Finding(what, ADVICE, f"{name}: {text}", WHOLE)
     text = "containers on it see its nodes; this machine and others do not"
     return Finding(what, PROBLEM if name == "bridge" else ADVICE, f"{name}: {text}", WHOLE)
 
@@ -238,7 +241,7 @@ def _bytes(text: str) -> int:
 
 def multicast(context: Context, place: Place) -> Finding:
     """Whether nodes can announce themselves to the network: to interfaces that lead there, and back to this machine."""
-    peers = "name the other machines: -e ROS_STATIC_PEERS=ADDRESS;ADDRESS"
+    peers = "name the other machines: -e 'ROS_STATIC_PEERS=ADDRESS;ADDRESS'"
     names = [name.rpartition("/")[2] for name in context.host.files("/sys/class/net")]
     able = [x for x in names if _flags(context, x) & (UP | LOOPBACK | MULTICAST) == UP | MULTICAST]
     leading = [x for x in able if not x.startswith(OF_ENGINES)]

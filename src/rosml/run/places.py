@@ -21,12 +21,15 @@ SHM = "/dev/shm"
 ROS_1 = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
 """Distributions of ROS 1; images of ours say ROS_VERSION as well."""
 
+WITHOUT_RANGE = ("dashing", "eloquent", "foxy", "galactic", "humble")
+"""Distributions of ROS 2 that know ROS_LOCALHOST_ONLY alone."""
+
 DEFAULT = "rmw_fastrtps_cpp"
 """What ROS 2 takes where RMW_IMPLEMENTATION names nothing else; galactic alone took Cyclone DDS."""
 
 
 WITHOUT = "-e FASTDDS_BUILTIN_TRANSPORTS=UDPv4"
-"""Has Fast DDS do without shared memory, on both sides of a connection if one side says so."""
+"""Has Fast DDS do without shared memory."""
 
 
 def share(network: str) -> str:
@@ -79,6 +82,8 @@ class Place:
         """How far nodes of ROS 2 look for others."""
         if self.environment.get("ROS_LOCALHOST_ONLY") == "1":
             return "LOCALHOST"
+        if self.environment.get("ROS_DISTRO") in WITHOUT_RANGE:
+            return "SUBNET"
         return self.environment.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or "SUBNET"
 
     @property
