@@ -28,7 +28,7 @@ SHARED = ["--network", "host", "--ipc", "host"]
 
 class Robot:
     """A machine with ROS. Attributes: root: the folder with its files. listens: where something listens. environment: the
-    caller's. echoes: whether multicast comes back. addresses: its own."""
+    caller's. echoes: whether multicast comes back. asked: to which ports it was sent. addresses: its own."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -36,6 +36,7 @@ class Robot:
         self.environment: dict[str, str] = {}
         self.addresses = {"10.0.0.5"}
         self.echoes = True
+        self.asked: list[int] = []
         self.file("/sys/class/net/lo/flags", "0x9\n")
         self.file("/sys/class/net/eth0/flags", "0x1003\n")
         self.file("/sys/class/net/docker0/flags", "0x1003\n")
@@ -49,6 +50,11 @@ class Robot:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content)
 
+    def heard(self, port: int) -> bool:
+        """Whether multicast to a port comes back."""
+        self.asked.append(port)
+        return self.echoes
+
     def context(
         self, *words: str, image: Mapping[str, str] = CONTRACT, engine: Engine | None = None, me: Person = ME
     ) -> Context:
@@ -59,7 +65,7 @@ class Robot:
             "robot",
             self.listens.__contains__,
             self.addresses.__contains__,
-            lambda port: self.echoes,
+            self.heard,
         )
         return Context(split([*words, "ros:jazzy"], OWN), engine or Engine(), me, Image(environment=image), there)
 
@@ -279,9 +285,42 @@ def test_a_machine_on_which_nodes_are_not_heard(robot: Robot) -> None:
     robot.echoes = False
     lost = robot.found("--ros-network")["multicast"]
     assert lost.state == "problem" and "port 7400, does not come back" in lost.found and "dev eth0" in lost.remedy
+    assert robot.found("--ros-network", "-e", "ROS_STATIC_PEERS=10.0.0.6")["multicast"].state == "advice"
+    assert "multicast" not in robot.found("--ros-network", "-e", "ROS_DISCOVERY_SERVER=10.0.0.6:11811")
     robot.file("/sys/class/net/eth0/flags", "0x1002\n")
     down = robot.found("--ros-network")["multicast"]
     assert down.state == "problem" and "no network interface" in down.found and "ROS_STATIC_PEERS" in down.remedy
+
+
+@pytest.mark.parametrize(
+    ("words", "engine", "what"),
+    [
+        (["--no-ros", "-e", "ROS_DOMAIN_ID"], Engine(), "domain"),
+        (["--no-ros", "-e", "ROS_DOMAIN_ID=3", "--env-file", "/vars"], Engine(), "domain"),
+        (["-e", "ROS_DOMAIN_ID=7"], Engine(machine="server"), "domain"),
+        (["--ros-network", "-e", "RMW_IMPLEMENTATION=rmw_zenoh_cpp"], Engine(machine="server"), "router"),
+        (["-e", "RMW_IMPLEMENTATION=rmw_zenoh_cpp", "-e", "ZENOH_CONFIG_OVERRIDE=x"], Engine(), "router"),
+        (["-e", "RMW_IMPLEMENTATION=rmw_zenoh_cpp"], Engine(), "network"),
+        (["--ros-network", "--user=robot"], Engine(), "network"),
+    ],
+)
+def test_what_is_not_in_the_way(robot: Robot, words: list[str], engine: Engine, what: str) -> None:
+    """A shell's value, a value that wins over that of a file, what this machine has where containers run elsewhere."""
+    robot.environment = {"ROS_DOMAIN_ID": "3"}
+    robot.file("/vars", "ROS_DOMAIN_ID=9\n")
+    assert robot.found(*words, engine=engine)[what].state == "good"
+
+
+def test_an_rmw_that_the_image_cannot_take(robot: Robot) -> None:
+    robot.environment = {"RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp"}
+    apart = robot.found(installed=["rmw_fastrtps_cpp"])["RMW"]
+    assert apart.remedy == "export RMW_IMPLEMENTATION=rmw_fastrtps_cpp"
+
+
+def test_the_port_of_a_domain(robot: Robot) -> None:
+    for text in ("3", "233", "x"):
+        assert robot.found("--ros-network", "-e", f"ROS_DOMAIN_ID={text}")["multicast"].state == "good"
+    assert robot.asked == [8150, 7400, 7400], "a domain that is none has no port"
 
 
 def test_an_older_ros_knows_no_range(robot: Robot) -> None:
@@ -322,6 +361,7 @@ def test_podman_without_root_gives_a_network_to_each(robot: Robot) -> None:
     [
         ([], {}, {"network": "problem: bridge", "master": "problem: http://localhost:11311, which is the container"}),
         (["--ros-network"], {}, {"master": "advice: http://localhost:11311, where nothing answers yet"}),
+        (["--network=container:x"], {}, {}),
         (["--ros-network"], {"ROS_MASTER_URI": "base"}, {"master": "problem: 'base' is no address"}),
         (
             ["--ros-network"],
@@ -383,6 +423,27 @@ def container(name: str = "arm", user: str = "1000:1000", **variables: str) -> C
             "its network is robots",
             "--network robots, or --ros-network for both",
         ),
+        (["--ros-network"], container(user="robot"), "", ""),
+        (
+            ["--ros-network"],
+            Container(
+                "arm",
+                "running",
+                user="1000",
+                environment=JAZZY,
+                network="host",
+                ipc="private",
+                mounts=frozenset(["/dev/shm"]),
+            ),
+            "",
+            "",
+        ),
+        (
+            ["-e", "RMW_IMPLEMENTATION=rmw_zenoh_cpp", "-e", "ZENOH_CONFIG_OVERRIDE=x"],
+            container(RMW_IMPLEMENTATION="rmw_zenoh_cpp"),
+            "",
+            "",
+        ),
         (["--ros-network"], container(ROS_DISTRO="noetic"), "it has ROS 1", "only a bridge"),
     ],
 )
@@ -393,6 +454,16 @@ def test_another_container(robot: Robot, words: list[str], them: Container, expe
         return
     assert found.state == ("advice" if "ROS 1" in expected else "problem")
     assert found.found == expected and found.remedy.startswith(remedy), found
+
+
+def test_containers_of_podman_without_root(robot: Robot) -> None:
+    """Each has a network that it shares with no other; numbers of users are others outside."""
+    podman = Engine("podman", podman=True, rootless=True)
+    alone = Container("arm", "running", environment=JAZZY, network="pasta", ipc="shareable")
+    apart = robot.found(others=(alone,), engine=podman)["container arm"]
+    assert (apart.state, apart.found) == ("problem", "its network is private")
+    assert robot.found("--ros-network", others=(container(user="0"),), engine=podman)["container arm"].state == "good"
+    assert "user" not in robot.found("--ros-network", "--no-user", engine=podman)
 
 
 def test_a_machine_without_ros(robot: Robot) -> None:
@@ -432,6 +503,11 @@ def test_the_command_checks_and_starts_nothing(desk: Desk) -> None:
     (listed,) = [call for call in desk.calls if call[1] not in ("info", "image", "container", "ps")]
     folder = "/opt/ros/jazzy/share/ament_index/resource_index/rmw_typesupport"
     assert listed == ["docker", "run", "--rm", "--network", "none", "--entrypoint", "ls", "ros", folder]
+
+
+def test_a_container_that_has_the_name_is_not_entered(desk: Desk) -> None:
+    done = desk.call("--check", "--name=arm", "ros")
+    assert done.stdout.startswith("problem  network") and not desk.called("exec")
 
 
 def test_the_command_as_json(desk: Desk) -> None:
@@ -485,13 +561,14 @@ def test_settings_and_network_reach_the_engine(desk: Desk) -> None:
 
 def test_addresses_and_multicast_of_this_machine() -> None:
     assert host.owns("127.0.0.1") and host.owns("localhost") and not host.owns("192.0.2.1")
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
-        asked.bind(("", 0))
-        port = asked.getsockname()[1]
-        assert not host.echoes(port), "somebody else has the port for themselves"
+    assert not host.owns("a..b") and not host.connects(("a..b", 1)) and not host.connects(("127.0.0.1", 99999))
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("", 0))
+        port = taken.getsockname()[1]
         try:
-            asked.connect((host.GROUP, port))
+            taken.connect((host.GROUP, port))
             routed = True
         except OSError:
             routed = False
+        assert host.echoes(port) == routed, "a node has the port for itself"
     assert host.echoes(port) == routed

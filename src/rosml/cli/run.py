@@ -44,7 +44,10 @@ class Run(container.Words):
     "--new", is_flag=True, expose_value=False, help="another container, although one runs; the engine names it"
 )
 @click.option(
-    "--check", is_flag=True, expose_value=False, help="say whether ROS reaches others from the container; start nothing"
+    "--check",
+    is_flag=True,
+    expose_value=False,
+    help="say what keeps nodes of ROS apart from others, and start no command",
 )
 @container.showing
 @click.argument("image", required=False, expose_value=False)

@@ -116,20 +116,24 @@ def ros_2(context: Context, place: Place, here: Place | None, installed: Sequenc
         yield from owner(place, here)
         yield size(context, place)
     if place.network == HOST and context.is_here and not (context.engine.rootless and not context.engine.podman):
-        if place.discovery_range in ("SUBNET", "SYSTEM_DEFAULT"):
+        if place.discovery_range in ("SUBNET", "SYSTEM_DEFAULT") and not place.environment.get("ROS_DISCOVERY_SERVER"):
             yield multicast(context, place)
         yield from buffers(context)
 
 
 def domain(place: Place, here: Place | None) -> Finding:
     """The domain, which both sides must have."""
-    if not place.domain.isdecimal() or int(place.domain) > LARGEST_DOMAIN:
+    if not _is_domain(place.domain):
         text = f"{place.domain!r}: no node starts"
         return Finding("domain", PROBLEM, text, f"ROS_DOMAIN_ID is a number from 0 to {LARGEST_DOMAIN}")
     if here and here.domain != place.domain:
         remedy = f"-e ROS_DOMAIN_ID={here.domain}, or export ROS_DOMAIN_ID={place.domain}"
         return Finding("domain", PROBLEM, f"{place.domain}, and {here.domain} in this shell", remedy)
     return Finding("domain", GOOD, place.domain)
+
+
+def _is_domain(text: str) -> bool:
+    return text.isdecimal() and int(text) <= LARGEST_DOMAIN
 
 
 def middleware(place: Place, here: Place | None, installed: Sequence[str]) -> Finding:
@@ -241,18 +245,19 @@ def _bytes(text: str) -> int:
 
 def multicast(context: Context, place: Place) -> Finding:
     """Whether nodes can announce themselves to the network: to interfaces that lead there, and back to this machine."""
+    bad = ADVICE if place.environment.get("ROS_STATIC_PEERS") else PROBLEM
     peers = "name the other machines: -e 'ROS_STATIC_PEERS=ADDRESS;ADDRESS'"
     names = [name.rpartition("/")[2] for name in context.host.files("/sys/class/net")]
     able = [x for x in names if _flags(context, x) & (UP | LOOPBACK | MULTICAST) == UP | MULTICAST]
     leading = [x for x in able if not x.startswith(OF_ENGINES)]
     if not leading:
         text = "no network interface that leads out is up and has it"
-        return Finding("multicast", PROBLEM, text, f"sudo ip link set NAME up multicast on; or {peers}")
-    port = 7400 + 250 * (int(place.domain) if place.domain.isdecimal() else 0)
+        return Finding("multicast", bad, text, f"sudo ip link set NAME up multicast on; or {peers}")
+    port = 7400 + 250 * (int(place.domain) if _is_domain(place.domain) else 0)
     if not context.host.echoes(port):
         text = f"a packet to 239.255.0.1, port {port}, does not come back"
         route = f"sudo ip route add 239.0.0.0/8 dev {leading[0]}"
-        return Finding("multicast", PROBLEM, text, f"let the firewall pass UDP, or set a route: {route}; or {peers}")
+        return Finding("multicast", bad, text, f"let the firewall pass UDP, or set a route: {route}; or {peers}")
     return Finding("multicast", GOOD, f"on {', '.join(leading)}; this machine hears its own")
 
 

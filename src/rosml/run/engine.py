@@ -145,7 +145,7 @@ def running(command: str) -> list[Container]:
     Raises:
         RosmlError: the engine does not answer.
     """
-    return [found for found in _listed(command, "--quiet", "--no-trunc") if found.state == "running"]
+    return _listed(command, "--quiet", "--no-trunc")
 
 
 def _listed(command: str, *options: str) -> list[Container]:

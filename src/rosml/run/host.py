@@ -15,6 +15,9 @@ ROOT = Path("/")
 PATIENCE = 0.3
 """Seconds in which a display answers, or does not."""
 
+NO_ADDRESS = (OSError, OverflowError, UnicodeError)
+"""What a port beyond 65535 and a name with an empty part raise, and all else that does not answer."""
+
 GROUP = "239.255.0.1"
 """Where nodes of ROS 2 announce themselves: DDS's own group."""
 
@@ -33,7 +36,7 @@ def connects(address: Address) -> bool:
         asked.settimeout(PATIENCE)
         try:
             asked.connect(address)
-        except OSError:
+        except NO_ADDRESS:
             return False
     return True
 
@@ -45,25 +48,29 @@ def owns(address: str) -> bool:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
         try:
             asked.bind((address, 0))
-        except OSError:
+        except NO_ADDRESS:
             return False
     return True
 
 
 def echoes(port: int) -> bool:
     """Whether a packet to the group of DDS's discovery comes back to this machine, which it does not leave. Nodes that listen
-    there as well pass over it."""
+    there as well pass over it. If one of them lets nobody else listen at the port, another port is tried."""
     import socket
     import time
 
     packet = os.urandom(16)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
-        asked.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        for option in (socket.SO_REUSEADDR, socket.SO_REUSEPORT):
+            asked.setsockopt(socket.SOL_SOCKET, option, 1)
         asked.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 0)
         try:
-            asked.bind(("", port))
+            with contextlib.suppress(OSError):
+                asked.bind(("", port))
+            if not asked.getsockname()[1]:
+                asked.bind(("", 0))
             asked.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(GROUP) + bytes(4))
-            asked.sendto(packet, (GROUP, port))
+            asked.sendto(packet, (GROUP, asked.getsockname()[1]))
             until = time.monotonic() + PATIENCE
             while (left := until - time.monotonic()) > 0:
                 asked.settimeout(left)
