@@ -37,8 +37,9 @@ if first == "image":
 if first == "container":
     for asked in sys.argv[5:]:
         if asked in says["containers"]:
-            state, own, image, config, mounts = [*says["containers"][asked], "", {{}}, []][:5]
-            print(*map(json.dumps, [own, state, image, config, mounts]))
+            given = says["containers"][asked]
+            state, own, image, config, mounts, settings = [*given, *["", {{}}, [], {{}}][len(given) - 2:]]
+            print(*map(json.dumps, [own, state, image, config, mounts, settings]))
     if not set(sys.argv[5:]) <= {{*says["containers"]}}:
         sys.exit(says["complaint"] or "Error: No such container")
 if first == "ps":

@@ -294,7 +294,7 @@ def test_a_cookie_without_a_place(x11: Machine) -> None:
         (["--net=host"], Engine(), ""),
         (["-p", "80:80"], Engine(), "does not go with -p"),
         (["--network=bridge"], Engine(), "does not go with --network=bridge"),
-        ([], Engine(rootless=True), "docker without root does not reach it"),
+        ([], Engine(rootless=True), "docker without root does not reach this machine"),
         ([], Engine("podman", podman=True, rootless=True), ""),
     ],
 )

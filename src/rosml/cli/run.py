@@ -12,7 +12,7 @@ from rosml.cli import command, container
 from rosml.run import plugins, words
 from rosml.run.context import Person
 
-RESERVED = ("new", "verbose", "dry-run", "json", "help")
+RESERVED = ("new", "check", "verbose", "dry-run", "json", "help")
 """Options of the command itself: no plugin can have one of these names."""
 
 
@@ -43,6 +43,12 @@ class Run(container.Words):
 @click.option(
     "--new", is_flag=True, expose_value=False, help="another container, although one runs; the engine names it"
 )
+@click.option(
+    "--check",
+    is_flag=True,
+    expose_value=False,
+    help="say what keeps nodes of ROS apart from others, and start no command",
+)
 @container.showing
 @click.argument("image", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
@@ -63,6 +69,8 @@ def main(context: click.Context, /) -> None:
       rosml run ghcr.io/me/rosml/ros:jazzy-base
       rosml run --mws ghcr.io/me/rosml/ros:jazzy-base colcon build
       rosml run -e ROS_DOMAIN_ID=7 -v ./bags:/bags IMAGE ros2 bag play /bags/first
+      rosml run --ros-network IMAGE ros2 topic list
+      rosml run --check --ros-network IMAGE
       rosml run --dry-run IMAGE
       rosml run
     """
@@ -73,6 +81,8 @@ def main(context: click.Context, /) -> None:
     if not line.image:
         if line.asks("new"):
             raise RosmlError("--new starts an image, and none is named", "rosml run --new IMAGE", exit_code=2)
+        if line.asks("check"):
+            raise RosmlError("--check is about an image, and none is named", "rosml run --check IMAGE", exit_code=2)
         enter(line)
         return
     start(engine.program(os.environ), line, person(os.environ))
@@ -111,21 +121,28 @@ def start(program: str, line: words.Line, caller: Person) -> None:
     from rosml.run.context import Context
     from rosml.run.host import host, write
 
-    name = "" if line.has("replace") else concerns.name_of(line, caller)
+    checks = line.asks("check")
+    name = "" if checks or line.has("replace") else concerns.name_of(line, caller)
     facts = engine.ask(program, line.image, name)
     if facts.taken:
         attach.check_same(program, line, caller, facts.taken, facts.image)
         container.enter(program, line, caller, facts.taken)
         return
     if facts.image is None:
-        if container.only_shown(line):
+        if checks or container.only_shown(line):
             raise engine.lacking(program, line.image)
         engine.pull(program, line)
         facts = engine.ask(program, line.image, "")
     if facts.image is None:
         raise engine.still_lacking(program, line.image)
     machine = host(os.environ)
-    plan = plugins.plan(Context(line, facts.engine, caller, facts.image, machine), found().plugins)
+    known = Context(line, facts.engine, caller, facts.image, machine)
+    plan = plugins.plan(known, found().plugins)
+    if checks:
+        from rosml.cli import check
+
+        check.show(known, plan.argv)
+        return
     for text, remedy in (*found().notes, *plan.notes):
         command.warn(text, remedy)
 

@@ -72,6 +72,7 @@ class Container:
         image: what it was started from, as it is called there. image_id: its digest, without `sha256:`.
         user: who runs in it, as `--user` has it; empty where nobody said so.
         mounts: the places in it where something is mounted.
+        network, ipc: as `--network` and `--ipc` have them.
     """
 
     name: str
@@ -83,6 +84,8 @@ class Container:
     labels: Mapping[str, str] = field(default_factory=dict)
     entrypoint: tuple[str, ...] = ()
     mounts: frozenset[str] = frozenset()
+    network: str = ""
+    ipc: str = ""
 
 
 Address = str | tuple[str, int]
@@ -93,15 +96,22 @@ def _nothing(address: Address) -> bool:
     return False
 
 
+def _nowhere(place: str | int) -> bool:
+    return False
+
+
 @dataclass(frozen=True)
 class Host:
     """This machine. Attributes: root: the folder under which its files are. environment: the caller's. name: its own.
-    connects: whether something listens at an address; a path is below the root already."""
+    connects: whether something listens at an address; a path is below the root already. owns: whether an address, or what a
+    name stands for, is one of this machine's own. echoes: whether a packet of multicast to a port comes back."""
 
     root: Path
     environment: Mapping[str, str] = field(default_factory=dict)
     name: str = ""
     connects: Callable[[Address], bool] = _nothing
+    owns: Callable[[str], bool] = _nowhere
+    echoes: Callable[[int], bool] = _nowhere
 
     def path(self, place: str) -> Path:
         """The file at an absolute path."""

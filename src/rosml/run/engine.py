@@ -66,7 +66,9 @@ CDI = ("/etc/cdi", "/var/run/cdi")
 IMAGE = "{{json .Id}} {{json .Config}}"
 """What is asked of an image."""
 
-CONTAINER = "{{json .Name}} {{json .State.Status}} {{json .Image}} {{json .Config}} {{json .Mounts}}"
+CONTAINER = (
+    "{{json .Name}} {{json .State.Status}} {{json .Image}} {{json .Config}} {{json .Mounts}} {{json .HostConfig}}"
+)
 """What is asked of a container."""
 
 
@@ -134,7 +136,25 @@ def containers(command: str, label: str) -> list[Container]:
     Raises:
         RosmlError: the engine does not answer.
     """
-    listed = _ended(_begun(command, "ps", "--all", "--quiet", "--no-trunc", "--filter", f"label={label}"))
+    return _listed(command, "--all", "--quiet", "--no-trunc", "--filter", f"label={label}")
+
+
+def running(command: str) -> list[Container]:
+    """The containers that run.
+
+    Raises:
+        RosmlError: the engine does not answer.
+    """
+    return _listed(command, "--quiet", "--no-trunc")
+
+
+def _listed(command: str, *options: str) -> list[Container]:
+    """The containers that `ps` lists.
+
+    Raises:
+        RosmlError: the engine does not answer.
+    """
+    listed = _ended(_begun(command, "ps", *options))
     if listed.code:
         raise _silent(command, listed.complaint)
     ids = listed.text.split()
@@ -145,6 +165,13 @@ def containers(command: str, label: str) -> list[Container]:
         return []
     # One that ends meanwhile is missing in the answer.
     return _containers(command, _ended(_begun(command, "container", "inspect", "--format", CONTAINER, *ids)), *ids)
+
+
+def folder(command: str, image: str, place: str) -> list[str]:
+    """What is in a folder of an image, which a container of it lists; nothing where it cannot."""
+    alone = ("--rm", "--network", "none", "--entrypoint", "ls")
+    listed = _ended(_begun(command, "run", *alone, image, place))
+    return [] if listed.code else listed.text.split()
 
 
 def start(command: str, name: str) -> None:
@@ -300,12 +327,14 @@ def _container(line: str) -> Container:
     Raises:
         ValueError: it is no such line.
     """
-    name, state, image, config, mounts = _values(line)
+    name, state, image, config, mounts, settings = _values(line)
     places = frozenset(str(_kind(dict, mount).get("Destination", "")) for mount in _kind(list, mounts or []))
     variables, labels, entrypoint = _described(_kind(dict, config))
     named, user = str(config.get("Image") or ""), str(config.get("User") or "")
     given = _kind(str, name).removeprefix("/")  # docker's begin with it
-    return Container(given, _kind(str, state), named, _bare(image), user, variables, labels, entrypoint, places)
+    network, ipc = (str(_kind(dict, settings or {}).get(key) or "") for key in ("NetworkMode", "IpcMode"))
+    seen = (_kind(str, state), named, _bare(image), user)
+    return Container(given, *seen, variables, labels, entrypoint, places, network, ipc)
 
 
 def _described(config: Mapping[str, Any]) -> tuple[Mapping[str, str], Mapping[str, str], tuple[str, ...]]:

@@ -15,10 +15,16 @@ ROOT = Path("/")
 PATIENCE = 0.3
 """Seconds in which a display answers, or does not."""
 
+NO_ADDRESS = (OSError, OverflowError, UnicodeError)
+"""What a port beyond 65535 and a name with an empty part raise, and all else that does not answer."""
+
+GROUP = "239.255.0.1"
+"""Where nodes of ROS 2 announce themselves: DDS's own group."""
+
 
 def host(environment: Mapping[str, str]) -> Host:
     """This machine."""
-    return Host(ROOT, environment, os.uname().nodename, connects)
+    return Host(ROOT, environment, os.uname().nodename, connects, owns, echoes)
 
 
 def connects(address: Address) -> bool:
@@ -30,9 +36,49 @@ def connects(address: Address) -> bool:
         asked.settimeout(PATIENCE)
         try:
             asked.connect(address)
-        except OSError:
+        except NO_ADDRESS:
             return False
     return True
+
+
+def owns(address: str) -> bool:
+    """Whether an address, or what a name stands for, is one of this machine's own."""
+    import socket
+
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+        try:
+            asked.bind((address, 0))
+        except NO_ADDRESS:
+            return False
+    return True
+
+
+def echoes(port: int) -> bool:
+    """Whether a packet to the group of DDS's discovery comes back to this machine, which it does not leave. Nodes that listen
+    there as well pass over it. If one of them lets nobody else listen at the port, another port is tried."""
+    import socket
+    import time
+
+    packet = os.urandom(16)
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+        for option in (socket.SO_REUSEADDR, socket.SO_REUSEPORT):
+            asked.setsockopt(socket.SOL_SOCKET, option, 1)
+        asked.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 0)
+        try:
+            with contextlib.suppress(OSError):
+                asked.bind(("", port))
+            if not asked.getsockname()[1]:
+                asked.bind(("", 0))
+            asked.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(GROUP) + bytes(4))
+            asked.sendto(packet, (GROUP, asked.getsockname()[1]))
+            until = time.monotonic() + PATIENCE
+            while (left := until - time.monotonic()) > 0:
+                asked.settimeout(left)
+                if asked.recv(len(packet)) == packet:
+                    return True
+        except OSError:
+            return False
+    return False
 
 
 def write(path: Path, content: bytes) -> None:

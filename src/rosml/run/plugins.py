@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from importlib import import_module
 
 from rosml.base.errors import RosmlError
-from rosml.run import concerns, gpu, paths, sockets, words
+from rosml.run import concerns, gpu, paths, ros, sockets, words
 from rosml.run.context import Context
 from rosml.run.plugin import GROUP, Added, Plugin, in_order
 from rosml.run.user import user
@@ -33,6 +33,7 @@ OWN: tuple[Plugin, ...] = (
     ),
     gpu.PLUGIN,
     *sockets.PLUGINS,
+    ros.PLUGIN,
 )
 """rosml's own, in the order of their words. They are registered here: entry points cost the time of a search."""
 

@@ -20,6 +20,9 @@ DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>\d+)(?:\.\d+)?")
 NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
 """Options that go with a network of the container's own."""
 
+WHOLE_NETWORK = "ros-network"
+"""rosml's option that gives this machine's network to the container: the engines take it once."""
+
 
 def runtime(context: Context) -> str:
     """The folder of the person's session; empty where they have none. It is removed at logout. sudo may leave that of
@@ -90,10 +93,10 @@ def _x11(context: Context) -> Added:
         if not host.connects((machine, 6000 + int(number))):
             return NOTHING
         local = machine in ("localhost", "127.0.0.1")
-        if local and (reason := _no_network(context)):
+        if local and (reason := no_network(context)):
             return Added(notes=[(f"no windows: DISPLAY={display} is ssh's, and {reason}", "--no-x11 asks for none")])
-        own = ["--network", "host"] if local and not context.line.has(*NETWORK) else []
-        words = [*own, *variables(DISPLAY=display)]
+        given = context.line.has(*NETWORK) or context.line.asks(WHOLE_NETWORK)
+        words = [*(["--network", "host"] if local and not given else []), *variables(DISPLAY=display)]
     words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
     place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
     cookies = xauthority.cookies(xauthority.read(host.content(place)), number, host.name)
@@ -108,11 +111,11 @@ def _x11(context: Context) -> Added:
     return Added(words, {file: xauthority.merged(host.content(file), cookies[0])})
 
 
-def _no_network(context: Context) -> str:
-    """Why a container cannot have this machine's network, where ssh listens; empty where it can."""
+def no_network(context: Context) -> str:
+    """Why a container cannot have this machine's network; empty where it can."""
     line, engine = context.line, context.engine
     if engine.rootless and not engine.podman:
-        return "docker without root does not reach it"
+        return "docker without root does not reach this machine's network"
     own = next((given.words[0] for given in line.engine if set(given.names) & {*NETWORK}), "")
     if own and (line.values("network", "net") or [""])[-1] != "host":
         return f"it needs --network host, which does not go with {own}"

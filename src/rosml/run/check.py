@@ -1,0 +1,376 @@
+"""What ROS between a container and others depends on: what is good, and what to do about the rest. Nothing is started here."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from rosml.run import places
+from rosml.run.context import Context
+from rosml.run.places import ALONE, HOST, Place
+
+GOOD, ADVICE, PROBLEM = "good", "advice", "problem"
+"""What there is to say of a thing. Advice is about what may fail, such as large messages; a problem is what will not work."""
+
+WHOLE = "--ros-network"
+LARGEST_DOMAIN = 232
+RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
+
+MIB = 1024 * 1024
+SMALL_MEMORY = 64 * MIB
+"""Bytes of /dev/shm that the engines give by default."""
+
+RECEIVED, FRAGMENTS, SECONDS = (
+    "/proc/sys/net/core/rmem_max",
+    *(f"/proc/sys/net/ipv4/ipfrag_{name}" for name in ("high_thresh", "time")),
+)
+"""The kernel's limits for what waits to be received, and for packets in pieces (docs.ros.org, DDS tuning information)."""
+
+UP, LOOPBACK, MULTICAST = 0x1, 0x8, 0x1000
+"""Flags of a network interface, as the kernel has them."""
+
+OF_ENGINES = ("docker", "br-", "veth", "podman", "cni", "virbr")
+"""How interfaces begin that lead to containers and virtual machines alone."""
+
+MASTER = re.compile(r"https?://(?P<machine>[^:/\s]+):(?P<port>\d{1,5})/?")
+"""An address of ROS 1's master."""
+
+ROUTER = 7447
+"""The port of Zenoh's router."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What is said of one thing. Attributes: what: the thing. state: good, advice or problem. found: how it is."""
+
+    what: str
+    state: str
+    found: str
+    remedy: str = ""
+
+
+def findings(context: Context, place: Place, others: Sequence[Place], installed: Sequence[str]) -> list[Finding]:
+    """All that is to be said.
+
+    Args:
+        place: the container that would start. others: containers with ROS that run.
+        installed: RMW implementations that the image has; empty where that is unknown.
+    """
+    here = places.machine(context)
+    if here and here.version != place.version:
+        here = None
+    found = [network(context, place)]
+    found += [*ros_1(context, place)] if place.version == "1" else [*ros_2(context, place, here, installed)]
+    return [*found, *(other(place, it) for it in others)]
+
+
+def network(context: Context, place: Place) -> Finding:
+    """Whose nodes the container's reach."""
+    engine, name, what = context.engine, place.network, "network"
+    if name == HOST:
+        if engine.machine == "docker-desktop":
+            return Finding(what, PROBLEM, "that of Docker Desktop's virtual machine", "Docker Engine, on Linux")
+        if not context.is_here:
+            return Finding(
+                what, ADVICE, f"that of {engine.machine}", f"rosml run --check on {engine.machine} says more"
+            )
+        if engine.rootless and not engine.podman:
+            text = "that of docker without root, and not this machine's"
+            return Finding(what, PROBLEM, text, "docker with root, or podman: ROSML_ENGINE=podman")
+        return Finding(what, GOOD, "this machine's")
+    if name == "none":
+        return Finding(what, PROBLEM, "none", f"leave out --network none, or {WHOLE}")
+    if name.startswith("container:"):
+        return Finding(what, GOOD, f"that of the container {name.partition(':')[2]}")
+    if place.middleware == "zenoh" and place.version == "2":
+        return Finding(what, GOOD, f"{name}; nodes reach each other by a router")
+    if name == ALONE:
+        return Finding(what, PROBLEM, "its own alone: no others see its nodes", WHOLE)
+    if place.version == "2" and place.environment.get("ROS_STATIC_PEERS"):
+        text = "containers on it see its nodes, and peers on this machine that have its address in ROS_STATIC_PEERS"
+        return Finding(what, ADVICE, f"{name}: {text}", WHOLE)
+    text = "containers on it see its nodes; this machine and others do not"
+    return Finding(what, PROBLEM if name == "bridge" else ADVICE, f"{name}: {text}", WHOLE)
+
+
+# ---- ROS 2 -----------------------------------------------------------------------------------------------------------
+
+
+def ros_2(context: Context, place: Place, here: Place | None, installed: Sequence[str]) -> Iterator[Finding]:
+    """What ROS 2 depends on.
+
+    Args:
+        here: this machine; None where it has no ROS.
+    """
+    yield domain(place, here)
+    yield middleware(place, here, installed)
+    if place.middleware == "zenoh":
+        yield router(context, place)
+        return
+    yield discovery_range(context, place)
+    shared = memory(place)
+    if shared:
+        yield shared
+        yield from owner(place, here)
+        yield size(context, place)
+    if place.network == HOST and context.is_here and not (context.engine.rootless and not context.engine.podman):
+        if place.discovery_range in ("SUBNET", "SYSTEM_DEFAULT") and not place.environment.get("ROS_DISCOVERY_SERVER"):
+            yield multicast(context, place)
+        yield from buffers(context)
+
+
+def domain(place: Place, here: Place | None) -> Finding:
+    """The domain, which both sides must have."""
+    if not _is_domain(place.domain):
+        text = f"{place.domain!r}: no node starts"
+        return Finding("domain", PROBLEM, text, f"ROS_DOMAIN_ID is a number from 0 to {LARGEST_DOMAIN}")
+    if here and here.domain != place.domain:
+        remedy = f"-e ROS_DOMAIN_ID={here.domain}, or export ROS_DOMAIN_ID={place.domain}"
+        return Finding("domain", PROBLEM, f"{place.domain}, and {here.domain} in this shell", remedy)
+    return Finding("domain", GOOD, place.domain)
+
+
+def _is_domain(text: str) -> bool:
+    return text.isdecimal() and int(text) <= LARGEST_DOMAIN
+
+
+def middleware(place: Place, here: Place | None, installed: Sequence[str]) -> Finding:
+    """The RMW implementation, which the image must have, and both sides."""
+    rmw = place.rmw
+    if installed and rmw not in installed:
+        has = ", ".join(installed)
+        text = f"{rmw}, which the image lacks: no node starts"
+        return Finding("RMW", PROBLEM, text, f"-e RMW_IMPLEMENTATION=… with one that it has: {has}")
+    if here and here.middleware != place.middleware:
+        ours = f"export RMW_IMPLEMENTATION={rmw}"
+        theirs = "" if installed and here.rmw not in installed else f"-e RMW_IMPLEMENTATION={here.rmw}, or "
+        return Finding("RMW", PROBLEM, f"{rmw}, and {here.rmw} in this shell", theirs + ours)
+    return Finding("RMW", GOOD, rmw)
+
+
+def router(context: Context, place: Place) -> Finding:
+    """Zenoh's router, by which nodes find each other."""
+    override = "ZENOH_CONFIG_OVERRIDE='connect/endpoints=[\"tcp/ROBOT:7447\"]'"
+    if any(map(place.environment.get, ("ZENOH_CONFIG_OVERRIDE", "ZENOH_SESSION_CONFIG_URI"))):
+        return Finding("router", GOOD, "as Zenoh's settings say")
+    if place.network != HOST:
+        text = "nodes look for it on localhost, which is the container itself"
+        return Finding("router", PROBLEM, text, f"{WHOLE}, or -e {override}")
+    if context.is_here and not context.host.connects(("localhost", ROUTER)):
+        remedy = f"ros2 run rmw_zenoh_cpp rmw_zenohd, or -e {override}"
+        return Finding("router", PROBLEM, f"none answers on port {ROUTER}: no node finds another", remedy)
+    return Finding("router", GOOD, f"port {ROUTER}")
+
+
+def discovery_range(context: Context, place: Place) -> Finding:
+    """How far nodes look for others."""
+    what, found = "discovery range", place.discovery_range
+    local_only = place.environment.get("ROS_LOCALHOST_ONLY") == "1"
+    change = "-e ROS_LOCALHOST_ONLY=0" if local_only else "-e ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET"
+    if found not in RANGES:
+        return Finding(
+            what, PROBLEM, f"{found!r} is none", f"ROS_AUTOMATIC_DISCOVERY_RANGE is one of {', '.join(RANGES)}"
+        )
+    if found == "OFF":
+        return Finding(what, PROBLEM, "OFF: no node finds another", change)
+    if found != "LOCALHOST":
+        return Finding(what, GOOD, found)
+    if not place.joins_another:
+        return Finding(what, PROBLEM, "LOCALHOST, which is the container itself", f"{WHOLE}, or {change}")
+    if local_only and place.middleware == "cyclonedds" and not _flags(context, "lo") & MULTICAST:
+        text = "ROS_LOCALHOST_ONLY, and Cyclone DDS of older releases needs multicast on lo"
+        return Finding(what, ADVICE, text, "sudo ip link set lo multicast on")
+    return Finding(what, GOOD, "LOCALHOST: this machine alone")
+
+
+def memory(place: Place) -> Finding | None:
+    """Shared memory, by which Fast DDS hands data to nodes that it takes for those of its own machine; None where it does not."""
+    if not place.shares_memory:
+        return None
+    if not place.joins_another:
+        return Finding("shared memory", GOOD, "its own, as its network is")
+    if place.has_their_memory:
+        return Finding("shared memory", GOOD, f"--ipc {place.ipc}")
+    text = f"its own, with --network {place.network}: nodes find each other, and no data arrives"
+    return Finding("shared memory", PROBLEM, text, places.share(place.network))
+
+
+def owner(place: Place, here: Place | None) -> Iterator[Finding]:
+    """Who may open the shared memory."""
+    if place.ipc != HOST or place.network != HOST or not place.uid:
+        return
+    if here and here.uid != place.uid:
+        remedy = f"--user {here.uid}, or leave out --no-user; or without shared memory: {places.WITHOUT}"
+        yield Finding(
+            "user", PROBLEM, f"{place.uid}, and {here.uid} here: not both can open each other's memory", remedy
+        )
+        return
+    yield Finding("user", GOOD, place.uid)
+
+
+def size(context: Context, place: Place) -> Finding:
+    """How much fits into the shared memory."""
+    what = places.SHM
+    if (place.ipc == HOST and not context.is_here) or place.ipc.startswith("container:"):
+        return Finding(what, GOOD, f"that of {context.engine.machine if place.ipc == HOST else place.ipc}")
+    if place.ipc == HOST:
+        bytes_, remedy = _room(context), f"sudo mount -o remount,size=1g {places.SHM}"
+    else:
+        bytes_, remedy = _bytes(context.line.value("shm-size")), "--shm-size 1g"
+    if not bytes_:
+        return Finding(what, GOOD, "of unknown size")
+    text = f"{bytes_ // MIB} MiB"
+    if bytes_ > SMALL_MEMORY:
+        return Finding(what, GOOD, text)
+    return Finding(what, ADVICE, f"{text}: images and point clouds fill it, and so do PyTorch's workers", remedy)
+
+
+def _room(context: Context) -> int:
+    try:
+        found = os.statvfs(context.host.path(places.SHM))
+    except OSError:
+        return 0
+    return found.f_frsize * found.f_blocks
+
+
+def _bytes(text: str) -> int:
+    """How many bytes `--shm-size` says, such as 512m; 0 where that is unknown."""
+    if not text:
+        return SMALL_MEMORY
+    found = re.fullmatch(r"(\d+(?:\.\d+)?)\s*([bkmg]?)(?:i?b)?", text.lower())
+    return int(float(found[1]) * 1024 ** " kmg".index(found[2].replace("b", "") or " ")) if found else 0
+
+
+def multicast(context: Context, place: Place) -> Finding:
+    """Whether nodes can announce themselves to the network: to interfaces that lead there, and back to this machine."""
+    bad = ADVICE if place.environment.get("ROS_STATIC_PEERS") else PROBLEM
+    peers = "name the other machines: -e 'ROS_STATIC_PEERS=ADDRESS;ADDRESS'"
+    names = [name.rpartition("/")[2] for name in context.host.files("/sys/class/net")]
+    able = [x for x in names if _flags(context, x) & (UP | LOOPBACK | MULTICAST) == UP | MULTICAST]
+    leading = [x for x in able if not x.startswith(OF_ENGINES)]
+    if not leading:
+        text = "no network interface that leads out is up and has it"
+        return Finding("multicast", bad, text, f"sudo ip link set NAME up multicast on; or {peers}")
+    port = 7400 + 250 * (int(place.domain) if _is_domain(place.domain) else 0)
+    if not context.host.echoes(port):
+        text = f"a packet to 239.255.0.1, port {port}, does not come back"
+        route = f"sudo ip route add 239.0.0.0/8 dev {leading[0]}"
+        return Finding("multicast", bad, text, f"let the firewall pass UDP, or set a route: {route}; or {peers}")
+    return Finding("multicast", GOOD, f"on {', '.join(leading)}; this machine hears its own")
+
+
+def _flags(context: Context, interface: str) -> int:
+    found = context.host.text(f"/sys/class/net/{interface}/flags").strip()
+    return int(found, 16) if re.fullmatch("0x[0-9a-f]+", found) else 0
+
+
+def buffers(context: Context) -> Iterator[Finding]:
+    """The kernel's limits for large messages."""
+    limits = [context.host.text(place).strip() for place in (RECEIVED, FRAGMENTS, SECONDS)]
+    if not all(map(str.isdecimal, limits)):
+        return
+    received, fragments, seconds = map(int, limits)
+    text = f"net.core.rmem_max={received}"
+    if received < 4 * MIB:
+        remedy = "sudo sysctl -w net.core.rmem_max=2147483647"
+        yield Finding("receive buffer", ADVICE, f"{text}: parts of large messages are lost", remedy)
+    else:
+        yield Finding("receive buffer", GOOD, text)
+    text = f"net.ipv4.ipfrag_time={seconds} net.ipv4.ipfrag_high_thresh={fragments}"
+    if seconds > 3 and fragments < 128 * MIB:
+        late = "large messages stop for seconds where the network loses packets, as Wi-Fi does"
+        remedy = "sudo sysctl -w net.ipv4.ipfrag_time=3 net.ipv4.ipfrag_high_thresh=134217728"
+        yield Finding("fragments", ADVICE, f"{text}: {late}", remedy)
+    else:
+        yield Finding("fragments", GOOD, text)
+
+
+# ---- ROS 1 -----------------------------------------------------------------------------------------------------------
+
+
+def ros_1(context: Context, place: Place) -> Iterator[Finding]:
+    """What ROS 1 depends on: the master is reached, and nodes reach each other by the addresses that they name."""
+    written = place.environment.get("ROS_MASTER_URI") or "http://localhost:11311"
+    named = MASTER.fullmatch(written)
+    if not named:
+        remedy = "-e ROS_MASTER_URI=http://ROBOT:11311"
+        yield Finding("master", PROBLEM, f"{written!r} is no address of a master", remedy)
+        return
+    local = _is_local(named["machine"])
+    yield _master(context, place, written, local, (named["machine"], int(named["port"])))
+    if place.network == HOST and context.is_here:
+        yield _address(context, place, local)
+
+
+def _is_local(name: str) -> bool:
+    return name == "localhost" or name.startswith("127.")
+
+
+def _master(context: Context, place: Place, written: str, local: bool, address: tuple[str, int]) -> Finding:
+    if local and not place.joins_another:
+        remedy = f"{WHOLE}, or -e ROS_MASTER_URI=http://ROBOT:{address[1]}"
+        return Finding("master", PROBLEM, f"{written}, which is the container itself", remedy)
+    if not context.is_here or place.network.startswith("container:") or context.host.connects(address):
+        return Finding("master", GOOD, written)
+    if local:
+        return Finding("master", ADVICE, f"{written}, where nothing answers yet", "roscore starts it")
+    return Finding(
+        "master", PROBLEM, f"{written}, where nothing answers", f"look at the name, and at roscore on {address[0]}"
+    )
+
+
+def _address(context: Context, place: Place, local: bool) -> Finding:
+    what, remedy = "address", "-e ROS_IP=ADDRESS with one of this machine's that the others reach"
+    variable = next((x for x in ("ROS_HOSTNAME", "ROS_IP") if place.environment.get(x)), "")
+    if not variable:
+        text = f"{context.host.name}, by which others must find this machine"
+        return Finding(what, GOOD, "this machine's name") if local else Finding(what, ADVICE, text, remedy)
+    text = f"{variable}={place.environment[variable]}"
+    if _is_local(place.environment[variable]) and not local:
+        return Finding(what, PROBLEM, f"{text}, which other machines take for themselves", remedy)
+    if not context.host.owns(place.environment[variable]):
+        return Finding(what, PROBLEM, f"{text}, which is not this machine", remedy)
+    return Finding(what, GOOD, text)
+
+
+# ---- Other containers ------------------------------------------------------------------------------------------------
+
+
+def other(place: Place, it: Place) -> Finding:
+    """Whether the container and another one that runs reach each other."""
+    what = f"container {it.name}"
+    if it.version != place.version:
+        return Finding(what, ADVICE, f"it has ROS {it.version}", "only a bridge between ROS 1 and ROS 2 connects them")
+    apart = [*_apart(place, it)]
+    if apart:
+        texts, remedies = zip(*apart, strict=True)
+        return Finding(what, PROBLEM, "; ".join(texts), "; ".join(dict.fromkeys(remedies)))
+    return Finding(what, GOOD, "nothing is in the way")
+
+
+def _apart(place: Place, it: Place) -> Iterator[tuple[str, str]]:
+    """What keeps both apart, and what to do about it."""
+    if place.version == "1":
+        masters = [x.environment.get("ROS_MASTER_URI") or "http://localhost:11311" for x in (place, it)]
+        if masters[0] != masters[1]:
+            yield f"its master is {masters[1]}", f"-e ROS_MASTER_URI={masters[1]}"
+    else:
+        if place.domain != it.domain:
+            yield f"its domain is {it.domain}", f"-e ROS_DOMAIN_ID={it.domain}"
+        if place.middleware != it.middleware:
+            yield f"its RMW is {it.rmw}", f"-e RMW_IMPLEMENTATION={it.rmw}, if the image has it"
+    if place.middleware == "zenoh" and place.version == "2":
+        return
+    within = f"container:{it.name}"
+    if place.network not in (it.network, within) or place.network in (ALONE, "none"):
+        named = "" if it.network in (ALONE, "none", "bridge", HOST) else f"--network {it.network}, or "
+        yield f"its network is {it.network}", f"{named}{WHOLE} for both"
+    elif place.joins_another and place.shares_memory and it.shares_memory:
+        if place.ipc != within and not place.ipc == it.ipc == place.network:
+            lacks = "" if place.has_their_memory else WHOLE
+            remedy = f"{lacks or f'start it with {WHOLE}'}; or without shared memory: {places.WITHOUT}"
+            yield "it does not have the same shared memory", remedy
+        elif place.uid and it.uid and place.uid != it.uid:
+            yield f"its user is {it.uid}", f"--user {it.uid}; or without shared memory: {places.WITHOUT}"

@@ -1,0 +1,169 @@
+"""Places where nodes of ROS run: a container that would start, one that runs, and this machine. What each has decides whether
+their nodes find each other, and whether data arrives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from rosml.run import words
+from rosml.run.context import Container, Context
+
+HOST = "host"
+"""The network, or the shared memory, of the machine on which the engine runs."""
+
+ALONE = "private"
+"""A network that a container shares with no other."""
+
+SHM = "/dev/shm"
+"""The folder of shared memory."""
+
+ROS_1 = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
+"""Distributions of ROS 1; images of ours say ROS_VERSION as well."""
+
+WITHOUT_RANGE = ("dashing", "eloquent", "foxy", "galactic", "humble")
+"""Distributions of ROS 2 that know ROS_LOCALHOST_ONLY alone."""
+
+DEFAULT = "rmw_fastrtps_cpp"
+"""What ROS 2 takes where RMW_IMPLEMENTATION names nothing else; galactic alone took Cyclone DDS."""
+
+
+WITHOUT = "-e FASTDDS_BUILTIN_TRANSPORTS=UDPv4"
+"""Has Fast DDS do without shared memory."""
+
+
+def share(network: str) -> str:
+    """What to do where nodes on a network would hand over data in a memory that others on it do not have."""
+    return f"--ipc {network}; or without shared memory: {WITHOUT}"
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place where nodes run.
+
+    Attributes:
+        name: as messages have it.
+        environment: the variables there.
+        network, ipc: `host`, `container:…`, a name, or `private`.
+        uid: whom files in shared memory belong to, outside; empty where it is unknown.
+    """
+
+    name: str
+    environment: Mapping[str, str]
+    network: str = HOST
+    ipc: str = HOST
+    uid: str = ""
+
+    @property
+    def version(self) -> str:
+        """1 or 2; empty where there is no ROS."""
+        distribution = self.environment.get("ROS_DISTRO", "")
+        return self.environment.get("ROS_VERSION") or (distribution and ("1" if distribution in ROS_1 else "2"))
+
+    @property
+    def rmw(self) -> str:
+        """The RMW implementation of ROS 2."""
+        default = "rmw_cyclonedds_cpp" if self.environment.get("ROS_DISTRO") == "galactic" else DEFAULT
+        return self.environment.get("RMW_IMPLEMENTATION") or default
+
+    @property
+    def middleware(self) -> str:
+        """What the RMW implementation speaks, such as `fastrtps`: rmw_fastrtps_cpp and rmw_fastrtps_dynamic_cpp understand
+        each other."""
+        return self.rmw.removeprefix("rmw_").partition("_")[0]
+
+    @property
+    def domain(self) -> str:
+        """The domain of ROS 2."""
+        return self.environment.get("ROS_DOMAIN_ID") or "0"
+
+    @property
+    def discovery_range(self) -> str:
+        """How far nodes of ROS 2 look for others."""
+        if self.environment.get("ROS_LOCALHOST_ONLY") == "1":
+            return "LOCALHOST"
+        if self.environment.get("ROS_DISTRO") in WITHOUT_RANGE:
+            return "SUBNET"
+        return self.environment.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or "SUBNET"
+
+    @property
+    def shares_memory(self) -> bool:
+        """Whether nodes hand data to others on the same network by shared memory. Fast DDS does, unless it is set up
+        otherwise; what a file of settings says is unknown."""
+        told = self.environment.get("FASTDDS_BUILTIN_TRANSPORTS", "DEFAULT")
+        own = any(map(self.environment.get, ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE")))
+        return self.version == "2" and self.middleware == "fastrtps" and not own and not told.startswith("UDP")
+
+    @property
+    def joins_another(self) -> bool:
+        """Whether its network is the machine's, or another container's: Fast DDS takes nodes there for those of one machine."""
+        return self.network == HOST or self.network.startswith("container:")
+
+    @property
+    def has_their_memory(self) -> bool:
+        """Whether it has the shared memory of those whose network it has."""
+        return self.ipc == self.network
+
+
+def planned(context: Context, argv: Sequence[str]) -> Place:
+    """The container that an engine's command would start.
+
+    Args:
+        argv: `docker run …`.
+    """
+    line, engine = words.split(argv[2:], ()), context.engine
+    own = ALONE if engine.podman and engine.rootless else "bridge"
+    network = (line.values("network", "net") or [own])[-1]
+    mounted = any(SHM in mount for mount in line.values("volume", "mount"))
+    environment = {**context.image.environment, **_variables(context, line)}
+    user = environment.get("DOCKER_UID") or line.value("user").partition(":")[0]
+    uid = "" if engine.rootless else _number(user or ("0" if "DOCKER_UID" in environment else ""))
+    return Place("the container", environment, _named(network), HOST if mounted else line.value("ipc") or ALONE, uid)
+
+
+def running(container: Container, rootless: bool) -> Place:
+    """A container that runs.
+
+    Args:
+        rootless: the engine runs without root's rights.
+    """
+    ipc = HOST if SHM in container.mounts else container.ipc
+    user = container.environment.get("DOCKER_UID") or container.user.partition(":")[0] or "0"
+    return Place(
+        container.name, container.environment, _named(container.network), ipc, "" if rootless else _number(user)
+    )
+
+
+def machine(context: Context) -> Place | None:
+    """This machine; None where it has no ROS, or where containers run on another one."""
+    host = context.host
+    installed = [place.rpartition("/")[2] for place in host.files("/opt/ros")]
+    if not context.is_here or not (installed or host.environment.get("ROS_DISTRO")):
+        return None
+    distribution = {"ROS_DISTRO": installed[-1]} if installed else {}
+    return Place("this machine", {**distribution, **host.environment}, uid=str(context.person.uid))
+
+
+def _number(user: str) -> str:
+    """A user's id; empty for a name, which stands for another one outside."""
+    return user if user.isdecimal() else ""
+
+
+def _named(network: str) -> str:
+    """A network; docker calls the usual one by two names."""
+    network = network.removeprefix("name=").partition(",")[0]
+    if network.startswith(("pasta", "slirp4netns")) or network == ALONE:
+        return ALONE
+    return "bridge" if network in ("default", "") or network.startswith("bridge:") else network
+
+
+def _variables(context: Context, line: words.Line) -> dict[str, str]:
+    """The variables that a command sets; those of a file count less. One without a value is the caller's."""
+    outer, found = context.host.environment, dict[str, str]()
+    files = [context.host.text(f"{context.person.folder}/{x}" if x[:1] != "/" else x) for x in line.values("env-file")]
+    entries = [entry for text in files for entry in text.splitlines() if not entry.startswith("#")]
+    for entry in [*entries, *line.values("env")]:
+        name, equals, value = entry.partition("=")
+        if equals or name in outer:
+            found[name] = value if equals else outer[name]
+    return found

@@ -1,0 +1,76 @@
+"""ROS in a container: the settings of this machine's ROS, and a network in which nodes reach those elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from rosml.base.errors import RosmlError
+from rosml.run import places
+from rosml.run.context import Context
+from rosml.run.plugin import Added, Plugin
+from rosml.run.sockets import NETWORK, WHOLE_NETWORK, no_network
+
+ANYWHERE = {"1": ("ROS_MASTER_URI",), "2": ("ROS_DOMAIN_ID", "ROS_STATIC_PEERS")}
+"""What is passed to every container with this version of ROS."""
+
+ON_THE_NETWORK = {
+    "1": ("ROS_IP", "ROS_HOSTNAME"),
+    "2": ("ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_LOCALHOST_ONLY", "ROS_DISCOVERY_SERVER"),
+}
+"""What names addresses of this machine, or the machine itself: elsewhere the container would take itself for it."""
+
+ON_REQUEST = ("RMW_IMPLEMENTATION",)
+"""What the image may lack, so that no node starts. It is passed where somebody asks for a network for ROS."""
+
+
+def ros(context: Context) -> Added:
+    """What makes ROS in the container one with that of this machine.
+
+    Raises:
+        RosmlError: somebody asks for this machine's network, and the container cannot have it.
+    """
+    line = context.line
+    words = _network(context) if line.asks(WHOLE_NETWORK) else []
+    written = [word for given in line.engine for word in given.words]
+    planned = places.planned(context, [context.engine.program, "run", *words, *written, line.image])
+    if not line.asks("no-ros"):
+        words += [word for name, value in _settings(context, planned).items() for word in ("-e", f"{name}={value}")]
+    if planned.shares_memory and planned.joins_another and not planned.has_their_memory:
+        text = f"--network {planned.network} without its shared memory: nodes find each other, and no data arrives"
+        return Added(words, notes=[(text, places.share(planned.network))])
+    return Added(words)
+
+
+def _network(context: Context) -> list[str]:
+    """This machine's network and shared memory, of which somebody may have written one.
+
+    Raises:
+        RosmlError: the container cannot have the network.
+    """
+    line = context.line
+    if reason := no_network(context):
+        remedy = "--network host --ipc host reaches containers of the same docker"
+        if not context.engine.rootless or context.engine.podman:
+            remedy = "leave out one of them; on this machine's network, no port needs -p"
+        raise RosmlError(f"--{WHOLE_NETWORK}: {reason}", remedy, exit_code=2)
+    network = [] if line.has(*NETWORK) else ["--network", "host"]
+    return [*network, *([] if line.has("ipc") else ["--ipc", "host"])]
+
+
+def _settings(context: Context, planned: places.Place) -> Mapping[str, str]:
+    """The variables that are passed: those of the image's version of ROS, if they are set here."""
+    version, here = planned.version, context.is_here and planned.network == places.HOST
+    names: Sequence[str] = (*ANYWHERE.get(version, ()), *(ON_THE_NETWORK.get(version, ()) if here else ()))
+    if version == "2" and context.line.asks(WHOLE_NETWORK):
+        names = (*names, *ON_REQUEST)
+    return {name: value for name in names if (value := context.host.environment.get(name))}
+
+
+PLUGIN = Plugin(
+    "ros",
+    ros,
+    {
+        "no-ros": "not your settings of ROS, such as ROS_DOMAIN_ID",
+        WHOLE_NETWORK: "this machine's network and shared memory: nodes reach those of other containers and machines",
+    },
+)
