@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Finds out which packages the manifests in /run/manifests need, and writes them into a folder, as identify.py says.
 #   SKIP_KEYS    keys of rosdep that are left out, separated by spaces
+#   MANIFESTS    `changed` where the packages that are to be left out are gone already
 #   ROSDEP_DAY   the day on which rosdep's index was asked last; with another one the step runs again
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -13,4 +14,6 @@ if ! python3 -c 'import catkin_pkg, rosdep2' 2>/dev/null; then
 fi
 work=$(mktemp -d)
 trap 'rm -rf "$work" "$APT_CONFIG" "$APT_CONFIG.sources"' EXIT
-"$here/identify.py" /run/manifests /run/requests/blacklist /run/rosdep "$work" "$1"
+left_out=/run/requests/blacklist
+if [[ ${MANIFESTS:-} == changed ]]; then left_out=/dev/null; fi
+"$here/identify.py" /run/manifests "$left_out" /run/rosdep "$work" "$1"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import secrets
 import shutil
 import subprocess
 import sys
@@ -27,7 +28,7 @@ PACKAGE = """<package format="2"><name>{0}</name><version>1.0.0</version><descri
 <buildtool_depend>catkin</buildtool_depend>{1}</package>
 """
 CMAKE = """cmake_minimum_required(VERSION 3.16)
-project({0} NONE)
+project({0} C)
 find_package(catkin REQUIRED)
 catkin_package()
 file(WRITE ${{CMAKE_CURRENT_BINARY_DIR}}/said "${{GREETING}}\\n")
@@ -110,7 +111,7 @@ COPY --from=dev /tini /
     assert (again["run"]["digest"], ran(services, name)) == (found["run"]["digest"], set()), "nothing runs twice"
 
     source = folder / "src/compass/src/compass.cpp"
-    source.write_text(source.read_text().replace('"west"', '"WEST"'))
+    source.write_text(source.read_text().replace('"west"', f'"{secrets.token_hex()}"'))  # as never before
     outcome = containerize(folder, *options)
     assert outcome.code == 1
     assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "no apt, and no identification"

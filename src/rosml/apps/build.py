@@ -16,6 +16,7 @@ from typing import Any
 from rosml import ROOT
 from rosml.apps import base as bases
 from rosml.apps import junit, sources, workspace
+from rosml.apps.git import Access
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.units import duration
@@ -154,7 +155,7 @@ class App:
 
     def _import(self, out: Path) -> list[Any]:
         values = self._values
-        access = sources.Access(
+        access = Access(
             https_server=values["git-https-server"],
             https_user=values["git-https-user"],
             https_password=values["git-https-password"],

@@ -1,0 +1,43 @@
+"""The tables of inputs in docs/containerize.md, rendered from the table in inputs.py between markers."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from rosml.apps import inputs
+from rosml.base.errors import RosmlError
+
+_BY = "written by scripts/generate_bake.py"
+
+
+def render(page: str) -> str:
+    """The page with both tables as they are now.
+
+    Raises:
+        RosmlError: markers are missing.
+    """
+    for name, lines in (("inputs", _inputs()), ("gone", _gone())):
+        begin, end = f"<!-- {name}: {_BY} -->\n", f"<!-- /{name} -->"
+        pattern = re.compile(f"{re.escape(begin)}.*{re.escape(end)}", re.DOTALL)
+        if not pattern.search(page):
+            raise RosmlError(
+                f"docs/containerize.md: the markers {begin.strip()} and {end} are missing", "put them back"
+            )
+        head, tail = pattern.split(page, maxsplit=1)
+        page = "".join((head, begin, *(f"{line}\n" for line in lines), end, tail))
+    return page
+
+
+def _inputs() -> Iterator[str]:
+    yield "| input | what it says | if you say nothing |"
+    yield "| --- | --- | --- |"
+    for item in inputs.TABLE:
+        if not item.gone:
+            yield f"| `{item.name}` | {item.help} | {f'`{item.default}`' if item.default else ''} |"
+
+
+def _gone() -> Iterator[str]:
+    yield "| variable | why |"
+    yield "| --- | --- |"
+    yield from (f"| `{item.variable}` | {item.gone} |" for item in inputs.TABLE if item.gone)
