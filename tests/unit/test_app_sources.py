@@ -153,7 +153,7 @@ def test_one_file_alone(place: Place) -> None:
     assert place.fetch(recursive=False) == [] and listing(place.out) == {}
     place.put(repos(a=(place.root / "a", "main")))
     assert [item.path for item in place.fetch(recursive=False)] == ["a"]
-    assert "nowhere.repos: no such file" in place.refused(recursive=False, file="nowhere.repos").message
+    assert "nowhere.repos: no file below" in place.refused(recursive=False, file="nowhere.repos").message
 
 
 def test_what_versions_mean(place: Place) -> None:
@@ -215,13 +215,13 @@ def test_two_files_that_contradict_each_other(place: Place) -> None:
         ("repositories: {../x: {type: git, url: 'https://h/x'}}", "leads out of the folder"),
         ("repositories: {/x: {type: git, url: 'https://h/x'}}", "leads out of the folder"),
         ("repositories: {a/.git/x: {type: git, url: 'https://h/x'}}", "a name that git uses itself"),
-        ("repositories: {x: {type: git, url: '--upload-pack=touch x'}}", "the url is none"),
-        ("repositories: {x: {type: git, url: 'ext::sh -c x'}}", "the url is none"),
+        ("repositories: {x: {type: git, url: '--upload-pack=touch x'}}", "the url is not valid"),
+        ("repositories: {x: {type: git, url: 'ext::sh -c x'}}", "starts a program"),
         ("repositories: {x: {type: git, url: 'ext::x'}}", "starts a program"),
         ("repositories: {x: {type: git, url: 'fd://3/x'}}", "not allowed"),
         ("repositories: {x: {type: git, url: 'ssh://-oProxyCommand=x/y'}}", "no host"),
-        ("repositories: {x: {type: git, url: '-oProxyCommand=x:y'}}", "the url is none"),
-        ("repositories: {x: {type: git, url: 'a/b'}}", "the url is none"),
+        ("repositories: {x: {type: git, url: '-oProxyCommand=x:y'}}", "the url is not valid"),
+        ("repositories: {x: {type: git, url: 'a/b'}}", "the url is not valid"),
         (f"repositories: {{x: {{type: git, url: 'https://u:{SECRET}@h/x'}}}}", "holds a password"),
         ("repositories: {x: {type: git, url: 'https://h/x', version: --x}}", "is no version"),
         ("repositories: {x: {type: hg, url: 'https://h/x'}}", "the type is hg; only git works"),
@@ -303,6 +303,76 @@ def test_two_calls_at_once(place: Place) -> None:
     for thread in threads:
         thread.join()
     assert len(listing(place.root / "out0")) == 2010 and listing(place.root / "out0") == listing(place.root / "out1")
+
+
+def test_a_server_that_gives_no_single_commits(place: Place) -> None:
+    a = place.root / "a"
+    first = commit(a, {"f": "1"})
+    second = commit(a, {"f": "2"})
+    trace(place, "[protocol]\n\tversion = 0\n")  # the old one, in which a server gives the tips of branches alone
+    place.put(repos(p1=(a, first), p2=(a, "main"), p3=(a, first[:10])))
+    assert [item.commit for item in place.fetch()] == [first, second, first]
+    assert [(place.out / f"p{i}/f").read_text() for i in (1, 2, 3)] == ["1", "2", "1"]
+
+
+def test_the_users_configuration_opens_repositories_and_changes_no_file(
+    place: Place, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    a = place.root / "a"
+    commit(a, {"f": "1\n", "x.dat": "1", ".gitattributes": "*.dat filter=touch\n"})
+    place.put(repos(a=("https://git.test/a", "main")))
+    hooks = place.root / "hooks"
+    hooks.mkdir()
+    for name in ("post-checkout", "reference-transaction", "post-index-change"):
+        (hooks / name).write_text(f"#!/bin/sh\ntouch {place.root}/hooked\n")
+        (hooks / name).chmod(0o755)
+    trace(
+        place,
+        f'[url "file://{place.root}/"]\n\tinsteadOf = https://git.test/\n'
+        f"[core]\n\tautocrlf = true\n\thooksPath = {hooks}\n\tfsmonitor = {hooks}/post-checkout\n",
+    )
+    monkeypatch.setenv("GIT_DIR", str(place.root / "elsewhere"))
+    monkeypatch.setenv("GIT_INDEX_FILE", str(place.root / "elsewhere"))
+    place.fetch()
+    assert (place.out / "a/f").read_bytes() == b"1\n"
+    assert not (place.root / "hooked").exists() and not (place.root / "elsewhere").exists()
+
+
+def test_a_call_that_is_killed_is_finished_by_the_next(place: Place) -> None:
+    """It is killed before each of its calls of git, and before it writes down what is there."""
+    a = place.root / "a"
+    commit(place.root / "sub", {"s": "1"})
+    commit(a, {"f": "1", "g/x.repos": repos(b=(place.root / "sub", "main"))})
+    git(a, "submodule", "add", "--quiet", "../sub", "sub")
+    commit(a, {})
+    place.put(repos(a=(a, "main")))
+    place.fetch()
+    whole = listing(place.out)
+    programs = place.root / "programs"
+    programs.mkdir()
+    (programs / "git").write_text(
+        f"#!/bin/sh\necho >>{place.root}/calls\n"
+        f'test "$(wc -l <{place.root}/calls)" != "$LAST" || {{ kill -9 $PPID; exit 1; }}\n'
+        f'exec {shutil.which("git")} "$@"\n'
+    )
+    (programs / "git").chmod(0o755)
+    code = (
+        "import sys; from pathlib import Path; from rosml.apps.sources import Access, fetch;"
+        "fetch(*map(Path, sys.argv[1:]), Access())"
+    )
+    command = [sys.executable, "-c", code, str(place.target), str(place.out), str(place.cache)]
+    path = os.pathsep.join(str(folder) for folder in sys.path)
+    ended: list[int] = []
+    while not ended or ended[-1]:
+        shutil.rmtree(place.out)
+        shutil.rmtree(place.cache)
+        (place.root / "calls").unlink(missing_ok=True)
+        environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "PYTHONPATH": path}
+        done = subprocess.run(command, env={**environment, "LAST": str(len(ended) + 2)}, check=False)
+        ended.append(done.returncode)
+        place.fetch()
+        assert listing(place.out) == whole, ended
+    assert len(ended) > 10 and set(ended[:-1]) == {-9}
 
 
 # ---- Submodules and LFS ------------------------------------------------------------------------------------------------
@@ -512,7 +582,10 @@ def test_a_private_repository_by_https(place: Place, monkeypatch: pytest.MonkeyP
             asked.clear()
             error = place.refused(wrong)
             assert "cannot be read: could not read Username" in error.message and set(asked) == {""}
-            assert error.remedy == "check the URL; if it is private, set GIT_HTTPS_SERVER and GIT_HTTPS_PASSWORD"
+            assert (
+                error.remedy
+                == "check the URL; if the repository is private, check GIT_HTTPS_SERVER, GIT_HTTPS_USER and GIT_HTTPS_PASSWORD too"
+            )
         error = place.refused(replace(access, https_user="nobody"))
         assert "Authentication failed" in error.message
         no_secret(place)
@@ -602,6 +675,17 @@ def test_without_a_key_ssh_is_the_users_own(place: Place, ssh: Path) -> None:
     trace(place, "[core]\n\tsshCommand = echo mine >&2; false\n")
     shutil.rmtree(place.cache)
     assert "cannot be read: mine" in place.refused().message
+
+
+def test_ctrl_c_leaves_no_key(place: Place, ssh: Path) -> None:
+    program = place.root / "programs/ssh"
+    program.write_text(program.read_text().replace("assert words[-2]", f"os.kill({os.getpid()}, 2); assert words[-2]"))
+    commit(place.root / "a", {"f": "1"})
+    place.put(repos(a=(f"git@git.test:{place.root}/a", "main")))
+    with pytest.raises(KeyboardInterrupt):
+        place.fetch(Access(ssh_key=KEY, ssh_known_hosts=HOSTS))
+    (name,) = ssh.read_text().split()
+    assert not Path(name).parent.exists()
 
 
 def test_ssh_says_what_is_wrong(place: Place, ssh: Path) -> None:

@@ -9,6 +9,7 @@ import contextlib
 import os
 import re
 import shlex
+import signal
 import subprocess
 import tempfile
 import threading
@@ -110,6 +111,9 @@ _DROPPED = re.compile(
 )
 """Variables that name another repository, change what git prints, or hold a secret that git does not need."""
 
+_STOPPING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
+"""Signals that people send: a repository that git leaves then is not damaged."""
+
 _HELPER = (
     '!f() { test "$1" != get || printf "username=%s\\npassword=%s\\n" "$ROSML_GIT_USER" "$ROSML_GIT_PASSWORD"; }; f'
 )
@@ -126,6 +130,7 @@ class Git:
         self._hidden = hidden
         self._running: set[subprocess.Popen[bytes]] = set()
         self._guard = threading.Lock()
+        self._stopped = False
 
     @property
     def path(self) -> str:
@@ -142,7 +147,7 @@ class Git:
         """What git prints.
 
         Raises:
-            Failed: it did not succeed. RosmlError: it is not installed.
+            Failed: it did not succeed. RosmlError: it is not installed, or somebody stopped it.
         """
         options = [word for name, value in (*self._settings, *settings) for word in ("-c", f"{name}={value}")]
         try:
@@ -159,18 +164,23 @@ class Git:
             raise RosmlError("git is not installed", "install it: apt-get install git") from None
         with self._guard:
             self._running.add(process)
+            if self._stopped:
+                process.terminate()
         try:
             out, err = process.communicate(given)
         finally:
             with self._guard:
                 self._running.discard(process)
+        if process.returncode and (self._stopped or -process.returncode in _STOPPING):
+            raise RosmlError("git was stopped", "run it again")
         if process.returncode:
             raise Failed(self._shown(err.decode(errors="replace")) or f"exit code {process.returncode}")
         return out.decode(errors="surrogateescape")
 
     def stop(self) -> None:
-        """Ends what other threads run."""
+        """Ends what other threads run, and what they will run."""
         with self._guard:
+            self._stopped = True
             for process in self._running:
                 process.terminate()
 

@@ -103,8 +103,8 @@ class Store:
             except Failed as error:  # the server gives no single commits
                 if error.disk_is_full:
                     raise
-            else:
-                return self._known(kept, ref)
+            if commit := self._known(kept, ref):
+                return commit
         self._fetch_all(kept, url, version)
         commit = self._known(kept, version.commit)
         if not commit:
@@ -146,7 +146,8 @@ class Store:
                 try:
                     git("read-tree", "--reset", "-u", commit, settings=[*LFS, ("remote.origin.url", url)])
                 except Failed as error:
-                    raise _Unreachable(error.said) from None
+                    text = f"git-lfs did not get its files: {error.reason}"
+                    raise RosmlError(text, "check whether the LFS server has them, and lets you read them") from None
             listed = git("ls-files", "--stage", "-z").split("\0")
             links = dict(_link(line) for line in listed if line.startswith("160000 "))
             return self._submodules(git, commit, links) if links else []
