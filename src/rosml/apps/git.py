@@ -80,6 +80,8 @@ SETTINGS = {
     "core.symlinks": "true",
     "core.attributesFile": os.devnull,
     "core.sparseCheckout": "false",
+    "core.splitIndex": "false",
+    "init.defaultObjectFormat": "sha1",
     "filter.lfs.clean": "",
     "filter.lfs.smudge": "",
     "filter.lfs.process": "",
@@ -107,7 +109,7 @@ LFS: tuple[Setting, ...] = (
 _DROPPED = re.compile(
     r"GIT_(TRACE.*|CURL_VERBOSE|DIR|WORK_TREE|INDEX_FILE|OBJECT_DIRECTORY|ALTERNATE_OBJECT_DIRECTORIES|COMMON_DIR"
     r"|NAMESPACE|PREFIX|SHALLOW_FILE|GRAFT_FILE|REPLACE_REF_BASE|QUARANTINE_PATH|(NO)?GLOB_PATHSPECS|ICASE_PATHSPECS"
-    r"|LFS_SKIP_SMUDGE|HTTPS_PASSWORD|SSH_PRIVATE_KEY)"
+    r"|DEFAULT_HASH|LFS_SKIP_SMUDGE|HTTPS_PASSWORD|SSH_PRIVATE_KEY)"
 )
 """Variables that name another repository, change what git prints, or hold a secret that git does not need."""
 

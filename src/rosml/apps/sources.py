@@ -76,7 +76,8 @@ def fetch(
         The repositories, sorted by path.
 
     Raises:
-        RosmlError: a repository cannot be had, with the file that names it; or a file is wrong (exit code 2).
+        RosmlError: a repository cannot be had, with the file that names it; or a file is wrong, or `out` has something
+            else in it (exit code 2).
         OSError: a folder cannot be written.
     """
     cache.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -141,7 +142,7 @@ def _new(entries: Iterable[Entry], known: dict[str, Entry]) -> list[Entry]:
                 "give it the same url and version in both files, or another path",
                 exit_code=2,
             )
-    for path in sorted(new):
+    for path in sorted(known):
         for above in map(str, PurePosixPath(path).parents):
             if above in known:
                 raise RosmlError(

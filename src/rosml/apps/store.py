@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Lock
 from typing import TypeVar
 
 from rosml.apps import urls
@@ -47,6 +48,7 @@ class Store:
         self._git = git
         self._folder = folder
         self._say = say
+        self._turns: dict[str, Lock] = {}  # of this process' threads, by URL
 
     def commit(self, url: str, version: Version) -> str:
         """The whole hash of a version.
@@ -73,7 +75,8 @@ class Store:
     def _with(self, url: str, work: Callable[[Path], T]) -> T:
         """Works with the repository of a URL; where git fails, once more with a new one."""
         kept = self._folder / f"{hashlib.sha256(url.encode()).hexdigest()[:32]}.git"
-        with turn(kept.with_suffix(".lock"), lambda: self._say(f"waiting for another process, which fetches {url}")):
+        waiting = f"waiting for another process, which fetches {url}"
+        with self._turns.setdefault(url, Lock()), turn(kept.with_suffix(".lock"), lambda: self._say(waiting)):
             try:
                 return work(kept)
             except _Unreachable:
