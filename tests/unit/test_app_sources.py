@@ -265,6 +265,11 @@ def test_the_second_call_transfers_little_and_writes_nothing(place: Place) -> No
     assert [item.commit for item in place.fetch()] == [first, second]
     assert (place.out / "a").stat() == before and (place.out / "b/f").read_text() == "2"
     assert sorted(item.name for item in place.out.iterdir()) == ["a", "b"]
+    assert all((kept / "shallow").exists() for kept in place.cache.glob("*.git"))
+    shutil.rmtree(place.out)
+    place.put(repos(a=(a, first)))
+    place.fetch()
+    assert (place.out / "a/f").read_text() == "1"
 
 
 def test_a_folder_with_something_else_stays_as_it_is(place: Place) -> None:
@@ -415,11 +420,15 @@ def test_a_submodule_without_a_url(place: Place) -> None:
     a = place.root / "a"
     commit(a, {"f": "1"})
     git(a, "update-index", "--add", "--cacheinfo", f"160000,{'1' * 40},lost")
+    git(a, "update-index", "--add", "--cacheinfo", f"160000,{'1' * 40},off")
+    (a / ".gitmodules").write_text('[submodule "off"]\n\tpath = off\n\turl = ../off\n\tupdate = none\n')
+    git(a, "add", ".gitmodules")
     git(a, "commit", "--quiet", "-m", "a")
     place.put(repos(a=(a, "main")))
     place.fetch()
-    assert list((place.out / "a/lost").iterdir()) == []
-    assert [text for text in place.said if "the submodule lost has no URL" in text]
+    for name in ("lost", "off"):
+        assert list((place.out / "a" / name).iterdir()) == []
+        assert [text for text in place.said if f"the submodule {name} has no URL" in text]
 
 
 POINTER = f"version https://git-lfs.github.com/spec/v1\noid sha256:{'1' * 64}\nsize 3\n"
@@ -469,6 +478,24 @@ def only_git(place: Place, monkeypatch: pytest.MonkeyPatch) -> Path:
         (programs / name).symlink_to(str(shutil.which(name)))
     monkeypatch.setenv("PATH", str(programs))
     return programs
+
+
+@pytest.mark.parametrize(
+    ("call", "said"), [("fetch", "write error: No space left on device"), ("read-tree", "unable to write file f")]
+)
+def test_a_full_disk(place: Place, monkeypatch: pytest.MonkeyPatch, call: str, said: str) -> None:
+    commit(place.root / "a", {"f": "1"})
+    place.put(repos(a=(place.root / "a", "main")))
+    real = shutil.which("git")
+    program = only_git(place, monkeypatch) / "git"
+    program.unlink()
+    program.write_text(
+        f'#!/bin/sh\ncase " $* " in *" {call} "*) echo "fatal: {said}" >&2; exit 1;; esac\nexec {real} "$@"\n'
+    )
+    program.chmod(0o755)
+    error = place.refused()
+    assert error.message.endswith(f"cannot be written: {said}") and "free some disk space" in error.remedy
+    assert list(place.cache.glob("*.git")) and not list(place.out.iterdir())
 
 
 def test_without_git(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -640,7 +667,7 @@ if "UserKnownHostsFile" in options:
                  "Host key verification failed.")
 with open(os.environ["HOME"] + "/ssh", "a") as log:
     log.write(f"{{key}}\\n")
-if key and (open(key).read() != {KEY!r} or stat.S_IMODE(os.stat(key).st_mode) != 0o600):
+if key and (open(key, 'rb').read() != {KEY.encode()!r} or stat.S_IMODE(os.stat(key).st_mode) != 0o600):
     sys.exit("git@git.test: Permission denied (publickey).")
 assert words[-2] == "git@git.test"
 os.execvp("sh", ["sh", "-c", words[-1]])

@@ -68,8 +68,9 @@ class Failed(Exception):
         return re.sub(r"^(fatal|error|remote): ", "", (telling or lines or [""])[-1])
 
     @property
-    def disk_is_full(self) -> bool:
-        return any(text in self.said for text in ("No space left on device", "Disk quota exceeded"))
+    def could_not_write(self) -> bool:
+        """Whether the disk is full, or git could not write for another reason, of which it often says nothing."""
+        return any(text in self.said for text in ("No space left on device", "Disk quota exceeded", "unable to write"))
 
 
 SETTINGS = {

@@ -186,8 +186,8 @@ def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, say: Say) -> Reposi
 
 def _told(head: str, url: str, error: Failed) -> RosmlError:
     """What git's failure means, and what to do about it."""
-    if error.disk_is_full:
-        return RosmlError(f"{head}: the disk is full", "free some disk space, then run it again")
+    if error.could_not_write:
+        return RosmlError(f"{head}: cannot be written: {error.reason}", "free some disk space, then run it again")
     host = urls.host(url)
     if any(text in error.said for text in ("Host key verification failed", "host key is known", "IDENTIFICATION HAS")):
         text = f"{head}: the host key of {host} is unknown, or is another one"

@@ -82,7 +82,7 @@ class Store:
             except _Unreachable:
                 raise
             except Failed as error:
-                if error.disk_is_full:
+                if error.could_not_write:
                     raise
             _discard(kept)
             return work(kept)
@@ -104,7 +104,7 @@ class Store:
             try:
                 self._git(git_dir, "fetch", "--quiet", "--depth=1", "--no-tags", "--", url, f"+{version.commit}:{ref}")
             except Failed as error:  # the server gives no single commits
-                if error.disk_is_full:
+                if error.could_not_write:
                     raise
             if commit := self._known(kept, ref):
                 return commit
