@@ -153,7 +153,7 @@ def test_one_file_alone(place: Place) -> None:
     assert place.fetch(recursive=False) == [] and listing(place.out) == {}
     place.put(repos(a=(place.root / "a", "main")))
     assert [item.path for item in place.fetch(recursive=False)] == ["a"]
-    assert "nowhere.repos: no such file" in place.refused(recursive=False, file="nowhere.repos").message
+    assert "nowhere.repos: no file below" in place.refused(recursive=False, file="nowhere.repos").message
 
 
 def test_what_versions_mean(place: Place) -> None:
@@ -205,8 +205,10 @@ def test_two_files_that_contradict_each_other(place: Place) -> None:
     place.put(repos(a=(a, "v2")), "2.repos")
     error = place.refused()
     assert f"1.repos:1: main of {a}" in error.message and f"2.repos:1: v2 of {a}" in error.message
-    place.put(repos(**{"a/b": (a, "main")}), "2.repos")
-    assert "a/b lies within a, which 1.repos:1 names" in place.refused().message
+    for first, second in (("a", "a/b"), ("a/b", "a")):
+        place.put(repos(**{first: (a, "main")}), "1.repos")
+        place.put(repos(**{second: (a, "main")}), "2.repos")
+        assert "a/b lies within a, which " in place.refused().message
 
 
 @pytest.mark.parametrize(
@@ -215,13 +217,13 @@ def test_two_files_that_contradict_each_other(place: Place) -> None:
         ("repositories: {../x: {type: git, url: 'https://h/x'}}", "leads out of the folder"),
         ("repositories: {/x: {type: git, url: 'https://h/x'}}", "leads out of the folder"),
         ("repositories: {a/.git/x: {type: git, url: 'https://h/x'}}", "a name that git uses itself"),
-        ("repositories: {x: {type: git, url: '--upload-pack=touch x'}}", "the url is none"),
-        ("repositories: {x: {type: git, url: 'ext::sh -c x'}}", "the url is none"),
+        ("repositories: {x: {type: git, url: '--upload-pack=touch x'}}", "the url is not valid"),
+        ("repositories: {x: {type: git, url: 'ext::sh -c x'}}", "starts a program"),
         ("repositories: {x: {type: git, url: 'ext::x'}}", "starts a program"),
         ("repositories: {x: {type: git, url: 'fd://3/x'}}", "not allowed"),
         ("repositories: {x: {type: git, url: 'ssh://-oProxyCommand=x/y'}}", "no host"),
-        ("repositories: {x: {type: git, url: '-oProxyCommand=x:y'}}", "the url is none"),
-        ("repositories: {x: {type: git, url: 'a/b'}}", "the url is none"),
+        ("repositories: {x: {type: git, url: '-oProxyCommand=x:y'}}", "the url is not valid"),
+        ("repositories: {x: {type: git, url: 'a/b'}}", "the url is not valid"),
         (f"repositories: {{x: {{type: git, url: 'https://u:{SECRET}@h/x'}}}}", "holds a password"),
         ("repositories: {x: {type: git, url: 'https://h/x', version: --x}}", "is no version"),
         ("repositories: {x: {type: hg, url: 'https://h/x'}}", "the type is hg; only git works"),
@@ -263,6 +265,17 @@ def test_the_second_call_transfers_little_and_writes_nothing(place: Place) -> No
     assert [item.commit for item in place.fetch()] == [first, second]
     assert (place.out / "a").stat() == before and (place.out / "b/f").read_text() == "2"
     assert sorted(item.name for item in place.out.iterdir()) == ["a", "b"]
+    assert all((kept / "shallow").exists() for kept in place.cache.glob("*.git"))
+    shutil.rmtree(place.out)
+    place.put(repos(a=(a, first)))
+    place.fetch()
+    assert (place.out / "a/f").read_text() == "1"
+
+
+def test_a_folder_with_something_else_stays_as_it_is(place: Place) -> None:
+    place.out.mkdir()
+    (place.out / "mine").touch()
+    assert place.refused().remedy == "name an empty folder" and (place.out / "mine").exists()
 
 
 @pytest.mark.parametrize("damage", ["no objects", "half of each object", "a lock", "a file"])
@@ -305,6 +318,77 @@ def test_two_calls_at_once(place: Place) -> None:
     assert len(listing(place.root / "out0")) == 2010 and listing(place.root / "out0") == listing(place.root / "out1")
 
 
+def test_a_server_that_gives_no_single_commits(place: Place) -> None:
+    a = place.root / "a"
+    first = commit(a, {"f": "1"})
+    second = commit(a, {"f": "2"})
+    trace(place, "[protocol]\n\tversion = 0\n")  # the old one, in which a server gives the tips of branches alone
+    place.put(repos(p1=(a, first), p2=(a, "main"), p3=(a, first[:10])))
+    assert [item.commit for item in place.fetch()] == [first, second, first]
+    assert [(place.out / f"p{i}/f").read_text() for i in (1, 2, 3)] == ["1", "2", "1"]
+
+
+def test_the_users_configuration_opens_repositories_and_changes_no_file(
+    place: Place, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    a = place.root / "a"
+    commit(a, {"f": "1\n", "x.dat": "1", ".gitattributes": "*.dat filter=touch\n"})
+    place.put(repos(a=("https://git.test/a", "main")))
+    hooks = place.root / "hooks"
+    hooks.mkdir()
+    for name in ("post-checkout", "reference-transaction", "post-index-change"):
+        (hooks / name).write_text(f"#!/bin/sh\ntouch {place.root}/hooked\n")
+        (hooks / name).chmod(0o755)
+    trace(
+        place,
+        f'[url "file://{place.root}/"]\n\tinsteadOf = https://git.test/\n'
+        f"[core]\n\tautocrlf = true\n\thooksPath = {hooks}\n\tfsmonitor = {hooks}/post-checkout\n",
+    )
+    git(a, "config", "url./nowhere/.insteadOf", "https://git.test/a")  # of a repository that has nothing to do with it
+    monkeypatch.setenv("GIT_DIR", str(a / ".git"))
+    monkeypatch.chdir(a)
+    place.fetch()
+    assert (place.out / "a/f").read_bytes() == b"1\n"
+    assert not (place.root / "hooked").exists()
+
+
+def test_a_call_that_is_killed_is_finished_by_the_next(place: Place) -> None:
+    """It is killed before every second of its calls of git."""
+    a = place.root / "a"
+    commit(place.root / "sub", {"s": "1"})
+    commit(a, {"f": "1", "g/x.repos": repos(b=(place.root / "sub", "main"))})
+    git(a, "submodule", "add", "--quiet", "../sub", "sub")
+    commit(a, {})
+    place.put(repos(a=(a, "main")))
+    place.fetch()
+    whole = listing(place.out)
+    programs = place.root / "programs"
+    programs.mkdir()
+    (programs / "git").write_text(
+        f"#!/bin/sh\necho >>{place.root}/calls\n"
+        f'test "$(wc -l <{place.root}/calls)" != "$LAST" || {{ kill -9 $PPID; exit 1; }}\n'
+        f'exec {shutil.which("git")} "$@"\n'
+    )
+    (programs / "git").chmod(0o755)
+    code = (
+        "import sys; from pathlib import Path; from rosml.apps.sources import Access, fetch;"
+        "fetch(*map(Path, sys.argv[1:]), Access())"
+    )
+    command = [sys.executable, "-c", code, str(place.target), str(place.out), str(place.cache)]
+    path = os.pathsep.join(str(folder) for folder in sys.path)
+    ended: list[int] = []
+    while not ended or ended[-1]:
+        shutil.rmtree(place.out)
+        shutil.rmtree(place.cache)
+        (place.root / "calls").unlink(missing_ok=True)
+        environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "PYTHONPATH": path}
+        done = subprocess.run(command, env={**environment, "LAST": str(2 * len(ended) + 2)}, check=False)
+        ended.append(done.returncode)
+        place.fetch()
+        assert listing(place.out) == whole, ended
+    assert len(ended) > 5 and set(ended[:-1]) == {-9}
+
+
 # ---- Submodules and LFS ------------------------------------------------------------------------------------------------
 
 
@@ -336,11 +420,15 @@ def test_a_submodule_without_a_url(place: Place) -> None:
     a = place.root / "a"
     commit(a, {"f": "1"})
     git(a, "update-index", "--add", "--cacheinfo", f"160000,{'1' * 40},lost")
+    git(a, "update-index", "--add", "--cacheinfo", f"160000,{'1' * 40},off")
+    (a / ".gitmodules").write_text('[submodule "off"]\n\tpath = off\n\turl = ../off\n\tupdate = none\n')
+    git(a, "add", ".gitmodules")
     git(a, "commit", "--quiet", "-m", "a")
     place.put(repos(a=(a, "main")))
     place.fetch()
-    assert list((place.out / "a/lost").iterdir()) == []
-    assert [text for text in place.said if "the submodule lost has no URL" in text]
+    for name in ("lost", "off"):
+        assert list((place.out / "a" / name).iterdir()) == []
+        assert [text for text in place.said if f"the submodule {name} has no URL" in text]
 
 
 POINTER = f"version https://git-lfs.github.com/spec/v1\noid sha256:{'1' * 64}\nsize 3\n"
@@ -370,6 +458,7 @@ while read():
 def test_files_in_lfs(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     a = place.root / "a"
     commit(a, {".gitattributes": "*.bin filter=lfs\n", "b/x.bin": POINTER, "doc.txt": POINTER})
+    trace(place, '[filter "lfs"]\n\tprocess = git-lfs filter-process\n\trequired = true\n')
     place.put(repos(a=(a, "main")))
     programs = only_git(place, monkeypatch)
     error = place.refused()
@@ -389,6 +478,24 @@ def only_git(place: Place, monkeypatch: pytest.MonkeyPatch) -> Path:
         (programs / name).symlink_to(str(shutil.which(name)))
     monkeypatch.setenv("PATH", str(programs))
     return programs
+
+
+@pytest.mark.parametrize(
+    ("call", "said"), [("fetch", "write error: No space left on device"), ("read-tree", "unable to write file f")]
+)
+def test_a_full_disk(place: Place, monkeypatch: pytest.MonkeyPatch, call: str, said: str) -> None:
+    commit(place.root / "a", {"f": "1"})
+    place.put(repos(a=(place.root / "a", "main")))
+    real = shutil.which("git")
+    program = only_git(place, monkeypatch) / "git"
+    program.unlink()
+    program.write_text(
+        f'#!/bin/sh\ncase " $* " in *" {call} "*) echo "fatal: {said}" >&2; exit 1;; esac\nexec {real} "$@"\n'
+    )
+    program.chmod(0o755)
+    error = place.refused()
+    assert error.message.endswith(f"cannot be written: {said}") and "free some disk space" in error.remedy
+    assert list(place.cache.glob("*.git")) and not list(place.out.iterdir())
 
 
 def test_without_git(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -512,7 +619,10 @@ def test_a_private_repository_by_https(place: Place, monkeypatch: pytest.MonkeyP
             asked.clear()
             error = place.refused(wrong)
             assert "cannot be read: could not read Username" in error.message and set(asked) == {""}
-            assert error.remedy == "check the URL; if it is private, set GIT_HTTPS_SERVER and GIT_HTTPS_PASSWORD"
+            assert (
+                error.remedy
+                == "check the URL; if the repository is private, check GIT_HTTPS_SERVER, GIT_HTTPS_USER and GIT_HTTPS_PASSWORD too"
+            )
         error = place.refused(replace(access, https_user="nobody"))
         assert "Authentication failed" in error.message
         no_secret(place)
@@ -557,7 +667,7 @@ if "UserKnownHostsFile" in options:
                  "Host key verification failed.")
 with open(os.environ["HOME"] + "/ssh", "a") as log:
     log.write(f"{{key}}\\n")
-if key and (open(key).read() != {KEY!r} or stat.S_IMODE(os.stat(key).st_mode) != 0o600):
+if key and (open(key, 'rb').read() != {KEY.encode()!r} or stat.S_IMODE(os.stat(key).st_mode) != 0o600):
     sys.exit("git@git.test: Permission denied (publickey).")
 assert words[-2] == "git@git.test"
 os.execvp("sh", ["sh", "-c", words[-1]])
@@ -602,6 +712,17 @@ def test_without_a_key_ssh_is_the_users_own(place: Place, ssh: Path) -> None:
     trace(place, "[core]\n\tsshCommand = echo mine >&2; false\n")
     shutil.rmtree(place.cache)
     assert "cannot be read: mine" in place.refused().message
+
+
+def test_ctrl_c_leaves_no_key(place: Place, ssh: Path) -> None:
+    program = place.root / "programs/ssh"
+    program.write_text(program.read_text().replace("assert words[-2]", f"os.kill({os.getpid()}, 2); assert words[-2]"))
+    commit(place.root / "a", {"f": "1"})
+    place.put(repos(a=(f"git@git.test:{place.root}/a", "main")))
+    with pytest.raises(KeyboardInterrupt):
+        place.fetch(Access(ssh_key=KEY, ssh_known_hosts=HOSTS))
+    (name,) = ssh.read_text().split()
+    assert not Path(name).parent.exists()
 
 
 def test_ssh_says_what_is_wrong(place: Place, ssh: Path) -> None:

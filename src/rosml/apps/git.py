@@ -9,6 +9,7 @@ import contextlib
 import os
 import re
 import shlex
+import signal
 import subprocess
 import tempfile
 import threading
@@ -67,8 +68,9 @@ class Failed(Exception):
         return re.sub(r"^(fatal|error|remote): ", "", (telling or lines or [""])[-1])
 
     @property
-    def disk_is_full(self) -> bool:
-        return any(text in self.said for text in ("No space left on device", "Disk quota exceeded"))
+    def could_not_write(self) -> bool:
+        """Whether the disk is full, or git could not write for another reason, of which it often says nothing."""
+        return any(text in self.said for text in ("No space left on device", "Disk quota exceeded", "unable to write"))
 
 
 SETTINGS = {
@@ -79,6 +81,8 @@ SETTINGS = {
     "core.symlinks": "true",
     "core.attributesFile": os.devnull,
     "core.sparseCheckout": "false",
+    "core.splitIndex": "false",
+    "init.defaultObjectFormat": "sha1",
     "filter.lfs.clean": "",
     "filter.lfs.smudge": "",
     "filter.lfs.process": "",
@@ -106,9 +110,12 @@ LFS: tuple[Setting, ...] = (
 _DROPPED = re.compile(
     r"GIT_(TRACE.*|CURL_VERBOSE|DIR|WORK_TREE|INDEX_FILE|OBJECT_DIRECTORY|ALTERNATE_OBJECT_DIRECTORIES|COMMON_DIR"
     r"|NAMESPACE|PREFIX|SHALLOW_FILE|GRAFT_FILE|REPLACE_REF_BASE|QUARANTINE_PATH|(NO)?GLOB_PATHSPECS|ICASE_PATHSPECS"
-    r"|LFS_SKIP_SMUDGE|HTTPS_PASSWORD|SSH_PRIVATE_KEY)"
+    r"|DEFAULT_HASH|LFS_SKIP_SMUDGE|HTTPS_PASSWORD|SSH_PRIVATE_KEY)"
 )
 """Variables that name another repository, change what git prints, or hold a secret that git does not need."""
+
+_STOPPING = (signal.SIGHUP, signal.SIGINT, signal.SIGTERM)
+"""Signals that people send: a repository that git leaves then is not damaged."""
 
 _HELPER = (
     '!f() { test "$1" != get || printf "username=%s\\npassword=%s\\n" "$ROSML_GIT_USER" "$ROSML_GIT_PASSWORD"; }; f'
@@ -126,6 +133,7 @@ class Git:
         self._hidden = hidden
         self._running: set[subprocess.Popen[bytes]] = set()
         self._guard = threading.Lock()
+        self._stopped = False
 
     @property
     def path(self) -> str:
@@ -142,7 +150,7 @@ class Git:
         """What git prints.
 
         Raises:
-            Failed: it did not succeed. RosmlError: it is not installed.
+            Failed: it did not succeed. RosmlError: it is not installed, or somebody stopped it.
         """
         options = [word for name, value in (*self._settings, *settings) for word in ("-c", f"{name}={value}")]
         try:
@@ -159,18 +167,23 @@ class Git:
             raise RosmlError("git is not installed", "install it: apt-get install git") from None
         with self._guard:
             self._running.add(process)
+            if self._stopped:
+                process.terminate()
         try:
             out, err = process.communicate(given)
         finally:
             with self._guard:
                 self._running.discard(process)
+        if process.returncode and (self._stopped or -process.returncode in _STOPPING):
+            raise RosmlError("git was stopped", "run it again")
         if process.returncode:
             raise Failed(self._shown(err.decode(errors="replace")) or f"exit code {process.returncode}")
         return out.decode(errors="surrogateescape")
 
     def stop(self) -> None:
-        """Ends what other threads run."""
+        """Ends what other threads run, and what they will run."""
         with self._guard:
+            self._stopped = True
             for process in self._running:
                 process.terminate()
 

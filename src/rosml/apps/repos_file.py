@@ -49,10 +49,10 @@ def found(folder: Path, without: tuple[Path, ...] = ()) -> list[Path]:
         without: folders that are left out, resolved.
 
     Raises:
-        RosmlError: one of them is a link that leads out of the folder.
+        RosmlError: one of them is a link that leads out of the folder (exit code 2). OSError: a folder cannot be read.
     """
     files: list[Path] = []
-    for name, folders, names in os.walk(folder):
+    for name, folders, names in os.walk(folder, onerror=_raise):
         here = Path(name)
         if IGNORE in names or IGNORE in folders or here.resolve() in without:
             folders.clear()
@@ -63,6 +63,10 @@ def found(folder: Path, without: tuple[Path, ...] = ()) -> list[Path]:
         if not file.resolve().is_relative_to(folder.resolve()):
             raise RosmlError(f"{file}: a link that leads out of {folder}", "replace it by the file", exit_code=2)
     return sorted(files)
+
+
+def _raise(error: OSError) -> None:
+    raise error
 
 
 def read(file: Path, name: str, local: bool) -> list[Entry]:

@@ -5,6 +5,8 @@ They are fetched on the caller's machine. The folder is a context of the build, 
 
 from __future__ import annotations
 
+import os
+import re
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -18,6 +20,7 @@ from rosml.apps.tree import Tree, beside
 from rosml.apps.versions import resolve
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
+from rosml.base.problems import listed
 
 __all__ = ["Access", "Repository", "fetch"]
 
@@ -73,7 +76,8 @@ def fetch(
         The repositories, sorted by path.
 
     Raises:
-        RosmlError: a repository cannot be had, with the file that names it; or a file is wrong (exit code 2).
+        RosmlError: a repository cannot be had, with the file that names it; or a file is wrong, or `out` has something
+            else in it (exit code 2).
         OSError: a folder cannot be written.
     """
     cache.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -99,15 +103,16 @@ def fetch(
 
 def _alone(target: Path, file: str) -> list[Path]:
     """The one file that counts; none where the default is not there."""
-    if (target / file).is_file():
-        return [target / file]
-    if file == DEFAULT:
+    place = target / file
+    if place.is_file() and place.resolve().is_relative_to(target.resolve()):
+        return [place]
+    if file == DEFAULT and not place.exists():
         return []
-    raise RosmlError(f"{target / file}: no such file", "name a .repos file below the target", exit_code=2)
+    raise RosmlError(f"{file}: no file below {target}", "name a .repos file of the target", exit_code=2)
 
 
 def _entries(files: Iterable[Path], folder: Path, prefix: str, local: bool) -> list[Entry]:
-    names = [(file, f"{prefix}{file.relative_to(folder).as_posix()}") for file in files]
+    names = [(file, prefix + os.path.relpath(file, folder)) for file in files]
     return [entry for file, name in names for entry in repos_file.read(file, name, local)]
 
 
@@ -137,7 +142,7 @@ def _new(entries: Iterable[Entry], known: dict[str, Entry]) -> list[Entry]:
                 "give it the same url and version in both files, or another path",
                 exit_code=2,
             )
-    for path in sorted(new):
+    for path in sorted(known):
         for above in map(str, PurePosixPath(path).parents):
             if above in known:
                 raise RosmlError(
@@ -152,13 +157,13 @@ def _at_once(git: Git, entries: Iterable[Entry], work: Callable[[Entry], Reposit
     """Works on several entries at the same time. The first error, by their order, ends all."""
     pool = ThreadPoolExecutor(WORKERS)
     try:
-        return list(pool.map(work, entries))
-    except BaseException:  # also Ctrl-C
-        pool.shutdown(wait=False, cancel_futures=True)
+        done = list(pool.map(work, entries))
+    except BaseException as error:
         git.stop()
+        pool.shutdown(wait=isinstance(error, Exception), cancel_futures=True)  # after Ctrl-C nobody waits
         raise
-    finally:
-        pool.shutdown()
+    pool.shutdown()
+    return done
 
 
 def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, say: Say) -> Repository:
@@ -181,15 +186,19 @@ def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, say: Say) -> Reposi
 
 def _told(head: str, url: str, error: Failed) -> RosmlError:
     """What git's failure means, and what to do about it."""
-    if error.disk_is_full:
-        return RosmlError(f"{head}: the disk is full", "free some disk space, then run it again")
+    if error.could_not_write:
+        return RosmlError(f"{head}: cannot be written: {error.reason}", "free some disk space, then run it again")
     host = urls.host(url)
     if any(text in error.said for text in ("Host key verification failed", "host key is known", "IDENTIFICATION HAS")):
         text = f"{head}: the host key of {host} is unknown, or is another one"
-        name, _, port = host.partition(":")
-        scan = f"ssh-keyscan {f'-p {port} ' if port else ''}{name}"
-        return RosmlError(text, f"if this prints the host's key, add it to GIT_SSH_KNOWN_HOST_KEYS: {scan}")
+        scan = re.sub(r"^(.*):(\d+)$", r"-p \2 \1", host)
+        return RosmlError(text, f"if this prints the host's key, add it to GIT_SSH_KNOWN_HOST_KEYS: ssh-keyscan {scan}")
+    if "Load key " in error.said:
+        text = f"{head}: ssh cannot use the key: it is damaged, or has a passphrase"
+        return RosmlError(text, "set GIT_SSH_PRIVATE_KEY to the whole text of a private key without a passphrase")
     if urls.is_local(url):
         return RosmlError(f"{head}: cannot be read: {error.reason}", "check the URL")
-    secret = "GIT_HTTPS_SERVER and GIT_HTTPS_PASSWORD" if url.startswith("http") else "GIT_SSH_PRIVATE_KEY"
-    return RosmlError(f"{head}: cannot be read: {error.reason}", f"check the URL; if it is private, set {secret}")
+    names = ["GIT_HTTPS_SERVER", "GIT_HTTPS_USER", "GIT_HTTPS_PASSWORD"]
+    secrets = listed(names) if url.startswith("http") else "GIT_SSH_PRIVATE_KEY (a key without a passphrase)"
+    remedy = f"check the URL; if the repository is private, check {secrets} too"
+    return RosmlError(f"{head}: cannot be read: {error.reason}", remedy)

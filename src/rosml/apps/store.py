@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Lock
 from typing import TypeVar
 
 from rosml.apps import urls
@@ -47,6 +48,7 @@ class Store:
         self._git = git
         self._folder = folder
         self._say = say
+        self._turns: dict[str, Lock] = {}  # of this process' threads, by URL
 
     def commit(self, url: str, version: Version) -> str:
         """The whole hash of a version.
@@ -73,13 +75,14 @@ class Store:
     def _with(self, url: str, work: Callable[[Path], T]) -> T:
         """Works with the repository of a URL; where git fails, once more with a new one."""
         kept = self._folder / f"{hashlib.sha256(url.encode()).hexdigest()[:32]}.git"
-        with turn(kept.with_suffix(".lock"), lambda: self._say(f"waiting for another process, which fetches {url}")):
+        waiting = f"waiting for another process, which fetches {url}"
+        with self._turns.setdefault(url, Lock()), turn(kept.with_suffix(".lock"), lambda: self._say(waiting)):
             try:
                 return work(kept)
             except _Unreachable:
                 raise
             except Failed as error:
-                if error.disk_is_full:
+                if error.could_not_write:
                     raise
             _discard(kept)
             return work(kept)
@@ -101,10 +104,10 @@ class Store:
             try:
                 self._git(git_dir, "fetch", "--quiet", "--depth=1", "--no-tags", "--", url, f"+{version.commit}:{ref}")
             except Failed as error:  # the server gives no single commits
-                if error.disk_is_full:
+                if error.could_not_write:
                     raise
-            else:
-                return self._known(kept, ref)
+            if commit := self._known(kept, ref):
+                return commit
         self._fetch_all(kept, url, version)
         commit = self._known(kept, version.commit)
         if not commit:
@@ -146,7 +149,8 @@ class Store:
                 try:
                     git("read-tree", "--reset", "-u", commit, settings=[*LFS, ("remote.origin.url", url)])
                 except Failed as error:
-                    raise _Unreachable(error.said) from None
+                    text = f"git-lfs did not get its files: {error.reason}"
+                    raise RosmlError(text, "check whether the LFS server has them, and lets you read them") from None
             listed = git("ls-files", "--stage", "-z").split("\0")
             links = dict(_link(line) for line in listed if line.startswith("160000 "))
             return self._submodules(git, commit, links) if links else []

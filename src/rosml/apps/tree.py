@@ -10,6 +10,7 @@ import threading
 from collections.abc import Collection, Iterator
 from pathlib import Path, PurePosixPath
 
+from rosml.base.errors import RosmlError
 from rosml.base.files import write
 
 
@@ -22,6 +23,9 @@ class Tree:
     """A folder with a folder for each repository. One process at a time may change it; its threads may do so together.
 
     A repository is written elsewhere and moved here when it is whole. A file beside the folder says which commits are here.
+
+    Raises:
+        RosmlError: the folder has something in it, and no such file (exit code 2): it would be removed.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -30,6 +34,10 @@ class Tree:
         self._staging = beside(folder, "new")
         self._guard = threading.Lock()
         self._here = _read(self._file)
+        if not self._file.exists():
+            if any(folder.iterdir()):
+                raise RosmlError(f"{folder} has something else in it", "name an empty folder", exit_code=2)
+            self._save()
         if self._staging.exists():  # of a process that was killed
             shutil.rmtree(self._staging)
         self._staging.mkdir()

@@ -31,8 +31,8 @@ def checked(url: str, local: bool) -> str:
     Raises:
         Refused: it holds a password, names another protocol, or git could take it for something else.
     """
-    if not url or url.startswith("-") or not url.isprintable() or " " in url or "\\" in url:
-        raise Refused("the url is none", _WHOLE)
+    if not url or url.startswith("-") or not url.isprintable() or "\\" in url:
+        raise Refused("the url is not valid", _WHOLE)
     scheme, separator, rest = url.partition("://")
     if not separator:
         return _without_scheme(url, local)
@@ -56,7 +56,7 @@ def _without_scheme(url: str, local: bool) -> str:
         return _local(url, local)
     scp = _SCP.fullmatch(url)
     if scp is None or scp["host"].startswith("-") or (scp["user"] or "").startswith("-"):
-        raise Refused("the url is none", _WHOLE)
+        raise Refused("the url is not valid", _WHOLE)
     return url
 
 
