@@ -13,10 +13,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 mapfile -t packages < <(colcon list --names-only --base-paths src/target)
 if [[ ${#packages[@]} -eq 0 ]]; then exit; fi
 if [[ ${ROS_VERSION:-} == 1 ]]; then # catkin builds tests by a target of their own
-  colcon build --base-paths src --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
+  colcon build --base-paths src/target --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
     --cmake-target tests --cmake-target-skip-unavailable || echo "tests do not build" >>"$out/failed"
 fi
-colcon test --base-paths src --packages-select "${packages[@]}" --event-handlers console_cohesion+ ||
+colcon test --base-paths src/target --packages-select "${packages[@]}" --event-handlers console_cohesion+ ||
   echo "colcon test ended with an error" >>"$out/failed"
 for package in "${packages[@]}"; do
   if ! colcon test-result --test-result-base "build/$package" --verbose >/tmp/result; then

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import re
 import secrets
@@ -14,11 +15,14 @@ from typing import Any
 import pytest
 
 from rosml import ROOT
+from rosml.apps import build, inputs
+from rosml.base.errors import RosmlError
 from rosml.machine import regctl
 from rosml.machine.services import Services
 from rosml.registry import oci
 from tests.e2e.conftest import NAMESPACE, Run, run
-from tests.e2e.images import Publish, build
+from tests.e2e.images import Publish
+from tests.e2e.images import build as build_folder
 
 BASE = "ros1-bookworm-core"
 CANARY = "canary-9d1f"
@@ -56,7 +60,7 @@ def made(folder: Path, *options: str) -> dict[str, Any]:
 def ran(services: Services, name: str) -> set[str]:
     """The stages of which a step ran, and was not in the cache, in the last build of an app."""
     log = (services.state / f"log/containerize-{name.replace('/', '-')}.log").read_text()
-    return set(re.findall(r"^[\d.]+ s \[(?:report )?([a-z-]+) \d+/\d+\] RUN", log, re.MULTILINE))
+    return set(re.findall(r"^[\d.]+ s \[(?:[a-z-]+ )?([a-z-]+) \d+/\d+\] RUN", log, re.MULTILINE))
 
 
 def config(services: Services, reference: str) -> dict[str, Any]:
@@ -105,20 +109,41 @@ COPY --from=run /said /
 COPY --from=dev /tini /
 """
     )
-    build(services, tmp_path / "chk")
+    build_folder(services, tmp_path / "chk")
 
     again = made(folder, *options)
     assert (again["run"]["digest"], ran(services, name)) == (found["run"]["digest"], set()), "nothing runs twice"
 
+
+def test_a_machine_that_has_nothing_builds_nothing_twice(
+    published: Publish, services: Services, beside: Services, tmp_path: Path
+) -> None:
+    """What another one has finished is in the registry: of an unchanged app all, of a changed one all but the app."""
+    folder, name = tmp_path / "compass", f"{NAMESPACE}/cached"
+    shutil.copytree(ROOT / "examples/ros1", folder)
     source = folder / "src/compass/src/compass.cpp"
-    source.write_text(source.read_text().replace('"west"', f'"{secrets.token_hex()}"'))  # as never before
-    outcome = containerize(folder, *options)
-    assert outcome.code == 1
-    assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "no apt, and no identification"
-    error = json.loads(outcome.out)["error"]
-    assert "1 of 2 tests failed; no image was made" in error and "Compass.Quarters" in error
+    source.write_text(source.read_text() + f"// {secrets.token_hex()}\n")  # as never before
+    cache = f"{services.registry}/{name}-cache"
+    options = {"base-image": published(BASE).result["reference"], "image-name": name, "cache": cache}
+    first = made(folder, *(word for key, value in options.items() for word in (f"--{key}", value)))
+
+    said: list[str] = []
+    fresh = dataclasses.replace(services, builder=beside.builder)
+    app = build.App(folder, inputs.values(options, folder, {}), {}, fresh, said.append)
+    again = app.build()
+    assert {image.target: image.digest for image in again.images}["run"] == first["run"]["digest"]
+    assert f"nothing to build: {cache} has it" in said
+    assert again.tests.count == 2 and again.packages == ["compass"]
+    logs = [services.state / f"log/containerize-{NAMESPACE}-cached-{target}.log" for target in ("run", "dev")]
+    assert not [line for log in logs for line in log.read_text().splitlines() if "RUN" in line], "no step at all"
+
+    source.write_text(source.read_text().replace('"west"', '"WEST"'))
+    with pytest.raises(RosmlError, match="1 of 2 tests failed; no image was made") as caught:
+        app.build()
+    assert "Compass.Quarters" in caught.value.message
+    assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "no apt, no identification, no upstream"
     with oci.Registry(services.registry) as registry:
-        assert registry.head(name, "latest") == found["run"]["digest"], "the tag stays where it was"
+        assert registry.head(name, "latest") == first["run"]["digest"], "the tag stays where it was"
 
 
 @pytest.fixture
@@ -197,7 +222,7 @@ def test_a_repository_may_ask_for_everything(
             ]
         )
     )
-    build(services, tmp_path / "chk")
+    build_folder(services, tmp_path / "chk")
 
 
 @pytest.mark.parametrize(

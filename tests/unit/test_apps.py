@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,7 +12,7 @@ from typing import Any
 import pytest
 from registry_stand_in import StandIn, standing_in
 
-from rosml.apps import base, build, inputs, junit, sources, workspace
+from rosml.apps import bake_file, base, build, inputs, junit, names, sources, workspace
 from rosml.base.errors import RosmlError
 from rosml.machine import buildx
 from rosml.machine.base_images import native_architecture
@@ -153,10 +155,11 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
     seen: list[dict[str, Any]] = []
 
     def run(services: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:
-        wanted = json.loads(bake.file.read_text())["target"][bake.target]
-        seen.append({"name": bake.target, **wanted})
-        if bake.target == "report":
-            report = Path(wanted["output"][0].partition("dest=")[2])
+        content = json.loads(bake.file.read_text())
+        wanted = content["target"]
+        seen.append({"name": bake.target, **wanted.get(bake.target, wanted["report"])})
+        if bake.target == "all":
+            report = Path(wanted["report"]["output"][0].partition("dest=")[2])
             report.mkdir(parents=True)
             (report / "dependencies.json").write_text(json.dumps({"packages": {"robot": {}}, "keys": {}}))
             (report / "app.json").write_text(json.dumps({"packages": ["libfoo:all"], "changed": []}))
@@ -191,7 +194,7 @@ def test_images_are_joined_after_the_report_is_read(
     assert not [line for line in lines if line.startswith("RUN")]
     assert r'ENV DEFAULT_CMD="ros2 run robot \"a \$b\" \\"' in lines
     assert 'ENV RMW_IMPLEMENTATION="rmw_zenoh_cpp"' in lines
-    assert run["labels"][build.BASE_DIGEST] == digest
+    assert run["labels"][bake_file.BASE_DIGEST] == digest
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
 
 
@@ -265,4 +268,21 @@ def test_no_image_is_made_where_a_test_failed(
     with pytest.raises(RosmlError, match=r"1 of 3 tests failed; no image was made") as caught:
         app(repository, services, base_image="ros:jazzy", command="true").build()
     assert "robot: a.bad: 1 is not 2" in caught.value.message
-    assert [call["name"] for call in calls] == ["report"]
+    assert [call["name"] for call in calls] == ["all"]
+
+
+def test_images_go_to_docker_where_there_is_one(
+    repository: Path, services: Services, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    values = inputs.values({"image-name": "ghcr.io/me/robot"}, repository, {})
+    monkeypatch.setattr(shutil, "which", lambda name: f"/usr/bin/{name}")
+    users = dataclasses.replace(services, builder_kind="user")
+    found = names.Names(values, "robot", users)
+    assert found.loads and found.reference("run") == "ghcr.io/me/robot:latest"
+    with pytest.raises(RosmlError, match="Docker holds images of one platform"):
+        names.Names({**values, "platform": "amd64,arm64"}, "robot", users)
+    with pytest.raises(RosmlError, match="robot names no registry"):
+        nowhere = dataclasses.replace(users, registry="")
+        names.Names({**values, "image-name": "robot", "push": "true"}, "robot", nowhere)
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    assert names.Names({**values, "image-name": "robot"}, "robot", users).reference("run").startswith(services.registry)

@@ -61,6 +61,10 @@ TABLE = (
     Input("rmw-implementation", "the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable"),
     Input("tests", "run the tests of your packages, and make no image if one fails", "true", flag=True),
     Input("cmake-args", "arguments of CMake for all packages", "-DCMAKE_BUILD_TYPE=Release"),
+    Input(
+        "cache",
+        "repository in a registry that keeps finished stages, for machines that have none; such as ghcr.io/me/robot-cache",
+    ),
     Input("skip-keys", "keys of rosdep that are left out, separated by blanks"),
     Input("rosdep-index", "a checkout of ros/rosdistro, in the place of rosdep's lists on the network"),
     Input("additional-debs-file", "packages for apt, one a line", "docker/additional-debs.txt"),

@@ -1,0 +1,142 @@
+"""The bake file of an app: the stages of components/containerize/Dockerfile, and the images that are joined from them."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from rosml import ROOT
+from rosml.apps.base import Base
+from rosml.apps.names import Names
+from rosml.build.push import COMPRESSION
+from rosml.images.labels import PREFIX, REVISION, TITLE
+from rosml.machine.services import Services
+
+SCRIPTS = ROOT / "components"
+"""What steps of the build call."""
+
+BASE_NAME = "org.opencontainers.image.base.name"
+BASE_DIGEST = "org.opencontainers.image.base.digest"
+
+REPORT = "report"
+"""The target that leaves a folder with what is to be known of the app."""
+
+_MIRRORS = {"os-apt-mirror": "OS_APT_MIRROR", "ros-apt-mirror": "ROS_APT_MIRROR"}
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """What an app is built from.
+
+    Attributes:
+        base: the base image. distribution: its ROS.
+        values: of the user's inputs.
+        contexts: folders with sources, manifests and requests, by the names of the Dockerfile. empty: one without files.
+        hooked: a script changes the sources before their dependencies are read.
+        commit, time: of the sources, in seconds since 1970.
+    """
+
+    base: Base
+    distribution: str
+    values: Mapping[str, str]
+    contexts: Mapping[str, Path]
+    empty: Path
+    hooked: bool
+    commit: str
+    time: int
+
+
+def render(
+    inputs: Inputs,
+    names: Names,
+    services: Services,
+    environment: Iterable[str],
+    report: Path,
+    known: Mapping[str, str],
+    kept: Mapping[str, str],
+) -> str:
+    """The bake file.
+
+    Args:
+        environment: variables that are set.
+        report: folder for the report.
+        known: stages that are in a registry, with their references. kept: where others go, by stage.
+    """
+    values = inputs.values
+    secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
+    if services.ca_bundle:
+        secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
+    base = {"base": f"docker-image://{inputs.base.reference}"}
+    contexts = {name: str(path) for name, path in inputs.contexts.items()}
+    stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
+    common: dict[str, Any] = {
+        "context": str(inputs.empty),
+        "dockerfile": str(SCRIPTS / "containerize/Dockerfile"),
+        "platforms": list(names.platforms),
+        "secret": secrets,
+        "contexts": {**base, "scripts": str(SCRIPTS), **contexts, **stages},
+        "args": {
+            "CMAKE_ARGS": values["cmake-args"],
+            "SKIP_KEYS": values["skip-keys"],
+            "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
+            "ROS_DISTRO": inputs.distribution,
+            "MANIFESTS": "changed" if inputs.hooked else "manifests",
+            "TESTS": "results" if values["tests"] == "true" else "untested",
+        },
+    }
+    targets: dict[str, Any] = {REPORT: {**common, "target": REPORT, "output": [f"type=local,dest={report}"]}}
+    for stage in ("app", "workspace"):
+        targets[stage] = {**common, "target": stage}
+    for stage, reference in kept.items():
+        output = f"type=image,name={reference},push=true,{COMPRESSION}"
+        targets[f"keep-{stage}"] = {**common, "target": stage, "output": [output]}
+    for target in names.targets:
+        targets[target] = {
+            "context": str(inputs.empty),
+            "dockerfile-inline": _dockerfile(target, values),
+            "platforms": list(names.platforms),
+            "contexts": base | {name: stages.get(name, f"target:{name}") for name in ("app", "workspace")},
+            "args": {"SOURCE_DATE_EPOCH": str(inputs.time)},
+            "labels": _labels(inputs, names.app, target),
+            "tags": names.tags(target),
+            "output": ["type=docker" if names.loads else f"type=image,push=true,{COMPRESSION}"],
+        }
+    groups = {"all": {"targets": [REPORT, *(f"keep-{stage}" for stage in kept)]}}
+    return json.dumps({"group": groups, "target": targets}, indent=2) + "\n"
+
+
+def _dockerfile(target: str, values: Mapping[str, str]) -> str:
+    """How an image is joined: nothing runs."""
+    lines = ["FROM base", "COPY --link --from=app / /"] if target == "run" else ["FROM workspace"]
+    variables = {"WORKSPACE": "/docker-ros/ws"}
+    if values["ros-distro"]:
+        variables["ROS_DISTRO"] = values["ros-distro"]
+    if values["rmw-implementation"]:
+        variables["RMW_IMPLEMENTATION"] = values["rmw-implementation"]
+    command = ["bash"]
+    if target == "run":
+        variables["DEFAULT_CMD"] = values["command"]
+        # bash becomes a simple command, so that this gets the signals.
+        command = ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"']
+    lines += [f"ENV {name}={_quoted(value)}" for name, value in variables.items()]
+    return "\n".join([*lines, f"CMD {json.dumps(command)}", ""])
+
+
+def _quoted(text: str) -> str:
+    """A value as ENV of a Dockerfile takes it, with nothing expanded."""
+    return '"' + re.sub(r'(["\\$])', r"\\\1", text).replace("\n", "\\\n") + '"'
+
+
+def _labels(inputs: Inputs, name: str, target: str) -> dict[str, str]:
+    return {
+        TITLE: name if target == "run" else f"{name} ({target})",
+        BASE_NAME: inputs.base.name,
+        BASE_DIGEST: inputs.base.digest,
+        REVISION: inputs.commit,
+        f"{PREFIX}app": target,
+    }

@@ -1,0 +1,100 @@
+"""How an app's images are called, and where they go."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Mapping
+
+from rosml.base.errors import RosmlError
+from rosml.machine.base_images import native_architecture
+from rosml.machine.services import Services
+
+TARGETS = ("run", "dev")
+"""Images that an app can have: to run it, and to work on it."""
+
+
+class Names:
+    """The images that the values of inputs ask for.
+
+    Attributes:
+        app: name of the run image, without its tag. targets: what to build. platforms: for which.
+        loads: whether images go to Docker, and to no registry.
+
+    Raises:
+        RosmlError: a value is wrong, or the images have no place to go to (exit code 2).
+    """
+
+    def __init__(self, values: Mapping[str, str], folder: str, services: Services) -> None:
+        self._values, self._registry = values, services.registry
+        self.app = _name(values["image-name"] or folder.lower())
+        self.targets = _targets(values["target"])
+        self.platforms = _platforms(values["platform"])
+        has_docker = services.builder_kind != "buildkitd" and shutil.which("docker") is not None
+        self.loads = values["push"] == "false" and (has_docker or not services.registry)
+        self._require_place()
+
+    def reference(self, target: str) -> str:
+        """The full name of an image, with its tag."""
+        values = self._values
+        name, tag = self.app, values["image-tag"]
+        if target == "dev":
+            name = _name(values["dev-image-name"]) if values["dev-image-name"] else name
+            tag = values["dev-image-tag"] or f"{tag}-dev"
+        if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
+            raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
+        local = f"{self._registry}/" if self._registry and not self.loads and not _has_registry(name) else ""
+        return f"{local}{name}:{tag}"
+
+    def tags(self, target: str) -> list[str]:
+        """All full names that an image gets."""
+        found = [self.reference(target)]
+        if self._values["enable-push-as-latest"] == "true":
+            latest = "latest" if target == "run" else "latest-dev"
+            found.append(f"{found[0].rpartition(':')[0]}:{latest}")
+        return list(dict.fromkeys(found))
+
+    def _require_place(self) -> None:
+        names = [self.reference(target).rpartition(":")[0] for target in self.targets]
+        if self._values["push"] == "true":
+            for name in names:
+                if not _has_registry(name):
+                    raise RosmlError(f"{name} names no registry", "name one, such as ghcr.io/me/robot", exit_code=2)
+        elif self.loads and len(self.platforms) > 1:
+            raise RosmlError("Docker holds images of one platform", "name one platform, or add --push", exit_code=2)
+        elif not self.loads:
+            for name in names:
+                if not name.startswith(f"{self._registry}/"):
+                    text = f"there is no Docker here that could hold {name}"
+                    raise RosmlError(text, "add --push, or leave the registry out of the name", exit_code=2)
+
+
+def _targets(text: str) -> tuple[str, ...]:
+    found = [word.strip() for word in text.split(",") if word.strip()]
+    for word in found:
+        if word not in TARGETS:
+            raise RosmlError(f"{word!r} is no target", f"there are: {', '.join(TARGETS)}", exit_code=2)
+    if not found:
+        raise RosmlError("no target is named", f"there are: {', '.join(TARGETS)}", exit_code=2)
+    return tuple(name for name in TARGETS if name in found)
+
+
+def _platforms(text: str) -> tuple[str, ...]:
+    """Platforms as BuildKit names them; docker-ros' users write only the architecture."""
+    names = [word.strip() for word in text.split(",") if word.strip()] or [native_architecture()]
+    return tuple(dict.fromkeys(name if "/" in name else f"linux/{name}" for name in names))
+
+
+def _has_registry(name: str) -> bool:
+    """Whether the name of an image begins with a registry."""
+    host = name.split("/")[0]
+    return "/" in name and (re.search(r"[.:]", host) is not None or host == "localhost")
+
+
+def _name(text: str) -> str:
+    """A name of an image without its tag."""
+    if not re.fullmatch(r"[a-z0-9.:-]+(/[a-z0-9._-]+)+|[a-z0-9._-]+", text):
+        raise RosmlError(
+            f"{text!r} is no name of an image", "add --image-name: small letters, digits, and hyphens", exit_code=2
+        )
+    return text

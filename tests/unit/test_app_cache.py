@@ -1,0 +1,100 @@
+"""Which stages of an app's build are taken from a registry: their keys change with what decides their content, and with
+nothing else."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from registry_stand_in import StandIn, standing_in
+
+from rosml.apps.cache import Cache, Keys, keys, tree
+from rosml.base.errors import RosmlError
+
+KEYS = Keys("e", "u", "a")
+
+
+@pytest.fixture
+def registry() -> Iterator[StandIn]:
+    with standing_in() as found:
+        yield found
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    for name in ("needs", "upstream", "target/src"):
+        (tmp_path / name).mkdir(parents=True)
+        (tmp_path / name / "file").write_text(name)
+    return tmp_path
+
+
+def made(folder: Path, base: str = "sha256:1", cmake: str = "", tests: str = "true", hooked: bool = False) -> Keys:
+    return keys({"base": base}, [folder / "needs"], folder / "upstream", folder / "target", cmake, tests, hooked)
+
+
+def differ(one: Keys, other: Keys) -> list[str]:
+    return [name for name in ("environment", "upstream", "app") if getattr(one, name) != getattr(other, name)]
+
+
+def write(path: str) -> Callable[[Path], object]:
+    return lambda folder: (folder / path).write_text("other")
+
+
+@pytest.mark.parametrize(
+    ("change", "stages"),
+    [
+        (write("target/src/file"), ["app"]),
+        (write("target/new"), ["app"]),
+        (lambda folder: (folder / "target/src/file").chmod(0o755), ["app"]),
+        (lambda folder: (folder / "target/link").symlink_to("src"), ["app"]),
+        (lambda folder: (folder / "target/src/file").rename(folder / "target/src/other"), ["app"]),
+        (write("upstream/file"), ["upstream", "app"]),
+        (write("needs/file"), ["environment", "upstream", "app"]),
+        (write("target/.env"), []),
+        (lambda folder: os.utime(folder / "target/src/file", (1, 1)), []),
+    ],
+)
+def test_a_stage_is_made_again_for_what_decides_its_content(
+    change: Callable[[Path], object], stages: list[str], folder: Path
+) -> None:
+    before = made(folder)
+    change(folder)
+    assert differ(before, made(folder)) == stages
+
+
+def test_values_decide_as_well(folder: Path) -> None:
+    before = made(folder)
+    assert differ(before, made(folder, base="sha256:2")) == ["environment", "upstream", "app"]
+    assert differ(before, made(folder, cmake="-DX=1")) == ["upstream", "app"]
+    assert differ(before, made(folder, tests="false")) == ["app"]
+
+
+def test_sources_that_a_script_changes_decide_which_packages_are_needed(folder: Path) -> None:
+    before = made(folder, hooked=True)
+    write("target/src/file")(folder)
+    assert differ(before, made(folder, hooked=True)) == ["environment", "upstream", "app"]
+
+
+def test_gits_folder_does_not_count(folder: Path) -> None:
+    before = tree(folder)
+    (folder / ".git").mkdir()
+    write(".git/HEAD")(folder)
+    assert tree(folder) == before
+
+
+def test_a_report_is_found_again(registry: StandIn) -> None:
+    with Cache(f"{registry.address}/me/robot-cache", "") as cache:
+        assert (cache.found(KEYS), cache.report(KEYS)) == ({}, None)
+        cache.keep(KEYS, {"packages": ["robot"]})
+        assert cache.report(KEYS) == {"packages": ["robot"]}
+        assert cache.report(Keys("e", "u", "other")) is None
+        assert cache.reference("app-a") == f"{registry.address}/me/robot-cache:app-a"
+
+
+def test_a_cache_is_a_repository() -> None:
+    with pytest.raises(RosmlError, match=r"cache: ghcr\.io/me/robot-cache:1 has a tag"):
+        Cache("ghcr.io/me/robot-cache:1", "")
+    with pytest.raises(RosmlError, match="is no reference with a registry"):
+        Cache("robot-cache", "")
