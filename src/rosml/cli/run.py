@@ -10,9 +10,9 @@ import click
 from rosml.base.errors import RosmlError
 from rosml.cli import command, container
 from rosml.run import plugins, words
-from rosml.run.context import Person
+from rosml.run.context import Context, Person
 
-RESERVED = ("new", "verbose", "dry-run", "json", "help")
+RESERVED = ("new", "verbose", "dry-run", "json", "export", "help")
 """Options of the command itself: no plugin can have one of these names."""
 
 
@@ -44,10 +44,16 @@ class Run(container.Words):
     "--new", is_flag=True, expose_value=False, help="another container, although one runs; the engine names it"
 )
 @container.showing
+@click.option(
+    "--export",
+    metavar="FORMAT",
+    type=click.Choice(["devcontainer", "compose"]),
+    help="print a file for editors (devcontainer) or for docker compose (compose), and run nothing",
+)
 @click.argument("image", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
 @click.pass_context
-def main(context: click.Context, /) -> None:
+def main(context: click.Context, /, export: str | None) -> None:
     """Starts a container of an image: as you, on your terminal, with your time zone, your GPUs and your display. It is removed
     when it ends.
 
@@ -64,6 +70,7 @@ def main(context: click.Context, /) -> None:
       rosml run --mws ghcr.io/me/rosml/ros:jazzy-base colcon build
       rosml run -e ROS_DOMAIN_ID=7 -v ./bags:/bags IMAGE ros2 bag play /bags/first
       rosml run --dry-run IMAGE
+      rosml run --export compose IMAGE >compose.yaml
       rosml run
     """
     from rosml.run import engine
@@ -73,7 +80,12 @@ def main(context: click.Context, /) -> None:
     if not line.image:
         if line.asks("new"):
             raise RosmlError("--new starts an image, and none is named", "rosml run --new IMAGE", exit_code=2)
+        if export:
+            raise RosmlError("--export needs an image", f"rosml run --export {export} IMAGE", exit_code=2)
         enter(line)
+        return
+    if export:
+        show(engine.program(os.environ), line, person(os.environ), export)
         return
     start(engine.program(os.environ), line, person(os.environ))
 
@@ -108,7 +120,6 @@ def start(program: str, line: words.Line, caller: Person) -> None:
         RosmlError: there is no such image, or another container has the name, or the image has no workspace.
     """
     from rosml.run import attach, concerns, engine
-    from rosml.run.context import Context
     from rosml.run.host import host, write
 
     name = "" if line.has("replace") else concerns.name_of(line, caller)
@@ -125,12 +136,45 @@ def start(program: str, line: words.Line, caller: Person) -> None:
     if facts.image is None:
         raise engine.still_lacking(program, line.image)
     machine = host(os.environ)
-    plan = plugins.plan(Context(line, facts.engine, caller, facts.image, machine), found().plugins)
-    for text, remedy in (*found().notes, *plan.notes):
-        command.warn(text, remedy)
+    plan = planned(Context(line, facts.engine, caller, facts.image, machine))
 
     def prepare() -> None:
         for file, content in plan.files.items():
             write(machine.path(file), content)
 
     container.perform(line, plan.argv, prepare)
+
+
+def planned(context: Context) -> plugins.Plan:
+    """What the plugins add; what people should know is said."""
+    plan = plugins.plan(context, found().plugins)
+    for text, remedy in (*found().notes, *plan.notes):
+        command.warn(text, remedy)
+    return plan
+
+
+def show(program: str, line: words.Line, caller: Person, kind: str) -> None:
+    """Shows what would run, as a file.
+
+    Args:
+        program: the engine's command. kind: of file.
+
+    Raises:
+        RosmlError: the engine does not have the image, or such a file cannot say that.
+    """
+    from rosml.run import compose, devcontainer, engine, export
+    from rosml.run.host import host
+
+    facts = engine.ask(program, line.image, "")
+    if facts.image is None:
+        raise engine.lacking(program, line.image)
+    context = export.lasting(Context(line, facts.engine, caller, facts.image, host(os.environ)))
+    if kind == "devcontainer":
+        context = devcontainer.bare(context)
+    plan = planned(context)
+    for file in plan.files:
+        command.warn(f"the export does not make {file}", "rosml run makes it whenever it starts a container")
+    call = export.call(context, plan.argv)
+    text = devcontainer.text(call) if kind == "devcontainer" else compose.text(call)
+    with container.printing():
+        click.echo(text, nl=False)
