@@ -382,7 +382,7 @@ def test_it_says_what_a_dry_run_says(desk: Desk) -> None:
 )
 def test_a_call_that_is_wrong(desk: Desk, line: list[str], says: str) -> None:
     done = desk.call(*line)
-    assert done.returncode and done.stdout == "" and says in done.stderr, done.stderr
+    assert done.returncode == 125 and done.stdout == "" and says in done.stderr, done.stderr
     assert "Traceback" not in done.stderr and not desk.called("run") and not desk.called("pull")
 
 

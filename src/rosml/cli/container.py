@@ -27,7 +27,12 @@ SETTINGS = {"allow_interspersed_args": False, "help_option_names": ["--help"]}
 
 
 class Words(Command):
-    """A command of which click reads its own options, the first word that is none, and nothing else."""
+    """A command of which click reads its own options, the first word that is none, and nothing else.
+
+    It fails with docker's own code, as all others are those of the command in the container.
+    """
+
+    failure = 125
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         with printing():  # --help

@@ -75,4 +75,4 @@ def run(word: str = "") -> int:
     first = cli.commands.get(word or next(iter(sys.argv[1:]), ""))
     known = first if isinstance(first, Command | Group) else cli
     code = command.run(known if word else cli, known.kept, reader_gone=0 if known.prints else command.BROKEN_PIPE)
-    return command.ended(code)
+    return command.ended(known.failure if known.failure and code in (1, 2) else code)
