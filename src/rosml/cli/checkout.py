@@ -23,7 +23,10 @@ class Command(click.Command):
     Attributes:
         alone: it needs no checkout. prints: it does nothing but print, so that whoever reads it may stop.
         kept: what is said after Ctrl-C. before: what is called before it begins.
+        failure: its exit code where the work failed, and where the input was wrong; 0 for one code each.
     """
+
+    failure = 0
 
     def __init__(
         self,
@@ -55,6 +58,7 @@ class Group(click.Group):
 
     command_class = Command
     prints = False
+    failure = 0
 
     def __init__(
         self,

@@ -27,7 +27,12 @@ SETTINGS = {"allow_interspersed_args": False, "help_option_names": ["--help"]}
 
 
 class Words(Command):
-    """A command of which click reads its own options, the first word that is none, and nothing else."""
+    """A command of which click reads its own options, the first word that is none, and nothing else.
+
+    It fails with docker's own code, as all others are those of the command in the container.
+    """
+
+    failure = 125
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         with printing():  # --help
@@ -39,9 +44,11 @@ class Words(Command):
         Raises:
             RosmlError: an option of the engine is unknown, or lacks its value; not while a shell completes a word.
         """
-        own = [name for parameter in self.get_params(ctx) for name in parameter.opts if name.startswith("--")]
+        options = [option for option in self.get_params(ctx) if isinstance(option, click.Option)]
+        own = [name for option in options for name in option.opts]
+        with_value = [name for option in options if not option.is_flag for name in option.opts]
         try:
-            line = words.split(args, own)
+            line = words.split(args, own, with_value)
         except RosmlError:
             if not ctx.resilient_parsing:
                 raise

@@ -8,6 +8,8 @@ from importlib import import_module
 import click
 
 from rosml import __version__
+from rosml.base.environment import LACKING
+from rosml.base.errors import RosmlError
 from rosml.cli import command, completion
 from rosml.cli.checkout import Command, Group
 
@@ -16,7 +18,19 @@ SETUP = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
 }
 
 
-@click.group(cls=Group, elsewhere=SETUP)
+class Rosml(Group):
+    """The command, whose other commands need packages that may not be installed."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if LACKING and args and args[0] not in self.commands:
+            text = f"no command {args[0]} here: not installed: {', '.join(LACKING)}"
+            raise RosmlError(text, "pipx install --force '.[images]' in a checkout", exit_code=2)
+        return super().resolve_command(ctx, args)
+
+
+@click.group(cls=Rosml, elsewhere=SETUP)
 @click.version_option(__version__, prog_name="rosml")
 def cli() -> None:
     """ROS base images with machine learning inside.
@@ -61,7 +75,7 @@ COMMANDS = (
 QUICK = ("attach", "run")
 """Every shell in a container waits for them, and importing the others takes longer than all that they do themselves."""
 
-for name in {*sys.argv[1:2]} & {*QUICK} or COMMANDS:
+for name in {*sys.argv[1:2]} & {*QUICK} or (QUICK if LACKING else COMMANDS):
     cli.add_command(import_module(f"rosml.cli.{name}").main)
 
 
@@ -76,4 +90,4 @@ def run(word: str = "") -> int:
     first = cli.commands.get(word or next(iter(sys.argv[1:]), ""))
     known = first if isinstance(first, Command | Group) else cli
     code = command.run(known if word else cli, known.kept, reader_gone=0 if known.prints else command.BROKEN_PIPE)
-    return command.ended(code)
+    return command.ended(known.failure if known.failure and code in (1, 2) else code)

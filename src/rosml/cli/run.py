@@ -10,9 +10,9 @@ import click
 from rosml.base.errors import RosmlError
 from rosml.cli import command, container
 from rosml.run import plugins, words
-from rosml.run.context import Person
+from rosml.run.context import Context, Person
 
-RESERVED = ("new", "check", "verbose", "dry-run", "json", "help")
+RESERVED = ("new", "check", "verbose", "dry-run", "json", "export", "help")
 """Options of the command itself: no plugin can have one of these names."""
 
 
@@ -50,10 +50,16 @@ class Run(container.Words):
     help="say what keeps nodes of ROS apart from others, and start no command",
 )
 @container.showing
+@click.option(
+    "--export",
+    metavar="FORMAT",
+    type=click.Choice(["devcontainer", "compose"]),
+    help="print a file for editors (devcontainer) or for docker compose (compose), and run nothing",
+)
 @click.argument("image", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
 @click.pass_context
-def main(context: click.Context, /) -> None:
+def main(context: click.Context, /, export: str | None) -> None:
     """Starts a container of an image: as you, on your terminal, with your time zone, your GPUs and your display. It is removed
     when it ends.
 
@@ -72,6 +78,7 @@ def main(context: click.Context, /) -> None:
       rosml run --ros-network IMAGE ros2 topic list
       rosml run --check --ros-network IMAGE
       rosml run --dry-run IMAGE
+      rosml run --export compose IMAGE >compose.yaml
       rosml run
     """
     from rosml.run import engine
@@ -83,7 +90,12 @@ def main(context: click.Context, /) -> None:
             raise RosmlError("--new starts an image, and none is named", "rosml run --new IMAGE", exit_code=2)
         if line.asks("check"):
             raise RosmlError("--check is about an image, and none is named", "rosml run --check IMAGE", exit_code=2)
+        if export:
+            raise RosmlError("--export needs an image", f"rosml run --export {export} IMAGE", exit_code=2)
         enter(line)
+        return
+    if export:
+        show(engine.program(os.environ), line, person(os.environ), export)
         return
     start(engine.program(os.environ), line, person(os.environ))
 
@@ -118,7 +130,6 @@ def start(program: str, line: words.Line, caller: Person) -> None:
         RosmlError: there is no such image, or another container has the name, or the image has no workspace.
     """
     from rosml.run import attach, concerns, engine
-    from rosml.run.context import Context
     from rosml.run.host import host, write
 
     checks = line.asks("check")
@@ -137,17 +148,50 @@ def start(program: str, line: words.Line, caller: Person) -> None:
         raise engine.still_lacking(program, line.image)
     machine = host(os.environ)
     known = Context(line, facts.engine, caller, facts.image, machine)
-    plan = plugins.plan(known, found().plugins)
     if checks:
         from rosml.cli import check
 
-        check.show(known, plan.argv)
+        check.show(known, plugins.plan(known, found().plugins).argv)
         return
-    for text, remedy in (*found().notes, *plan.notes):
-        command.warn(text, remedy)
+    plan = planned(known)
 
     def prepare() -> None:
         for file, content in plan.files.items():
             write(machine.path(file), content)
 
     container.perform(line, plan.argv, prepare)
+
+
+def planned(context: Context) -> plugins.Plan:
+    """What the plugins add; what people should know is said."""
+    plan = plugins.plan(context, found().plugins)
+    for text, remedy in (*found().notes, *plan.notes):
+        command.warn(text, remedy)
+    return plan
+
+
+def show(program: str, line: words.Line, caller: Person, kind: str) -> None:
+    """Shows what would run, as a file.
+
+    Args:
+        program: the engine's command. kind: of file.
+
+    Raises:
+        RosmlError: the engine does not have the image, or such a file cannot say that.
+    """
+    from rosml.run import compose, devcontainer, engine, export
+    from rosml.run.host import host
+
+    facts = engine.ask(program, line.image, "")
+    if facts.image is None:
+        raise engine.lacking(program, line.image)
+    context = export.lasting(Context(line, facts.engine, caller, facts.image, host(os.environ)))
+    if kind == "devcontainer":
+        context = devcontainer.bare(context)
+    plan = planned(context)
+    for file in plan.files:
+        command.warn(f"the export does not make {file}", "rosml run makes it whenever it starts a container")
+    call = export.call(context, plan.argv)
+    text = devcontainer.text(call) if kind == "devcontainer" else compose.text(call)
+    with container.printing():
+        click.echo(text, nl=False)
