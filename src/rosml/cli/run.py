@@ -8,12 +8,13 @@ from functools import cache
 import click
 
 from rosml.base.errors import RosmlError
-from rosml.cli import command, container
+from rosml.cli import command, container, defaults
 from rosml.run import plugins, words
 from rosml.run.context import Person
+from rosml.run.defaults import HERE, Files
 
-RESERVED = ("new", "verbose", "dry-run", "json", "help")
-"""Options of the command itself: no plugin can have one of these names."""
+RESERVED = ("new", "no-defaults", "verbose", "dry-run", "json", "help")
+"""Options of the command itself: no plugin can have one of these names, and no file with defaults can have one of them."""
 
 
 @cache
@@ -43,6 +44,7 @@ class Run(container.Words):
 @click.option(
     "--new", is_flag=True, expose_value=False, help="another container, although one runs; the engine names it"
 )
+@click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
 @container.showing
 @click.argument("image", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)
@@ -56,6 +58,8 @@ def main(context: click.Context, /) -> None:
 
     In a folder whose container runs, the same call opens another shell in it, as does a call without an image.
 
+    Defaults are in .rosml.toml of the project, and in ~/.config/rosml/run.toml. A point is the image that they name.
+
     The engine is docker, or podman where there is no docker; ROSML_ENGINE names one. Exit codes are the command's.
 
     \b
@@ -65,21 +69,39 @@ def main(context: click.Context, /) -> None:
       rosml run -e ROS_DOMAIN_ID=7 -v ./bags:/bags IMAGE ros2 bag play /bags/first
       rosml run --dry-run IMAGE
       rosml run
+      rosml run . colcon build
     """
-    from rosml.run import engine
+    from rosml.run import attach, engine
     from rosml.run.person import person
 
     line: words.Line = context.meta[container.LINE]
-    if not line.image:
-        if line.asks("new"):
-            raise RosmlError("--new starts an image, and none is named", "rosml run --new IMAGE", exit_code=2)
-        enter(line)
-        return
-    start(engine.program(os.environ), line, person(os.environ))
+    caller = person(os.environ)
+    own = [f"--{name}" for plugin in found().plugins for name in plugin.options]
+    files = defaults.read(line, own, [f"--{name}" for name in RESERVED], caller.folder)
+    image = files.under(line).image
+    if line.image == HERE and not image:
+        raise RosmlError("no file names the image of this folder", f"rosml run IMAGE, or {IMAGE}", exit_code=2)
+    if not line.image and line.asks("new") and not image:
+        raise RosmlError("--new starts an image, and none is named", f"rosml run --new IMAGE, or {IMAGE}", exit_code=2)
+    if not line.image and not line.asks("new"):
+        try:
+            enter(line, image)
+            return
+        except attach.NoContainer:
+            if not image:
+                raise
+    start(engine.program(os.environ), line, caller, files)
 
 
-def enter(line: words.Line) -> None:
-    """Enters the container of the current folder, as no image is named. An option may have taken the image as its value.
+IMAGE = 'write image = "…" into .rosml.toml'
+"""How a folder gets an image of its own."""
+
+
+def enter(line: words.Line, image: str) -> None:
+    """Enters the container of the current folder, as no image is typed. An option may have taken the image as its value.
+
+    Args:
+        image: the one of the files with defaults; empty where they name none.
 
     Raises:
         RosmlError: there is none, or there are several, or it cannot be entered.
@@ -87,7 +109,7 @@ def enter(line: words.Line) -> None:
     from rosml.run import attach
 
     remedy = "write the image after it: rosml run … IMAGE"
-    if line.taken and not set(line.engine[-1].names) <= attach.PASSED:
+    if line.taken and not image and not set(line.engine[-1].names) <= attach.PASSED:
         raise RosmlError(f"no image is named: {line.taken}", remedy, exit_code=2)
     try:
         container.enter_folder(line, "rosml run without an image")
@@ -97,26 +119,30 @@ def enter(line: words.Line) -> None:
         raise
 
 
-def start(program: str, line: words.Line, caller: Person) -> None:
+def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
     """Starts an image, or shows how. One that is not there is pulled, unless the command is only shown. Where it runs for this
     folder already, enters that container.
 
     Args:
-        program: the engine's command.
+        program: the engine's command. line: what somebody typed. files: what they need not type. A container that runs has
+            their options already.
 
     Raises:
-        RosmlError: there is no such image, or another container has the name, or the image has no workspace.
+        RosmlError: there is no such image, or another container has the name, or the image has no workspace, or a file of
+            defaults wants what is not allowed.
     """
     from rosml.run import attach, concerns, engine
     from rosml.run.context import Context
     from rosml.run.host import host, write
 
+    typed, line = line, files.under(line)
     name = "" if line.has("replace") else concerns.name_of(line, caller)
     facts = engine.ask(program, line.image, name)
     if facts.taken:
         attach.check_same(program, line, caller, facts.taken, facts.image)
-        container.enter(program, line, caller, facts.taken)
+        container.enter(program, typed, caller, facts.taken)
         return
+    defaults.require(typed, files.project)
     if facts.image is None:
         if container.only_shown(line):
             raise engine.lacking(program, line.image)
