@@ -57,6 +57,9 @@ def program(environment: Mapping[str, str]) -> str:
 INFO = "{{json .}}"
 """What an engine is asked of itself."""
 
+PATIENCE = 1.0
+"""Seconds in which an engine answers somebody who has pressed the Tab key."""
+
 ID = re.compile("[A-Za-z0-9][A-Za-z0-9_.-]*")
 """How an engine calls a container."""
 
@@ -145,6 +148,31 @@ def containers(command: str, label: str) -> list[Container]:
         return []
     # One that ends meanwhile is missing in the answer.
     return _containers(command, _ended(_begun(command, "container", "inspect", "--format", CONTAINER, *ids)), *ids)
+
+
+def image_names(command: str) -> list[str]:
+    """The names of all images, with their tags: as many as the engine says at once."""
+    return [name for name in _listed(command, "images", "{{.Repository}}:{{.Tag}}") if "<none>" not in name]
+
+
+def container_names(command: str) -> list[str]:
+    """The names of all containers: as many as the engine says at once."""
+    return _listed(command, "ps", "{{.Names}}", "--all")
+
+
+def _listed(command: str, what: str, form: str, *options: str) -> list[str]:
+    """The lines of a list; none where the engine fails, or takes long: somebody has pressed the Tab key."""
+    try:
+        done = subprocess.run(
+            [command, what, *options, "--format", form],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=PATIENCE,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return []
+    return done.stdout.decode(errors="replace").split() if done.returncode == 0 else []
 
 
 def start(command: str, name: str) -> None:
