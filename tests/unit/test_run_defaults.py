@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 from desks import OTHER, USER, Desk
 from test_run_attach import facts
 
-from rosml.run import consent, defaults
+from rosml.run import consent, defaults, words
 from rosml.run.words import split
+from tests.pages import blocks
 
 IMAGE = 'image = "ubuntu"\n'
 
@@ -144,6 +147,25 @@ def test_relative_paths_are_meant_from_the_files_folder(
     assert found
     said = " ".join(word for given in found.line.engine for word in given.words)
     assert said.replace(str(tmp_path.parent), "/").replace(f"/{tmp_path.name}", "p").replace("//", "/") == meant
+
+
+def test_the_page_shows_what_is_there(tmp_path: Path) -> None:
+    """Its example can be read, what it says of it is what would be asked about, and its list is the list."""
+    page = (ROOT / "docs/run.md").read_text()
+    (example,) = [block.text for block in blocks(ROOT / "docs/run.md") if block.title == ".rosml.toml"]
+    (tmp_path / ".rosml.toml").write_text(example)
+    file = defaults.files({}, str(tmp_path), ["--mws"], ()).project
+    assert file
+    (question,) = [block.text for block in blocks(ROOT / "docs/run.md") if " wants:" in block.text]
+    items = [item.replace(str(tmp_path), "/home/me/robot") for item in consent.wanted(file.line, trusted=True)]
+    assert question.splitlines()[1:-1] == [f"  {item}" for item in items]
+    table = page.partition("Only these need no question:")[2].partition("Everything else")[0]
+    letters = {f"-{letter}": f"--{long}" for letter, long in words.table().letters.items()}
+    listed = {letters.get(word, word) for word in re.findall(r"`(--?[a-z0-9-]+)`", table)}
+    assert listed == consent.OWN | {f"--{name}" for name in {*consent.ENGINES, "env"}}
+    variables = {*re.findall("`([A-Z_]+)`", table)}
+    assert variables and all(consent.VARIABLE.fullmatch(f"{name}=x") for name in variables)
+    assert variables == {*re.findall("[A-Z_]{4,}", consent.VARIABLE.pattern)}
 
 
 # ---- Files that are wrong --------------------------------------------------------------------------------------------
