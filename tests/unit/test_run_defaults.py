@@ -7,6 +7,7 @@ import os
 import re
 import shlex
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from conftest import ROOT
@@ -120,6 +121,17 @@ def test_where_the_projects_file_is_looked_for(tmp_path: Path) -> None:
     assert defaults.project_file(str(deep), str(link)) == str(home / "robot/.rosml.toml")
     assert defaults.project_file(str(deep), "/nowhere") == str(home / "robot/.rosml.toml")
     assert defaults.project_file(str(tmp_path), "/nowhere") == str(tmp_path / ".rosml.toml")
+
+
+def test_the_search_ends_with_the_file_system(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As that of git does: what is mounted may be anybody's, and so may the folder above it."""
+    mounted = tmp_path / "mounted/src"
+    mounted.mkdir(parents=True)
+    (tmp_path / ".rosml.toml").touch()
+    assert defaults.project_file(str(mounted), "/nowhere") == str(tmp_path / ".rosml.toml")
+    real = os.stat
+    monkeypatch.setattr("os.stat", lambda path: SimpleNamespace(st_dev=real(path).st_dev + ("mounted" in path)))
+    assert defaults.project_file(str(mounted), "/nowhere") == ""
 
 
 def test_a_folder_of_settings_elsewhere(desk: Desk, tmp_path: Path) -> None:
@@ -260,6 +272,15 @@ def test_whose_file_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
     assert [consent.is_own(uid, {"SUDO_UID": "1001"}) for uid in (0, 1000, 1001)] == [True, True, False]
     monkeypatch.setattr("os.geteuid", lambda: 0)
     assert [consent.is_own(uid, {"SUDO_UID": "1001"}) for uid in (0, 1000, 1001)] == [True, False, True]
+
+
+def test_what_another_user_writes_down_allows_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the folder of state is one in which others can write."""
+    file, place = defaults.File("/x", b"", 0, split([], ())), tmp_path / "allowed.json"
+    place.write_bytes(consent.remembered(file, place))
+    assert consent.is_allowed(file, place)
+    monkeypatch.setattr("os.geteuid", lambda: place.stat().st_uid + 1)
+    assert not consent.is_allowed(file, place)
 
 
 def test_somebody_is_asked_once_for_each_content(desk: Desk) -> None:

@@ -17,6 +17,10 @@ RESERVED = ("new", "no-defaults", "verbose", "dry-run", "json", "help")
 """Options of the command itself: no plugin can have one of these names, and no file with defaults can have one of them."""
 
 
+IMAGE = 'write image = "…" into .rosml.toml'
+"""How a folder gets an image of its own."""
+
+
 @cache
 def found() -> plugins.Found:
     """The plugins; they are looked for once."""
@@ -91,10 +95,6 @@ def main(context: click.Context, /) -> None:
             if not image:
                 raise
     start(engine.program(os.environ), line, caller, files)
-
-
-IMAGE = 'write image = "…" into .rosml.toml'
-"""How a folder gets an image of its own."""
 
 
 def enter(line: words.Line, image: str) -> None:

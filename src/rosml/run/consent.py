@@ -71,9 +71,10 @@ def remembered(file: File, place: Path) -> bytes:
 
 
 def _allowed(place: Path) -> dict[str, object]:
-    """All that was allowed: nothing where the file is missing, or damaged, so that people are asked once more."""
+    """All that was allowed: nothing where the file is missing, damaged, or another user's, so that people are asked once more."""
     try:
-        found = json.loads(place.read_bytes())
+        with place.open("rb") as stream:
+            found = json.load(stream) if os.fstat(stream.fileno()).st_uid == os.geteuid() else {}
     except (OSError, ValueError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}

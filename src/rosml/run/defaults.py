@@ -96,14 +96,22 @@ def project_file(folder: str, home: str) -> str:
     Args:
         folder: an absolute path. home: may lead there by links.
     """
-    here, end, device = folder, os.path.realpath(home), os.stat(folder).st_dev
-    while here != end and os.stat(here).st_dev == device:
+    here, end, device = folder, os.path.realpath(home), _device(folder)
+    while here != end and _device(here) == device:
         if os.path.lexists(path := os.path.join(here, PROJECT)):
             return path
         if here == os.path.dirname(here):
             break
         here = os.path.dirname(here)
     return ""
+
+
+def _device(folder: str) -> int:
+    """The file system of a folder; -1 where nobody may look."""
+    try:
+        return os.stat(folder).st_dev
+    except OSError:
+        return -1
 
 
 def shown(text: str) -> str:
