@@ -7,7 +7,6 @@ import os
 import re
 import shlex
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 from conftest import ROOT
@@ -129,8 +128,7 @@ def test_the_search_ends_with_the_file_system(tmp_path: Path, monkeypatch: pytes
     mounted.mkdir(parents=True)
     (tmp_path / ".rosml.toml").touch()
     assert defaults.project_file(str(mounted), "/nowhere") == str(tmp_path / ".rosml.toml")
-    real = os.stat
-    monkeypatch.setattr("os.stat", lambda path: SimpleNamespace(st_dev=real(path).st_dev + ("mounted" in path)))
+    monkeypatch.setattr("rosml.run.defaults._device", lambda folder: int("mounted" in folder))
     assert defaults.project_file(str(mounted), "/nowhere") == ""
 
 
@@ -250,21 +248,23 @@ HARMLESS += ["-itm 1g", "--shm-size=2g", "--env=RMW_IMPLEMENTATION=rmw_cyclonedd
 ASKED = ["--privileged", "--privileged=true", "--device /dev/sda", "--network=host", "--net host", "--pid=host"]
 ASKED += ["--ipc host", "--cap-add=ALL", "--security-opt seccomp=unconfined", "-v .:/x", "-v /:/h", "-itv /:/h"]
 ASKED += ["-itv/:/h", "--volume=/:/h", "--mount type=bind,src=/,dst=/h", "--userns=host", "--user 0", "-iu0"]
-ASKED += ["--env-file x", "-e SECRET", "-eSECRET", "-e LD_PRELOAD=/x", "-e ROS_DOMAIN_ID", "-e ROS_DOMAIN_ID=$(id)"]
+ASKED += ["--env-file x", "-e SECRET", "-eSECRET", "-e LD_PRELOAD=/x", "-e ROS_DOMAIN_ID", "-e 'ROS_DOMAIN_ID=$(id)'"]
 ASKED += ["--env=ROS_*", "--gpus all", "--entrypoint x", "-p 80:80", "--label a=b", "--unheard-of=true", "-w /x"]
+ASKED += ["-Pit", "-e 'ROS_DOMAIN_ID=7 a'", "-e RMW_IMPLEMENTATION=a/../b"]
 ASKED += ["--no-user", "--sound", "--ssh-agent", "--wayland", "--runtime=x", "--pull=always", "-P"]
 OWN = ["--mws", "--mwd", "--no-rm", "--no-gpu", "--no-x11", "--no-user", "--sound", "--ssh-agent", "--wayland"]
 
 
 @pytest.mark.parametrize("option", HARMLESS)
 def test_what_needs_no_question(option: str) -> None:
-    line = split(option.split(), OWN)
+    line = split(shlex.split(option), OWN)
     assert consent.wanted(line, trusted=True) == [] and consent.wanted(line, trusted=False) == [option]
 
 
 @pytest.mark.parametrize("option", ASKED)
 def test_what_is_asked_about(option: str) -> None:
-    assert consent.wanted(split(option.split(), OWN), trusted=True) == [shlex.join(option.split())]
+    given = shlex.split(option)
+    assert consent.wanted(split(given, OWN), trusted=True) == [shlex.join(given)]
 
 
 def test_whose_file_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
