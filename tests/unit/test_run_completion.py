@@ -53,7 +53,6 @@ def completed(path: Path, line: str) -> list[str]:
         ("rosml run --no-g", ["plain,--no-gpu\tno GPUs"]),
         ("rosml run -v ./a", ["file,./a"]),
         ("rosml run -itv ./a", ["file,./a"]),
-        ("rosml run --volume=./a", ["file,./a"]),
         ("rosml run -e ros", [""]),
         ("rosml run --network=ros", [""]),
         ("rosml run --nonsense ros", [""]),

@@ -138,6 +138,15 @@ def test_a_folder_of_settings_elsewhere(desk: Desk, tmp_path: Path) -> None:
     assert desk.call(XDG_CONFIG_HOME="relative").returncode == 2
 
 
+@pytest.mark.parametrize("variable", ["HOME", "XDG_CONFIG_HOME"])
+def test_a_folder_of_settings_in_a_project_is_not_the_persons(desk: Desk, variable: str) -> None:
+    """A relative path would lead there, and nobody would be asked."""
+    person(desk, IMAGE).parent.parent.rename(desk.folder / ".config")
+    assert desk.call(**{variable: "." if variable == "HOME" else ".config"}).returncode == 2
+    project(desk, 'options = ["--privileged"]\n')
+    assert "wants what you have not allowed" in desk.call("ubuntu", **{variable: "."}).stderr
+
+
 @pytest.mark.parametrize(
     ("written", "meant"),
     [

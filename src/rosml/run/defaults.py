@@ -69,7 +69,13 @@ def base(environment: Mapping[str, str], variable: str, usual: str) -> str:
         variable: the one that names it; a relative path does not count. usual: where it is otherwise, in their home.
     """
     named = environment.get(variable, "")
-    return named if named.startswith("/") else f"{os.path.expanduser('~')}/{usual}"
+    return named if named.startswith("/") else os.path.join(home(), usual)
+
+
+def home() -> str:
+    """The person's home folder; / where they have none, or a relative one, which would be a place in somebody's project."""
+    found = os.path.expanduser("~")
+    return found if found.startswith("/") else "/"
 
 
 def files(environment: Mapping[str, str], folder: str, options: Collection[str], refused: Collection[str]) -> Files:
@@ -82,21 +88,21 @@ def files(environment: Mapping[str, str], folder: str, options: Collection[str],
         RosmlError: one of them is wrong, or cannot be read.
     """
     person = f"{base(environment, 'XDG_CONFIG_HOME', '.config')}/{PERSON}"
-    project = project_file(folder, os.path.expanduser("~"))
+    project = project_file(folder, home())
     return Files(
         _file(person, options, refused) if os.path.lexists(person) else None,
         _file(project, options, refused, os.O_NOFOLLOW) if project else None,
     )
 
 
-def project_file(folder: str, home: str) -> str:
+def project_file(folder: str, end: str) -> str:
     """The file of a project: in a folder or the nearest one above it; empty where there is none. The search ends below the home
     folder, where the person's own file counts, and at the end of a file system.
 
     Args:
-        folder: an absolute path. home: may lead there by links.
+        folder: an absolute path. end: the home folder; links may lead there.
     """
-    here, end, device = folder, os.path.realpath(home), _device(folder)
+    here, end, device = folder, os.path.realpath(end), _device(folder)
     while here != end and _device(here) == device:
         if os.path.lexists(path := os.path.join(here, PROJECT)):
             return path
