@@ -69,9 +69,13 @@ def showing(main: Callable[..., None]) -> Callable[..., None]:
     return main
 
 
+SHOW = ("--dry-run", "--json", "--check", "--export")
+"""Options with which nothing of anybody's runs."""
+
+
 def only_shown(line: words.Line) -> bool:
     """Whether nothing is to be run."""
-    return line.asks("dry-run") or line.asks("json")
+    return any(word.partition("=")[0] in SHOW for word in line.own)
 
 
 def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] | None = None) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from importlib import import_module
 
 import click
@@ -72,10 +73,19 @@ COMMANDS = (
 )
 """The modules of this package that have a command: `main` in each."""
 
-QUICK = ("attach", "run")
+QUICK = completion.OF_WORDS
 """Every shell in a container waits for them, and importing the others takes longer than all that they do themselves."""
 
-for name in {*sys.argv[1:2]} & {*QUICK} or (QUICK if LACKING else COMMANDS):
+
+def needed() -> Iterable[str]:
+    """The commands that this call needs."""
+    if completion.asked().endswith("_source"):
+        return ()
+    first = completion.begun() if completion.asked() else next(iter(sys.argv[1:]), "")
+    return (first,) if first in QUICK else QUICK if LACKING else COMMANDS
+
+
+for name in needed():
     cli.add_command(import_module(f"rosml.cli.{name}").main)
 
 

@@ -27,6 +27,10 @@ IDLE = ("created", "exited", "configured", "initialized", "stopped")
 """The states from which a container can be started."""
 
 
+class NoContainer(RosmlError):
+    """No container was started in a folder."""
+
+
 def argv(program: str, line: Line, person: Person, container: Container, image: Image | None) -> list[str]:
     """The engine's command.
 
@@ -70,7 +74,8 @@ def of_folder(found: Sequence[Container], folder: str, command: str) -> Containe
         found: all that `rosml run` started. command: how somebody called this, for the message.
 
     Raises:
-        RosmlError: there is none, or there are several.
+        NoContainer: there is none.
+        RosmlError: there are several.
     """
     here = [container for container in found if container.labels.get(FOLDER) == folder]
     running = [container for container in here if container.state == "running"]
@@ -83,7 +88,7 @@ def of_folder(found: Sequence[Container], folder: str, command: str) -> Containe
         raise RosmlError(f"{len(chosen)} containers of this folder: {names}", f"rosml attach {first}", exit_code=2)
     others = _shown(container for container in found if container.state == "running")
     elsewhere = f"; rosml attach NAME enters one of other folders: {', '.join(others)}" if others else ""
-    raise RosmlError(
+    raise NoContainer(
         f"{command}: no container was started in this folder", f"rosml run IMAGE starts one{elsewhere}", exit_code=2
     )
 

@@ -13,6 +13,25 @@ SOURCES = ("source=", "src=")
 """How a mount names what is mounted."""
 
 
+READ = ("authfile", "cert-dir", "cidfile", "env-file", "hosts-file", "label-file", "pidfile", "pod-id-file")
+"""Options whose value is a file of this machine, which the engine reads or writes."""
+
+
+def anchored(given: Given, folder: str) -> Given:
+    """The same option of a file, whose folder the engine does not know: also files that the engine itself would find from the
+    current folder.
+
+    Args:
+        given: options of the engine. folder: that of the file.
+
+    Raises:
+        RosmlError: as in `resolved`.
+    """
+    if given.value and given.names[-1] in READ:
+        return given.with_value(_absolute(given.value, folder))
+    return resolved(given, folder)
+
+
 def resolved(given: Given, folder: str) -> Given:
     """The same option; where it mounts a relative folder, with its absolute path. A name without `/` is a volume's.
 
