@@ -300,7 +300,7 @@ def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool,
     ("words", "says"),
     [
         ([], "no container was started in this folder\nremedy: rosml run IMAGE starts one"),
-        (["--new"], "--new starts an image, and none is named"),
+        (["--new"], "--new needs an image, and none is named"),
         (["--brand-new", "ubuntu"], "remedy: --brand-new=VALUE"),
         (["--no-rm=1", "ubuntu"], "'--no-rm' does not take a value"),
         (["--mws", "ubuntu"], "ubuntu has no workspace"),

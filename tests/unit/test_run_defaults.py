@@ -104,7 +104,7 @@ def test_files_are_left_out(desk: Desk) -> None:
 def test_no_image_is_named_anywhere(desk: Desk, words: list[str]) -> None:
     project(desk, 'options = ["--mws"]\n')
     done = desk.call(*words)
-    assert done.returncode == 2 and "rosml run" in done.stderr and not desk.called("run")
+    assert done.returncode == 125 and "rosml run" in done.stderr and not desk.called("run")
 
 
 def test_where_the_projects_file_is_looked_for(tmp_path: Path) -> None:
@@ -135,14 +135,14 @@ def test_the_search_ends_with_the_file_system(tmp_path: Path, monkeypatch: pytes
 def test_a_folder_of_settings_elsewhere(desk: Desk, tmp_path: Path) -> None:
     person(desk, IMAGE).parent.rename(tmp_path / "rosml")
     assert desk.call(XDG_CONFIG_HOME=str(tmp_path)).returncode == 0 and tail(desk) == ["ubuntu"]
-    assert desk.call(XDG_CONFIG_HOME="relative").returncode == 2
+    assert desk.call(XDG_CONFIG_HOME="relative").returncode == 125
 
 
 @pytest.mark.parametrize("variable", ["HOME", "XDG_CONFIG_HOME"])
 def test_a_folder_of_settings_in_a_project_is_not_the_persons(desk: Desk, variable: str) -> None:
     """A relative path would lead there, and nobody would be asked."""
     person(desk, IMAGE).parent.parent.rename(desk.folder / ".config")
-    assert desk.call(**{variable: "." if variable == "HOME" else ".config"}).returncode == 2
+    assert desk.call(**{variable: "." if variable == "HOME" else ".config"}).returncode == 125
     project(desk, 'options = ["--privileged"]\n')
     assert "wants what you have not allowed" in desk.call("ubuntu", **{variable: "."}).stderr
 
@@ -219,7 +219,7 @@ def test_the_page_shows_what_is_there(tmp_path: Path) -> None:
 def test_a_file_that_is_wrong(desk: Desk, text: str, says: str, remedy: str) -> None:
     file = project(desk, text)
     done = desk.call("ubuntu")
-    assert (done.returncode, done.stdout) == (2, "") and not desk.calls
+    assert (done.returncode, done.stdout) == (125, "") and not desk.calls
     message, advice = done.stderr.splitlines()
     assert message.startswith(f"error: {file}{says}") and advice.startswith("remedy: ") and remedy in advice
     assert "--no-defaults" in advice
@@ -228,7 +228,7 @@ def test_a_file_that_is_wrong(desk: Desk, text: str, says: str, remedy: str) -> 
 def test_what_is_no_file(desk: Desk) -> None:
     def told() -> str:
         done = desk.call("ubuntu")
-        assert done.returncode == 2 and done.stderr.count("\n") == 2
+        assert done.returncode == 125 and done.stderr.count("\n") == 2
         return done.stderr
 
     file = desk.folder / ".rosml.toml"
@@ -295,7 +295,7 @@ def test_what_another_user_writes_down_allows_nothing(tmp_path: Path, monkeypatc
 def test_somebody_is_asked_once_for_each_content(desk: Desk) -> None:
     file = project(desk, f'{IMAGE}options = ["--no-name", "--network", "host"]\n')
     code, told = desk.on_a_terminal(keys=b"\n")
-    assert code == 2 and f"{file} is not allowed".encode() in told and not desk.called("run")
+    assert code == 125 and f"{file} is not allowed".encode() in told and not desk.called("run")
     code, told = desk.on_a_terminal(keys=b"y\n")
     lines = told.decode().replace("\r", "").splitlines()
     assert code == 0 and lines[lines.index(f"{file} wants:") :][1:3] == ["  image ubuntu", "  --network host"]
@@ -305,10 +305,10 @@ def test_somebody_is_asked_once_for_each_content(desk: Desk) -> None:
     assert (state.stat().st_mode & 0o777, state.parent.stat().st_mode & 0o777) == (0o600, 0o700)
     assert [*json.loads(state.read_text())] == [str(file)] and os.listdir(state.parent) == [state.name]
     project(desk, f'{IMAGE}options = ["--no-name", "--privileged"]\n')
-    assert desk.call().returncode == 2, "changed"
+    assert desk.call().returncode == 125, "changed"
     assert desk.on_a_terminal(keys=b"y\n")[0] == 0 and desk.call().returncode == 0
     state.write_text("nonsense")
-    assert desk.call().returncode == 2, "a damaged file allows nothing"
+    assert desk.call().returncode == 125, "a damaged file allows nothing"
     assert desk.on_a_terminal(keys=b"yes\n")[0] == 0 and desk.call().returncode == 0
 
 
@@ -318,7 +318,7 @@ def test_another_folder_is_asked_about_as_well(desk: Desk) -> None:
     desk.folder = desk.folder.with_name("other")
     desk.folder.mkdir()
     project(desk, IMAGE)
-    assert desk.call().returncode == 2
+    assert desk.call().returncode == 125
 
 
 @pytest.mark.parametrize("text", [IMAGE, 'options = ["-v", "/:/host"]\n', 'command = ["sh"]\n'])
@@ -326,7 +326,7 @@ def test_without_a_terminal_nothing_is_allowed(desk: Desk, text: str) -> None:
     person(desk, IMAGE)
     file = project(desk, text)
     done = desk.call()
-    assert (done.returncode, done.stdout) == (2, "") and not desk.called("run") and not desk.called("pull")
+    assert (done.returncode, done.stdout) == (125, "") and not desk.called("run") and not desk.called("pull")
     assert f"error: {file} wants what you have not allowed: " in done.stderr
     assert "remedy: call it once in a terminal" in done.stderr and "--no-defaults" in done.stderr
     assert not Path(desk.environment["HOME"], ".local").exists()

@@ -23,7 +23,7 @@ class Command(click.Command):
     Attributes:
         alone: it needs no checkout. prints: it does nothing but print, so that whoever reads it may stop.
         kept: what is said after Ctrl-C. before: what is called before it begins.
-        failure: its exit code where the work failed, and where the input was wrong; 0 for one code each.
+        failure: the exit code of every error; 0 for that of `command.run`.
     """
 
     failure = 0

@@ -99,5 +99,5 @@ def run(word: str = "") -> int:
         return answered
     first = cli.commands.get(word or next(iter(sys.argv[1:]), ""))
     known = first if isinstance(first, Command | Group) else cli
-    code = command.run(known if word else cli, known.kept, reader_gone=0 if known.prints else command.BROKEN_PIPE)
-    return command.ended(known.failure if known.failure and code in (1, 2) else code)
+    gone = 0 if known.prints else command.BROKEN_PIPE
+    return command.ended(command.run(known if word else cli, known.kept, reader_gone=gone, failure=known.failure))
