@@ -14,6 +14,7 @@ from desks import OTHER, USER, Desk
 from test_run_attach import facts
 
 from rosml.run import consent, defaults, words
+from rosml.run.plugins import OWN as OURS
 from rosml.run.words import split
 from tests.pages import blocks
 
@@ -211,6 +212,9 @@ def test_the_page_shows_what_is_there(tmp_path: Path) -> None:
         ('options = ["-e A=b"]', ":1: options has two words in one: '-e A=b'", 'write "-e", "A=b"'),
         ('options = ["--no-rm=1"]', ":1: --no-rm takes no value", "write --no-rm"),
         ('options = ["--dry-run"]', ":1: --dry-run is for the command line alone", "remove it"),
+        ('options = ["--check"]', ":1: --check is for the command line alone", "remove it"),
+        ('options = ["--export", "compose"]', ":1: --export is for the command line alone", "remove it"),
+        ('options = ["--export=compose"]', ":1: --export is for the command line alone", "remove it"),
         ('command = ["\\u001b[2J"]', ":1: command has a character that cannot be shown: '\\x1b'", "remove it"),
         ('options = ["-e", "A=\\u202e"]', ":1: options has a character that cannot be shown: '\\u202e'", "remove it"),
         ("#" * 70000, ": it has more than 64 KiB", "shorten it"),
@@ -252,7 +256,7 @@ def test_what_is_no_file(desk: Desk) -> None:
 
 # ---- What a project's file gets --------------------------------------------------------------------------------------
 
-HARMLESS = ["--mws", "--mwd", "--no-rm", "--no-gpu", "--no-x11", "-it", "--rm", "-e ROS_DOMAIN_ID=7", "--name=x"]
+HARMLESS = ["--mws", "--mwd", "--no-rm", "--no-gpu", "--no-x11", "--no-ros", "-it", "--rm", "-e ROS_DOMAIN_ID=7", "--name=x"]
 HARMLESS += ["-itm 1g", "--shm-size=2g", "--env=RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"]
 ASKED = ["--privileged", "--privileged=true", "--device /dev/sda", "--network=host", "--net host", "--pid=host"]
 ASKED += ["--ipc host", "--cap-add=ALL", "--security-opt seccomp=unconfined", "-v .:/x", "-v /:/h", "-itv /:/h"]
@@ -260,8 +264,8 @@ ASKED += ["-itv/:/h", "--volume=/:/h", "--mount type=bind,src=/,dst=/h", "--user
 ASKED += ["--env-file x", "-e SECRET", "-eSECRET", "-e LD_PRELOAD=/x", "-e ROS_DOMAIN_ID", "-e 'ROS_DOMAIN_ID=$(id)'"]
 ASKED += ["--env=ROS_*", "--gpus all", "--entrypoint x", "-p 80:80", "--label a=b", "--unheard-of=true", "-w /x"]
 ASKED += ["-Pit", "-e 'ROS_DOMAIN_ID=7 a'", "-e RMW_IMPLEMENTATION=a/../b"]
-ASKED += ["--no-user", "--sound", "--ssh-agent", "--wayland", "--runtime=x", "--pull=always", "-P"]
-OWN = ["--mws", "--mwd", "--no-rm", "--no-gpu", "--no-x11", "--no-user", "--sound", "--ssh-agent", "--wayland"]
+ASKED += ["--ros-network", "--no-user", "--sound", "--ssh-agent", "--wayland", "--runtime=x", "--pull=always", "-P"]
+OWN = [f"--{name}" for plugin in OURS for name in plugin.options]
 
 
 @pytest.mark.parametrize("option", HARMLESS)

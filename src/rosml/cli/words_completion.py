@@ -24,21 +24,26 @@ def items(command: click.Command, args: Sequence[str], incomplete: str) -> list[
     Args:
         args: the words before it, without `rosml run`.
     """
-    parameters = command.get_params(click.Context(command))
-    own = {x.opts[0]: x.help or "" for x in parameters if isinstance(x, click.Option)}
+    context = click.Context(command)
+    own = {x.opts[0]: x for x in command.get_params(context) if isinstance(x, click.Option)}
+    with_value = {name: option for name, option in own.items() if not option.is_flag}
     try:
-        line = words.split(args, own)
+        line = words.split(args, own, with_value)
     except RosmlError:
+        if option := with_value.get(args[-1]):
+            return option.shell_complete(context, incomplete)
         return _value(_waiting(args, own), incomplete)
     if line.image:
         return _file(incomplete)
     if incomplete.startswith("--") and "=" in incomplete:
-        name, _, value = incomplete.removeprefix("--").partition("=")
-        return _value(name, value)
+        name, _, value = incomplete.partition("=")
+        if option := with_value.get(name):
+            return [CompletionItem(f"{name}={x.value}") for x in option.shell_complete(context, value)]
+        return _value(name.removeprefix("--"), value)
     if incomplete.startswith("-"):
         theirs = attach.PASSED if command.name == ENTERS else words.table().names
-        known = own | {f"--{name}": "" for name in sorted(theirs)}
-        return [CompletionItem(name, help=text or None) for name, text in known.items() if name.startswith(incomplete)]
+        known = {name: option.help for name, option in own.items()} | {f"--{name}": None for name in sorted(theirs)}
+        return [CompletionItem(name, help=text) for name, text in known.items() if name.startswith(incomplete)]
     return [CompletionItem(name) for name in _named(command.name == ENTERS) if name.startswith(incomplete)]
 
 

@@ -10,10 +10,10 @@ from typing import Any
 import yaml
 
 from rosml.base.errors import RosmlError
-from rosml.run.export import Call, Option, fields, placed, volume
+from rosml.run.export import Call, Option, fields, file, placed, volume
 
 SAME = (
-    *("annotation", "cpus", "domainname", "expose", "hostname", "ipc", "isolation", "label-file", "pid", "platform"),
+    *("annotation", "cpus", "domainname", "expose", "hostname", "ipc", "isolation", "pid", "platform"),
     *("restart", "runtime", "tmpfs", "user", "uts", "cap-add", "cap-drop", "cgroup-parent", "cpu-count", "cpu-percent"),
     *("cpu-period", "cpu-quota", "cpu-rt-period", "cpu-rt-runtime", "cpu-shares", "dns", "dns-opt", "dns-search"),
     *("group-add", "init", "mac-address", "oom-kill-disable", "oom-score-adj", "pids-limit", "privileged", "read-only"),
@@ -58,7 +58,7 @@ NAMES = {
 
 LISTS = (
     *("add-host", "cap-add", "cap-drop", "device", "device-cgroup-rule", "dns", "dns-opt", "dns-search", "expose"),
-    *("group-add", "label-file", "link", "publish", "security-opt", "tmpfs"),
+    *("group-add", "link", "publish", "security-opt", "tmpfs"),
 )
 """Those of which compose takes several."""
 
@@ -208,8 +208,9 @@ def _number(found: str) -> int | str:
 
 
 MADE: Mapping[str, Callable[[Option, str], dict[str, Any]]] = {
-    "env-file": lambda option, folder: {"env_file": [{"path": option.value, "format": "raw"}]},
+    "env-file": lambda option, folder: {"env_file": [{"path": file(option, folder, "."), "format": "raw"}]},
     "gpus": _gpus,
+    "label-file": lambda option, folder: {"label_file": [file(option, folder, ".")]},
     "mount": _mount,
     "network": _network,
     "stop-timeout": lambda option, folder: {"stop_grace_period": f"{option.value}s"},

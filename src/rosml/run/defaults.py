@@ -231,12 +231,11 @@ def _options(words: Sequence[str], options: Collection[str], refused: Collection
         first, _, second = two.partition(" ")
         raise RosmlError(f"options has two words in one: {two!r}", f'write "{first}", "{second.strip()}"')
     line = split(words, [*options, *refused])
+    if alone := next((name for word in line.own if (name := word.partition("=")[0]) in refused), ""):
+        raise RosmlError(f"{alone} is for the command line alone", "remove it")
     read = len(line.own) + sum(len(given.words) for given in line.engine)
     if read < len(words):
         raise RosmlError(f"options has {words[read]!r}, which is no option", 'an image goes into image = "…"')
-    for word in line.own:
-        if word in refused:
-            raise RosmlError(f"{word} is for the command line alone", "remove it")
-        if word not in options:
-            raise RosmlError(f"{word.partition('=')[0]} takes no value", f"write {word.partition('=')[0]}")
+    if valued := next((word.partition("=")[0] for word in line.own if word not in options), ""):
+        raise RosmlError(f"{valued} takes no value", f"write {valued}")
     return line

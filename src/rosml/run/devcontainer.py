@@ -6,7 +6,6 @@ An editor replaces the image's entrypoint by a command that waits, and enters th
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -14,8 +13,8 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.run.concerns import FOLDER as LABEL
 from rosml.run.context import Context
-from rosml.run.export import Call, Option, fields, placed, preceded, volume
-from rosml.run.paths import joined
+from rosml.run.export import Call, Option, fields, file, placed, preceded, volume
+from rosml.run.paths import READ, joined
 
 FOLDER = "${localWorkspaceFolder}"
 """What the file calls the folder that the editor opens."""
@@ -30,9 +29,6 @@ LISTS = {"cap-add": "capAdd", "security-opt": "securityOpt"}
 SWITCHES = ("init", "privileged")
 ELSEWHERE = ("env", "mount", "user", *LISTS, *SWITCHES)
 """Options for which the file has a word of its own."""
-
-FILES = ("env-file", "label-file")
-"""Options whose value is a file; a relative path begins at the current folder."""
 
 
 def bare(context: Context) -> Context:
@@ -124,8 +120,8 @@ def _word(option: Option, folder: str) -> str:
     value = option.value
     if value is None:
         return f"--{option.name}"
-    if option.name in FILES:
-        value = placed(os.path.normpath(os.path.join(folder, value)), folder, FOLDER)
+    if option.name in READ:
+        value = file(option, folder, FOLDER)
     elif option.name == "volume":
         value = volume(option, folder, FOLDER)
     elif value == f"{LABEL}={folder}":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -134,6 +135,11 @@ def placed(path: str, folder: str, start: str) -> str:
     if folder == "/" or not f"{path}/".startswith(f"{folder}/"):
         return path
     return start + path[len(folder) :]
+
+
+def file(option: Option, folder: str, start: str) -> str:
+    """The value of an option that is a file of this machine; a relative path begins at the current folder."""
+    return placed(os.path.normpath(os.path.join(folder, option.value or "")), folder, start)
 
 
 def volume(option: Option, folder: str, start: str) -> str:
