@@ -236,6 +236,19 @@ def test_a_folder_that_is_mounted(desk: Desk) -> None:
     assert entered(desk)[2:] == ["dr", "/entrypoint.sh", "bash"]
 
 
+@pytest.mark.parametrize("words", [[], ["ours"]])
+def test_a_container_without_the_network_for_ros(desk: Desk, words: list[str]) -> None:
+    """It is entered, and a note says what it lacks."""
+    desk.command = "run"
+    desk.engine(containers={"dr": [*facts(desk), {"NetworkMode": "host", "IpcMode": "private"}]})
+    code, told = desk.on_a_terminal("--ros-network", *words)
+    assert code == 0 and "dr" in entered(desk)
+    assert b"dr runs without --ros-network: its network is host, its shared memory private" in told
+    assert b"--new starts another container with it" in told
+    desk.engine(containers={"dr": [*facts(desk), {"NetworkMode": "host", "IpcMode": "host"}]})
+    assert desk.on_a_terminal("--ros-network", *words) == (0, b"")
+
+
 # ---- The words -------------------------------------------------------------------------------------------------------
 
 CONTRACT = {"DOCKER_UID": ""}

@@ -95,6 +95,13 @@ def test_a_point_enters_the_container_on_a_terminal(desk: Desk) -> None:
     assert desk.ran == ["docker", "exec", "-i", "-t", "dr", "ls"]
 
 
+def test_another_container_gets_no_name_of_a_file(desk: Desk) -> None:
+    """Which the one that runs has."""
+    person(desk, f'{IMAGE}options = ["--name", "dr"]\n')
+    desk.engine(containers={"dr": facts(desk, "ubuntu")})
+    assert desk.call("--new").returncode == 0 and desk.ran[1] == "run" and "--name" not in desk.ran
+
+
 def test_files_are_left_out(desk: Desk) -> None:
     person(desk, "nonsense")
     project(desk, "nonsense")
@@ -341,12 +348,25 @@ def test_an_image_that_is_not_used_is_not_asked_about(desk: Desk) -> None:
     assert desk.call("ubuntu").returncode == 0 and tail(desk) == ["ubuntu"]
 
 
-@pytest.mark.parametrize("option", ["--dry-run", "--json"])
+@pytest.mark.parametrize("option", ["--dry-run", "--json", "--export=compose", "--export=devcontainer"])
 def test_what_would_run_is_shown_without_a_question(desk: Desk, option: str) -> None:
+    """With the file's options, and also where a container of the folder runs."""
     project(desk, f'{IMAGE}options = ["--privileged"]\n')
+    if option.startswith("--export"):
+        desk.engine(containers={"dr": facts(desk, "ubuntu")})
     done = desk.call(option)
-    assert done.returncode == 0 and "--privileged" in done.stdout and "ubuntu" in done.stdout
+    assert done.returncode == 0 and "privileged" in done.stdout and "ubuntu" in done.stdout
     assert "wants what you have not allowed: image ubuntu, --privileged\nremedy: rosml run will ask" in done.stderr
+
+
+def test_an_image_is_not_looked_into_without_a_question(desk: Desk) -> None:
+    """To check it, its own program would list a folder."""
+    project(desk, 'image = "ros"\noptions = ["--network", "none"]\n')
+    desk.engine(images={"ros": ["ROS_DISTRO=jazzy"]}, answers={"run": "rmw_fastrtps_cpp"})
+    done = desk.call("--check")
+    assert done.stdout.startswith("problem  network") and not desk.called("run")
+    assert "wants what you have not allowed: image ros, --network none" in done.stderr
+    assert desk.call("--check", "ros").returncode == 1 and desk.called("run"), "somebody has typed it"
 
 
 def test_a_folders_name_does_not_reach_the_terminal_as_it_is(desk: Desk) -> None:

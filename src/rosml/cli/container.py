@@ -15,6 +15,7 @@ from typing import NoReturn
 import click
 
 from rosml.base.errors import RosmlError
+from rosml.cli import command
 from rosml.cli.checkout import Command
 from rosml.run import words
 from rosml.run.context import Container, Person
@@ -151,6 +152,8 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
     attach.check_state(program, container)
     image = None if line.command else engine.image(program, container.image_id)
     argv = attach.argv(program, line, caller, container, image)
+    if note := attach.lacking(line, container):
+        command.warn(*note)
     if container.state == "running":
         perform(line, argv)
         return

@@ -221,7 +221,8 @@ def check_ros(program: str, line: words.Line, caller: Person, files: Files) -> N
 
     context = looked_at(program, files.under(line), caller)
     allowed = defaults.require(line, files.project)
-    check.show(context, plugins.plan(context, found().plugins).argv, into=allowed)
+    typed = line.image not in ("", HERE)
+    check.show(context, plugins.plan(context, found().plugins).argv, into=typed or allowed)
 
 
 def show(program: str, line: words.Line, caller: Person, files: Files, kind: str) -> None:

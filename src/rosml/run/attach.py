@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from rosml.base.errors import RosmlError
+from rosml.run import places
 from rosml.run.concerns import FOLDER, streams, targets
 from rosml.run.context import Container, Image, Person
+from rosml.run.sockets import WHOLE_NETWORK
 from rosml.run.words import Line
 
 HERE = "."
@@ -109,7 +111,7 @@ def check_same(program: str, line: Line, person: Person, container: Container, i
         RosmlError: it is another one.
     """
     name = container.name
-    new = f"{'another --name' if line.has('name') else '--new'} starts another container"
+    new = f"{_other(line)} starts another container"
     enter = f"rosml attach {name} enters it; {new}"
     if container.state != "running":
         again = f"rosml attach {name} starts it again, " if container.state in IDLE else ""
@@ -127,6 +129,20 @@ def check_same(program: str, line: Line, person: Person, container: Container, i
         raise RosmlError(f"{name} runs without this folder at {missing[0]}", enter)
     if line.has("detach"):
         raise RosmlError(f"{name} runs already", enter)
+
+
+def _other(line: Line) -> str:
+    """With what another container starts."""
+    return "another --name" if line.has("name") else "--new"
+
+
+def lacking(line: Line, container: Container) -> tuple[str, str] | None:
+    """What to say, and what to do, where somebody asks for a network for ROS and the container lacks it; None otherwise."""
+    place = places.running(container, rootless=False)
+    if not line.asks(WHOLE_NETWORK) or place.network == place.ipc == places.HOST:
+        return None
+    text = f"{container.name} runs without --{WHOLE_NETWORK}: its network is {place.network}, its shared memory {place.ipc}"
+    return text, f"{_other(line)} starts another container with it"
 
 
 def check_state(program: str, container: Container) -> None:

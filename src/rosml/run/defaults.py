@@ -52,14 +52,16 @@ class Files:
 
     def under(self, typed: Line) -> Line:
         """A command line with the defaults below it: of two options that set the same thing, the engines take the later one.
-        Whoever types an image gets no default for the command, which belongs to another image."""
+        Whoever types an image gets no default for the command, which belongs to another image; whoever asks for another
+        container gets none for its name, which one may have already."""
         lines = [file.line for file in (self.person, self.project) if file]
         image, command = typed.image, typed.command
         if image in ("", HERE):
             image = next((line.image for line in reversed(lines) if line.image), "")
             command = command or next((line.command for line in reversed(lines) if line.command), ())
         own = tuple(word for line in (*lines, typed) for word in line.own)
-        return Line(own, tuple(given for line in (*lines, typed) for given in line.engine), image, command)
+        below = (given for line in lines for given in line.engine if not (typed.asks("new") and "name" in given.names))
+        return Line(own, (*below, *typed.engine), image, command)
 
 
 def base(environment: Mapping[str, str], variable: str, usual: str) -> str:
