@@ -359,6 +359,13 @@ def test_what_would_run_is_shown_without_a_question(desk: Desk, option: str) -> 
     assert "wants what you have not allowed: image ubuntu, --privileged\nremedy: rosml run will ask" in done.stderr
 
 
+def test_an_editor_takes_no_command_of_a_file(desk: Desk) -> None:
+    project(desk, f'{IMAGE}command = ["htop"]\noptions = ["-v", "./bags:/bags"]\n')
+    done = desk.call("--export=devcontainer")
+    assert done.returncode == 0 and "${localWorkspaceFolder}/bags:/bags" in done.stdout and "htop" not in done.stdout
+    assert desk.call("--export=devcontainer", ".", "htop").returncode == 125
+
+
 def test_an_image_is_not_looked_into_without_a_question(desk: Desk) -> None:
     """To check it, its own program would list a folder."""
     project(desk, 'image = "ros"\noptions = ["--network", "none"]\n')

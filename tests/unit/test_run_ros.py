@@ -11,6 +11,7 @@ from typing import Any
 
 import click
 import pytest
+import yaml
 from desks import OURS, Desk
 
 from rosml.base.errors import RosmlError
@@ -553,6 +554,16 @@ def test_settings_and_network_reach_the_engine(desk: Desk) -> None:
     assert desk.ran[-10:] == [*SHARED, "-e", "ROS_DOMAIN_ID=7", "-e", "ROS_DOMAIN_ID=9", "ros", "ls"]
     done = desk.call("--network=host", "ros")
     assert done.stderr.startswith("warning: --network host without its shared memory: ") and done.returncode == 0
+
+
+def test_an_export_has_the_network_and_the_settings(desk: Desk) -> None:
+    def exported(kind: str) -> str:
+        return desk.call(f"--export={kind}", "--ros-network", "ros", ROS_DOMAIN_ID="7").stdout
+
+    (service,) = yaml.safe_load(exported("compose"))["services"].values()
+    assert (service["network_mode"], service["ipc"], service["environment"]["ROS_DOMAIN_ID"]) == ("host", "host", "7")
+    found = json.loads(exported("devcontainer"))
+    assert found["runArgs"][-2:] == ["--network=host", "--ipc=host"] and found["containerEnv"]["ROS_DOMAIN_ID"] == "7"
 
 
 # ---- This machine ----------------------------------------------------------------------------------------------------

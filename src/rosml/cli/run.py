@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from functools import cache
 
 import click
@@ -232,11 +233,16 @@ def show(program: str, line: words.Line, caller: Person, files: Files, kind: str
         program, line, files: as in `start`. kind: of file.
 
     Raises:
-        RosmlError: the engine does not have the image, or such a file cannot say that.
+        RosmlError: the engine does not have the image, or such a file cannot say that, or another option shows something else.
     """
     from rosml.run import compose, devcontainer, export
 
-    context = export.lasting(looked_at(program, files.under(line), caller))
+    if other := next((x for x in ("check", "dry-run", "json") if line.asks(x)), ""):
+        raise RosmlError(f"--export does not go with --{other}", "leave out one of them", exit_code=2)
+    whole = files.under(line)
+    if kind == "devcontainer":
+        whole = replace(whole, command=line.command)  # an editor has its own in the place of a default
+    context = export.lasting(looked_at(program, whole, caller))
     defaults.require(line, files.project)
     if kind == "devcontainer":
         context = devcontainer.bare(context)
