@@ -281,11 +281,12 @@ def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Pat
     (tmp_path / "docker").chmod(0o755)
     assert (call("run", "ubuntu").stdout, call("--help").returncode) == ("ran\n", 0)
     assert call("run", "--export", "compose", "ubuntu").stdout.startswith("services:\n")
-    done = call("list")
-    assert done.returncode == 2 and done.stderr.startswith(
-        "error: no command list here: not installed: httpx, pydantic, rich\n"
-    )
-    assert "[images]" in done.stderr
+    for other in ("list", "containerize"):
+        done = call(other)
+        assert done.returncode == 2 and done.stderr.startswith(
+            f"error: no command {other} here: not installed: httpx, pydantic, rich\n"
+        )
+        assert "[images]" in done.stderr
 
 
 @pytest.mark.parametrize("words", ["image", "diff HEAD", "publish all"])

@@ -37,7 +37,7 @@ def cli() -> None:
     """ROS base images with machine learning inside.
 
     list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
-    prune with --registry. run and attach need docker or podman. The others need a checkout.
+    prune with --registry. run and attach need docker or podman, containerize needs Docker. The others need a checkout.
 
     \b
     Examples:
