@@ -263,8 +263,8 @@ def test_what_is_no_file(desk: Desk) -> None:
 
 # ---- What a project's file gets --------------------------------------------------------------------------------------
 
-HARMLESS = ["--mws", "--mwd", "--no-rm", "--no-gpu", "--no-x11", "--no-ros", "-it", "--rm", "-e ROS_DOMAIN_ID=7", "--name=x"]
-HARMLESS += ["-itm 1g", "--shm-size=2g", "--env=RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"]
+HARMLESS = ["--mws", "--mwd", "--no-rm", "--no-gpu", "--no-x11", "--no-ros", "-it", "--rm", "-e ROS_DOMAIN_ID=7"]
+HARMLESS += ["--name=x", "-itm 1g", "--shm-size=2g", "--env=RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"]
 ASKED = ["--privileged", "--privileged=true", "--device /dev/sda", "--network=host", "--net host", "--pid=host"]
 ASKED += ["--ipc host", "--cap-add=ALL", "--security-opt seccomp=unconfined", "-v .:/x", "-v /:/h", "-itv /:/h"]
 ASKED += ["-itv/:/h", "--volume=/:/h", "--mount type=bind,src=/,dst=/h", "--userns=host", "--user 0", "-iu0"]
