@@ -73,8 +73,9 @@ def test_the_page_is_followed_to_an_image(
 ) -> None:
     """Its commands, with the key of this archive; the image is built, and not tested: there is no real ROS in it."""
     server, _ = archive
-    for name in ("matrix.schema.json", "catalogue.schema.json", "README.md"):
-        shutil.copy(ROOT / name, checkout)
+    (checkout / "docs").mkdir(exist_ok=True)
+    for name in ("matrix.schema.json", "catalogue.schema.json", "README.md", "docs/containerize.md"):
+        shutil.copy(ROOT / name, checkout / name)
     row(checkout)
     export, generate, explain, image = [
         command for block in walk.section(PAGE) if block.language == "sh" for command in commands(block)

@@ -43,6 +43,8 @@ def copy_for_generator(folder: Path) -> Path:
     ):
         shutil.copy(ROOT / name, folder)
     shutil.copy(ROOT / "catalogue.schema.json", folder)
+    (folder / "docs").mkdir()
+    shutil.copy(ROOT / "docs/containerize.md", folder / "docs")
     return folder
 
 

@@ -12,6 +12,7 @@ import stat
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -22,6 +23,7 @@ import trustme
 
 from rosml.apps.sources import Access, Repository, fetch
 from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
 
 NOBODY = Access()
 SECRET = "s3cret-canary"
@@ -58,7 +60,7 @@ def listing(folder: Path) -> dict[str, tuple[str, str]]:
     found = {}
     for item in sorted(folder.rglob("*")):
         mode = oct(item.lstat().st_mode)
-        content = os.readlink(item) if item.is_symlink() else item.read_text() if item.is_file() else ""
+        content = os.readlink(item) if item.is_symlink() else item.read_text("latin-1") if item.is_file() else ""
         found[item.relative_to(folder).as_posix()] = (mode, content)
     return found
 
@@ -344,9 +346,11 @@ def test_the_users_configuration_opens_repositories_and_changes_no_file(
         f'[url "file://{place.root}/"]\n\tinsteadOf = https://git.test/\n'
         f"[core]\n\tautocrlf = true\n\thooksPath = {hooks}\n\tfsmonitor = {hooks}/post-checkout\n",
     )
-    git(a, "config", "url./nowhere/.insteadOf", "https://git.test/a")  # of a repository that has nothing to do with it
-    monkeypatch.setenv("GIT_DIR", str(a / ".git"))
-    monkeypatch.chdir(a)
+    git(place.root, "init", "--quiet")  # this one has nothing to do with it
+    git(place.root, "config", "url./nowhere/.insteadOf", "https://git.test/a")
+    place.fetch()
+    shutil.rmtree(place.cache)
+    monkeypatch.setenv("GIT_DIR", str(place.root / ".git"))
     place.fetch()
     assert (place.out / "a/f").read_bytes() == b"1\n"
     assert not (place.root / "hooked").exists()
@@ -387,6 +391,26 @@ def test_a_call_that_is_killed_is_finished_by_the_next(place: Place) -> None:
         place.fetch()
         assert listing(place.out) == whole, ended
     assert len(ended) > 5 and set(ended[:-1]) == {-9}
+
+
+def test_another_process_is_waited_for(place: Place) -> None:
+    a = place.root / "a"
+    commit(a, {"f": "1"})
+    place.put(repos(a=(a, "main")))
+    place.fetch()
+    (kept,) = place.cache.glob("*.git")
+    commit(a, {"f": "2"})
+    thread = threading.Thread(target=place.fetch)
+    with turn(kept.with_suffix(".lock"), lambda: None):
+        thread.start()
+        while not any(text == f"waiting for another process, which fetches {a}" for text in place.said):
+            assert thread.is_alive()
+            time.sleep(0.01)
+        before = listing(place.cache)
+        time.sleep(0.1)
+        assert listing(place.cache) == before and (place.out / "a/f").read_text() == "1"
+    thread.join()
+    assert (place.out / "a/f").read_text() == "2"
 
 
 # ---- Submodules and LFS ------------------------------------------------------------------------------------------------

@@ -213,11 +213,7 @@ def opened(access: Access, folder: Path) -> Iterator[Git]:
             command = _SSH
         if command:
             environment |= {"GIT_SSH_COMMAND": command, "GIT_SSH_VARIANT": "ssh"}
-        git = Git(folder, environment, settings, hidden)
-        try:
-            yield git
-        finally:
-            git.stop()
+        yield Git(folder, environment, settings, hidden)
 
 
 def _has_ssh(git: Git, environment: Mapping[str, str]) -> bool:
