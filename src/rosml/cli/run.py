@@ -76,7 +76,8 @@ def main(context: click.Context, /, export: str | None) -> None:
 
     Defaults are in .rosml.toml of the project, and in ~/.config/rosml/run.toml. A point is the image that they name.
 
-    The engine is docker, or podman where there is no docker; ROSML_ENGINE names one. Exit codes are the command's.
+    The engine is docker, or podman where there is no docker; ROSML_ENGINE names one. The exit code is the command's,
+    or 125 where nothing starts.
 
     \b
     Examples:

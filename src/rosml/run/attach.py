@@ -141,8 +141,8 @@ def lacking(line: Line, container: Container) -> tuple[str, str] | None:
     place = places.running(container, rootless=False)
     if not line.asks(WHOLE_NETWORK) or place.network == place.ipc == places.HOST:
         return None
-    text = f"{container.name} runs without --{WHOLE_NETWORK}: its network is {place.network}, its shared memory {place.ipc}"
-    return text, f"{_other(line)} starts another container with it"
+    has = f"its network is {place.network}, its shared memory {place.ipc or places.ALONE}"
+    return f"{container.name} runs without --{WHOLE_NETWORK}: {has}", f"{_other(line)} starts another container with it"
 
 
 def check_state(program: str, container: Container) -> None:
