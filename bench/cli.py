@@ -1,8 +1,9 @@
-"""Measures the generator, our second image beside one whose Dockerfile has a `RUN pip install`, and many tags.
+"""Measures the generator and the start of `rosml run`, our second image beside one whose Dockerfile has a `RUN pip install`,
+and many tags.
 
 \b
 Examples:
-  uv run python -m bench --generator       the generator alone: no registry, no builder
+  uv run python -m bench --generator       the generator and rosml run alone: no registry, no builder
   uv run python -m bench                   all, with a small image (make bench)
   uv run python -m bench --target ros1-bookworm-base-torch-cu128
                                            with one that has CUDA: 35 GB of free disk
@@ -19,7 +20,7 @@ from typing import Any
 
 import click
 
-from bench import generator, limits, many_tags, report, second_image
+from bench import generator, limits, many_tags, report, second_image, start
 from bench.here import Here
 from bench.limits import Held
 from rosml import ROOT
@@ -40,7 +41,10 @@ shell with its banner."""
 
 @click.command(help=__doc__, context_settings={"help_option_names": ["-h", "--help"]})
 @click.option(
-    "--generator", "only_generator", is_flag=True, help="Measure the generator alone; needs no registry and no builder."
+    "--generator",
+    "only_generator",
+    is_flag=True,
+    help="Measure the generator and rosml run alone; needs no registry and no builder.",
 )
 @click.option("--target", default="", help=f"The image that is built in both ways; {TARGET} if it is empty.")
 @click.option("--json", "as_json", is_flag=True, help="Print the numbers as JSON.")
@@ -55,6 +59,7 @@ def main(only_generator: bool, target: str, as_json: bool, output: str, check: b
     here = None if only_generator else bench_here(target or TARGET)
     data: dict[str, Any] = {"machine": report.machine()}
     held, problems = measure_generator(data, quiet=as_json)
+    held.append(start.held())
     if here:
         held += measure_images(here, target or TARGET, data, quiet=as_json)
     data["limits"] = [asdict(item) for item in held]

@@ -39,7 +39,7 @@ def group(project: dict[str, Any], name: str) -> Iterator[str]:
 def asked(root: Path) -> dict[str, str]:
     """What pyproject.toml asks for, a requirement on each line, by file."""
     project = tomllib.loads((root / "pyproject.toml").read_text())
-    commands = list(project["project"]["dependencies"])
+    commands = [*project["project"]["dependencies"], *project["project"]["optional-dependencies"]["images"]]
     return {
         file: "\n".join(sorted({*commands, *(item for name in groups for item in group(project, name))})) + "\n"
         for file, groups in FILES.items()

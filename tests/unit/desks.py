@@ -149,13 +149,14 @@ class Desk:
         """Whether an engine was called with this first word."""
         return any(call[1] == word for call in self.calls)
 
-    def on_a_terminal(self, *words: str, output: int | None = None) -> tuple[int, bytes]:
+    def on_a_terminal(self, *words: str, output: int | None = None, keys: bytes = b"") -> tuple[int, bytes]:
         """Calls it on a terminal of Python's own making: its exit code, and what the terminal gets to see.
 
         Args:
-            output: in the place of the terminal.
+            output: in the place of the terminal. keys: what somebody types.
         """
         ours, theirs = pty.openpty()
+        os.write(ours, keys)
         out = theirs if output is None else output
         with subprocess.Popen(
             self.argv(*words), cwd=self.folder, env=self.environment, stdin=theirs, stdout=out, stderr=theirs

@@ -10,7 +10,7 @@ import pytest
 from conftest import parse
 from counting import calls
 
-from bench import cli, generator, synthetic
+from bench import cli, generator, start, synthetic
 from bench.generator import Measured
 from rosml.bake import bake_file
 from rosml.base.errors import RosmlError
@@ -66,6 +66,7 @@ def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(generator, "SIZES", (96, 192))
     monkeypatch.setattr(generator, "ROUNDS", 1)
     monkeypatch.setattr(generator, "RUNS", 1)
+    monkeypatch.setattr(start, "ROUNDS", 1)
     for limit in ("REAL_SECONDS", "LARGEST_SECONDS", "GROWTH", "PLAN_SECONDS", "DIGESTS_SECONDS"):
         monkeypatch.setattr(generator, limit, 1_000.0)
 
@@ -76,7 +77,7 @@ def test_numbers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(cli.main, arguments=["--generator", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
     assert found.keys() == {"machine", "real_seconds", "sizes", "growth", "limits"}
-    assert len(found["limits"]) == 2 and all(item["seconds"] > 0 for item in found["limits"])
+    assert len(found["limits"]) == 3 and all(item["seconds"] > 0 for item in found["limits"])
     assert [size["images"] for size in found["sizes"]] == [96, 192]
     assert (tmp_path / "report/generator.svg").is_file()
 
@@ -96,3 +97,11 @@ def test_a_run_that_fails_is_no_measurement(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(sys, "executable", "false")
     with pytest.raises(RosmlError, match="--check failed"):
         generator.whole_run()
+    with pytest.raises(RosmlError, match="run --rm ubuntu true failed"):
+        start.held()
+
+
+def test_the_start_of_a_container(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is measured beyond the engine's own, and reaches the engine."""
+    monkeypatch.setattr(start, "ROUNDS", 1)
+    assert 0 < start.held().seconds < 10

@@ -10,6 +10,7 @@ import shlex
 import signal
 import subprocess
 import sys
+import tomllib
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from pathlib import Path
@@ -103,7 +104,7 @@ def test_outside_of_the_virtual_environment(called: str) -> None:
     argv = [sys.executable, "-S", *called.removeprefix("python ").split(), "--help"]
     done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
     told = (
-        f"error: not installed: {', '.join(environment.REQUIRED)}\n"
+        f"error: not installed: {', '.join((*environment.RUN, *environment.IMAGES))}\n"
         f"remedy: {'rm -r .venv, then call it again' if called == 'src' else 'run this with .venv/bin/python; ./rosml makes it'}\n"
     )
     assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
@@ -200,9 +201,13 @@ def test_every_command_looks_for_its_packages() -> None:
 
 
 def test_what_is_looked_for_is_what_the_project_asks_for() -> None:
-    asked = re.findall(r"^dependencies = \[(.*?)\]", (ROOT / "pyproject.toml").read_text(), re.M | re.S)[0]
-    names = {name.lower() for name in re.findall('"(.*?)==', asked)}
-    assert {name.replace("pyyaml", "yaml") for name in names} == set(environment.REQUIRED)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    for asked, looked_for in (
+        (project["dependencies"], environment.RUN),
+        (project["optional-dependencies"]["images"], environment.IMAGES),
+    ):
+        names = [item.lower().partition("==")[0].replace("pyyaml", "yaml") for item in asked]
+        assert names == [*looked_for]
 
 
 def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:

@@ -75,7 +75,7 @@ def test_each_package_has_one_version_and_hashes(name: str) -> None:
 def test_what_is_asked_for_is_there() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     groups = project["dependency-groups"]
-    wanted = {"app": project["project"]["dependencies"]}
+    wanted = {"app": project["project"]["dependencies"] + project["project"]["optional-dependencies"]["images"]}
     wanted["dev"] = [*wanted["app"], *groups["docs"], *(item for item in groups["dev"] if isinstance(item, str))]
     wanted["page"] = [*wanted["dev"], *groups["page"]]
     for name in FILES:

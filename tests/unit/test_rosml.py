@@ -13,6 +13,7 @@ import sys
 import time
 import zipfile
 from collections.abc import Iterator, Mapping
+from importlib import import_module
 from pathlib import Path
 
 import click
@@ -22,6 +23,7 @@ from conftest import ROOT
 from registry_stand_in import standing_in
 
 import rosml
+from rosml.base import environment
 from rosml.base.errors import RosmlError
 from rosml.cli import checkout, main, publish
 from rosml.images import load
@@ -259,6 +261,32 @@ def test_an_image_is_run(wheel: Path, tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (3, "")
     assert done.stdout.endswith("|-eA=b c|ubuntu|echo|a  b|")
     assert not (wheel / "rosml/data/.state").exists()
+
+
+def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Path) -> None:
+    """Installed without the extra: two packages, and no others."""
+    site = tmp_path / "site"
+    site.mkdir()
+    for name in environment.RUN:
+        (site / name).symlink_to(Path(import_module(name).__file__ or "").parent)
+
+    def call(*words: str) -> subprocess.CompletedProcess[str]:
+        program = tmp_path / "rosml"
+        program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
+        env = {"PATH": str(tmp_path), "PYTHONPATH": f"{wheel}:{site}", "HOME": str(tmp_path)}
+        argv = [sys.executable, "-S", str(program), *words]
+        return subprocess.run(argv, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+
+    (tmp_path / "docker").write_text("#!/bin/sh\ncase $1 in image) echo '\"sha256:1\" {}' ;; run) echo ran ;; esac\n")
+    (tmp_path / "docker").chmod(0o755)
+    assert (call("run", "ubuntu").stdout, call("--help").returncode) == ("ran\n", 0)
+    assert call("run", "--export", "compose", "ubuntu").stdout.startswith("services:\n")
+    for other in ("list", "containerize"):
+        done = call(other)
+        assert done.returncode == 2 and done.stderr.startswith(
+            f"error: no command {other} here: not installed: httpx, pydantic, rich\n"
+        )
+        assert "[images]" in done.stderr
 
 
 @pytest.mark.parametrize("words", ["image", "diff HEAD", "publish all"])

@@ -84,7 +84,7 @@ def test_a_running_container_of_the_folders_name_is_left_alone(desk: Desk) -> No
     assert desk.call("--no-tz", "ubuntu", "ls").returncode == 0
     assert desk.ran == [*plain(desk), "ubuntu", "ls"]
     code, told = desk.on_a_terminal("ubuntu", "ls")
-    assert code == 1 and b"a container named dr runs, and rosml run did not start it" in told
+    assert code == 125 and b"a container named dr runs, and rosml run did not start it" in told
     assert b"rosml attach dr enters it; --new starts another container" in told
     assert len([call for call in desk.calls if call[1] not in ("info", "image", "container")]) == 1
     assert desk.on_a_terminal("--new", "ubuntu", "ls")[0] == 0 and "--name" not in desk.calls[-1]
@@ -98,7 +98,7 @@ def test_without_a_terminal_none_is_asked_for(desk: Desk) -> None:
 def test_there_is_no_engine(desk: Desk) -> None:
     (desk.bin / "docker").unlink()
     done = desk.call("ubuntu", "ls")
-    assert (done.returncode, done.stdout) == (1, "")
+    assert (done.returncode, done.stdout) == (125, "")
     assert (
         done.stderr.startswith("error: neither docker nor podman is installed") and "\nremedy: install" in done.stderr
     )
@@ -222,7 +222,7 @@ def test_an_engine_is_named(desk: Desk) -> None:
     assert desk.call("ubuntu", ROSML_ENGINE=str(desk.bin / "podman")).returncode == 0
     assert desk.ran[0] == "podman"
     done = desk.call("ubuntu", ROSML_ENGINE="nerdctl")
-    assert done.returncode == 1 and "no program 'nerdctl', which ROSML_ENGINE names" in done.stderr
+    assert done.returncode == 125 and "no program 'nerdctl', which ROSML_ENGINE names" in done.stderr
 
 
 def test_podman_by_the_name_of_docker(desk: Desk) -> None:
@@ -247,7 +247,7 @@ def test_an_engine_that_does_not_answer(desk: Desk, complaint: str, says: str, r
     desk.engine(info={"ServerVersion": "", "ServerErrors": [complaint]}, images={}, complaint=complaint)
     desk.engine("podman", info=PODMAN)
     done = desk.call("ubuntu")
-    assert done.returncode == 1 and says in done.stderr and remedy in done.stderr
+    assert done.returncode == 125 and says in done.stderr and remedy in done.stderr
     assert "ROSML_ENGINE=podman" in done.stderr
     assert not [call for call in desk.calls if call[1] in ("pull", "run")]
 
@@ -263,7 +263,7 @@ def test_an_image_that_is_not_there_is_pulled_first(desk: Desk) -> None:
 
 def test_an_image_that_nobody_has(desk: Desk) -> None:
     done = desk.call("no/such:image")
-    assert done.returncode == 1 and not [call for call in desk.calls if call[1] == "run"]
+    assert done.returncode == 125 and not [call for call in desk.calls if call[1] == "run"]
     assert "pull access denied\nerror: no image no/such:image here, and docker cannot pull it\nremedy: " in done.stderr
     assert "docker login" in done.stderr
 
@@ -272,7 +272,7 @@ def test_an_image_that_nobody_has(desk: Desk) -> None:
 def test_where_nothing_is_pulled(desk: Desk, words: list[str]) -> None:
     desk.engine(images={}, registry={"ours": OURS})
     done = desk.call(*words, "ours")
-    assert done.returncode == 1 and "error: no image ours here" in done.stderr
+    assert done.returncode == 125 and "error: no image ours here" in done.stderr
     assert "remedy: docker pull ours" in done.stderr
     assert not [call for call in desk.calls if call[1] in ("pull", "run")]
 
@@ -290,7 +290,7 @@ def test_where_nothing_is_pulled(desk: Desk, words: list[str]) -> None:
 def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool, remedy: str) -> None:
     desk.engine(containers={"x1": [state, found]})
     done = desk.call("--name=x1", "ubuntu")
-    assert done.returncode == int(refused)
+    assert done.returncode == (125 if refused else 0)
     assert ("a container named x1 " in done.stderr) == refused and remedy in done.stderr
     assert "/entrypoint.sh" not in done.stderr
     assert desk.call("--name=x1", "--replace", "ubuntu").returncode == 0, "podman replaces it"
@@ -300,7 +300,7 @@ def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool,
     ("words", "says"),
     [
         ([], "no container was started in this folder\nremedy: rosml run IMAGE starts one"),
-        (["--new"], "--new starts an image, and none is named"),
+        (["--new"], "--new needs an image, and none is named"),
         (["--brand-new", "ubuntu"], "remedy: --brand-new=VALUE"),
         (["--no-rm=1", "ubuntu"], "'--no-rm' does not take a value"),
         (["--mws", "ubuntu"], "ubuntu has no workspace"),
@@ -308,7 +308,7 @@ def test_a_name_that_is_taken(desk: Desk, state: str, found: str, refused: bool,
 )
 def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:
     done = desk.call(*words)
-    assert (done.returncode, says in done.stderr) == (2, True), done.stderr
+    assert (done.returncode, says in done.stderr) == (125, True), done.stderr
     assert not [call for call in desk.calls if call[1] == "run"]
 
 
@@ -317,7 +317,7 @@ def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:
 )
 def test_an_option_that_took_the_image(desk: Desk, words: list[str]) -> None:
     done = desk.call(*words)
-    assert done.returncode == 2, done.stderr
+    assert done.returncode == 125, done.stderr
     assert f"'host' is the value of {words[0]}" in done.stderr and "rosml run … IMAGE" in done.stderr
 
 
@@ -325,7 +325,7 @@ def test_a_folder_with_a_colon_goes_with_no_volume(desk: Desk) -> None:
     desk.folder = desk.folder / "a:b, c"
     desk.folder.mkdir()
     done = desk.call("-v", ".:/x:ro", "ubuntu")
-    assert done.returncode == 2 and f"error: -v cannot mount {desk.folder}: the path has a colon\n" in done.stderr
+    assert done.returncode == 125 and f"error: -v cannot mount {desk.folder}: the path has a colon\n" in done.stderr
     (remedy,) = [line for line in done.stderr.splitlines() if line.startswith("remedy: ")]
     assert shlex.split(remedy)[1:] == ["--mount", f'type=bind,"source={desk.folder}",target=/x,readonly']
     assert not desk.called("run")
@@ -346,7 +346,9 @@ def test_output_that_goes_nowhere(desk: Desk, option: str) -> None:
         done = subprocess.run(
             argv, cwd=desk.folder, env=desk.environment, stdout=full, stderr=subprocess.PIPE, check=False
         )
-    assert done.returncode == 1 and done.stderr.startswith(b"error: standard output: No space left on device\nremedy: ")
+    assert done.returncode == 125 and done.stderr.startswith(
+        b"error: standard output: No space left on device\nremedy: "
+    )
     assert b"setup" not in done.stderr and done.stderr.count(b"\n") == 2
 
 
@@ -355,33 +357,25 @@ def test_a_folder_that_is_gone(desk: Desk) -> None:
     argv = ["sh", "-c", script, "sh", *desk.argv("ubuntu")]
     env = {**desk.environment, "PATH": f"{desk.bin}:/usr/bin:/bin"}
     done = subprocess.run(argv, cwd=desk.folder, env=env, capture_output=True, text=True, check=False)
-    assert done.returncode == 2 and "remedy: go to another folder" in done.stderr
+    assert done.returncode == 125 and "remedy: go to another folder" in done.stderr
 
 
-def test_what_is_slow_is_not_imported(desk: Desk) -> None:
+def test_what_it_does_not_need_is_not_imported(desk: Desk) -> None:
+    """Nothing of publishing, no library but click, and nothing that is slow."""
     code = (
-        "import sys; sys.argv[1:] = ['run', '--dry-run', 'ubuntu']\n"
+        "import sys; before = {*sys.modules}; sys.argv[1:] = ['run', '--dry-run', 'ubuntu']\n"
         "from rosml.cli.main import run\n"
         "assert run() == 0\n"
-        "print(*sys.modules)\n"
+        "print(*{*sys.modules} - before)\n"
     )
     done = subprocess.run(
         [sys.executable, "-c", code], env=desk.environment, capture_output=True, text=True, check=True
     )
-    imported = set(done.stdout.splitlines()[-1].split())
-    assert "rosml.run.plugins" in imported
-    assert not imported & {
-        "csv",
-        "difflib",
-        "httpx",
-        "importlib.metadata",
-        "socket",
-        "pydantic",
-        "rich",
-        "yaml",
-        "rosml.matrix",
-        "rosml.cli.publish",
-    }
+    imported = {*done.stdout.splitlines()[-1].split()}
+    assert {name.partition(".")[0] for name in imported} - sys.stdlib_module_names == {"rosml", "click"}
+    packages = {name.split(".")[1] for name in imported if name.startswith("rosml.")}
+    assert packages == {"base", "cli", "run"}
+    assert not imported & {"csv", "difflib", "importlib.metadata", "socket", "rosml.cli.publish", "rosml.run.compose"}
 
 
 # ---- Who runs --------------------------------------------------------------------------------------------------------
@@ -498,7 +492,7 @@ ODD = "error: docker answers with something that rosml does not understand: "
 def test_an_engine_that_describes_itself_oddly(desk: Desk, info: Any) -> None:
     desk.engine(info=info)
     done = desk.call("ours")
-    assert (done.returncode, done.stdout) == (1, "") and done.stderr.startswith(ODD), done.stderr
+    assert (done.returncode, done.stdout) == (125, "") and done.stderr.startswith(ODD), done.stderr
     assert done.stderr.endswith("\nremedy: try `docker info --format '{{json .}}'`\n")
     assert not desk.called("run")
 
@@ -514,7 +508,7 @@ def test_an_image_that_is_described_oddly(desk: Desk, answer: str) -> None:
     """It may be one of ours, and would run as the wrong user."""
     desk.engine(answers={"image": answer})
     done = desk.call("ours")
-    assert (done.returncode, done.stdout) == (1, "") and done.stderr.startswith(ODD), done.stderr
+    assert (done.returncode, done.stdout) == (125, "") and done.stderr.startswith(ODD), done.stderr
     assert done.stderr.endswith("\nremedy: try `docker image inspect ours`\n")
     assert not desk.called("run") and not desk.called("pull")
 
@@ -530,7 +524,7 @@ def test_an_image_that_is_missing_after_it_was_pulled(desk: Desk) -> None:
         f"#!/bin/sh\ncase $1 in info) echo '{json.dumps(DOCKER)}';; image) exit 1;; run) exit 7;; esac\n"
     )
     done = desk.call("ours")
-    assert done.returncode == 1 and "error: docker has pulled ours, and yet does not have it\n" in done.stderr
+    assert done.returncode == 125 and "error: docker has pulled ours, and yet does not have it\n" in done.stderr
     assert "docker images" in done.stderr and "docker pull" not in done.stderr
 
 
@@ -539,10 +533,10 @@ def test_an_engine_that_cannot_be_run(desk: Desk) -> None:
     file.write_text("x")
     for named in (file, desk.folder):
         done = desk.call("ubuntu", ROSML_ENGINE=str(named))
-        assert done.returncode == 1 and f"error: '{named}', which ROSML_ENGINE names, cannot be run" in done.stderr
+        assert done.returncode == 125 and f"error: '{named}', which ROSML_ENGINE names, cannot be run" in done.stderr
     (desk.bin / "docker").write_text("no program")
     done = desk.call("ubuntu")
-    assert done.returncode == 1 and "error: docker cannot be run: Exec format error\nremedy: " in done.stderr
+    assert done.returncode == 125 and "error: docker cannot be run: Exec format error\nremedy: " in done.stderr
 
 
 # ---- The other concerns ----------------------------------------------------------------------------------------------

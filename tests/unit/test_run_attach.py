@@ -78,7 +78,7 @@ def test_a_container_by_its_name(desk: Desk) -> None:
     assert desk.call("x", "ls").returncode == 0
     assert entered(desk) == ["--user", "7:8", "x", "ls"]
     done = desk.call("y")
-    assert done.returncode == 1 and "error: no container named y\nremedy: docker ps --all" in done.stderr
+    assert done.returncode == 125 and "error: no container named y\nremedy: docker ps --all" in done.stderr
 
 
 def test_the_images_command_is_the_default(desk: Desk) -> None:
@@ -106,7 +106,7 @@ def test_one_that_has_ended_is_started_first(desk: Desk) -> None:
 def test_one_that_ends_again_at_once(desk: Desk) -> None:
     desk.engine(containers={"dr": facts(desk, state="exited")}, started="exited")
     done = desk.call()
-    assert done.returncode == 1 and "error: dr has ended at once" in done.stderr and "docker logs dr" in done.stderr
+    assert done.returncode == 125 and "error: dr has ended at once" in done.stderr and "docker logs dr" in done.stderr
     assert not desk.called("exec")
 
 
@@ -117,7 +117,7 @@ def test_one_that_ends_again_at_once(desk: Desk) -> None:
 def test_one_that_cannot_be_entered(desk: Desk, state: str, remedy: str) -> None:
     desk.engine(containers={"dr": facts(desk, state=state)})
     done = desk.call()
-    assert done.returncode == 1 and f"dr cannot be entered: it is {state}\nremedy: {remedy}" in done.stderr
+    assert done.returncode == 125 and f"dr cannot be entered: it is {state}\nremedy: {remedy}" in done.stderr
     assert not desk.called("exec") and not desk.called("start")
 
 
@@ -130,19 +130,19 @@ def test_several_containers_of_a_folder(desk: Desk) -> None:
     assert desk.call(".", "ls").returncode == 0 and entered(desk)[0] == "new"
     desk.engine(containers={"b": facts(desk, name="b"), "old": old, "new": new})
     done = desk.call()
-    assert done.returncode == 2
+    assert done.returncode == 125
     assert "2 containers of this folder: b (ours, running), new (ours, running)" in done.stderr
     assert "remedy: rosml attach b" in done.stderr
     desk.engine(containers={"other": other})
     done = desk.call()
-    assert done.returncode == 2 and "rosml attach NAME enters one of other folders: other (ours" in done.stderr
+    assert done.returncode == 125 and "rosml attach NAME enters one of other folders: other (ours" in done.stderr
 
 
 @pytest.mark.parametrize("words", [[], ["x"]])
 def test_an_engine_that_does_not_answer(desk: Desk, words: list[str]) -> None:
     desk.engine(complaint="Cannot connect to the Docker daemon", info={"ServerErrors": ["x"]})
     done = desk.call(*words)
-    assert done.returncode == 1 and "error: docker does not answer: Cannot connect" in done.stderr
+    assert done.returncode == 125 and "error: docker does not answer: Cannot connect" in done.stderr
 
 
 @pytest.mark.parametrize(
@@ -160,7 +160,7 @@ def test_an_engine_that_does_not_answer(desk: Desk, words: list[str]) -> None:
 def test_containers_that_are_described_oddly(desk: Desk, what: str, answer: str, words: list[str]) -> None:
     desk.engine(containers={"x": ["running", "/x"]}, answers={what: answer})
     done = desk.call(*words)
-    assert done.returncode == 1, done.stderr
+    assert done.returncode == 125, done.stderr
     assert done.stderr.startswith("error: docker answers with something that rosml does not understand: ")
     assert f"\nremedy: try `docker {what} " in done.stderr and done.stderr.count("\n") == 2
 
@@ -168,7 +168,9 @@ def test_containers_that_are_described_oddly(desk: Desk, what: str, answer: str,
 def test_options_that_only_a_start_takes(desk: Desk) -> None:
     desk.engine(containers={"dr": facts(desk)})
     done = desk.call("-itv./a:/a", ".")
-    assert done.returncode == 2 and "-itv./a:/a is for a container that starts, and dr is there already" in done.stderr
+    assert (
+        done.returncode == 125 and "-itv./a:/a is for a container that starts, and dr is there already" in done.stderr
+    )
     assert not desk.called("exec")
 
 
@@ -215,7 +217,7 @@ def test_an_image_that_was_built_again(desk: Desk) -> None:
     desk.command = "run"
     desk.engine(containers={"dr": found})
     code, told = desk.on_a_terminal("ours")
-    assert code == 1 and b"dr runs an older ours" in told
+    assert code == 125 and b"dr runs an older ours" in told
 
 
 def test_a_container_of_another_folder_has_the_name(desk: Desk) -> None:
@@ -224,7 +226,7 @@ def test_a_container_of_another_folder_has_the_name(desk: Desk) -> None:
     found[3]["Labels"][FOLDER] = "/other/dr"
     desk.engine(containers={"dr": found})
     code, told = desk.on_a_terminal("ours")
-    assert code == 1 and b"dr runs, and it belongs to the folder /other/dr" in told and b"--new starts" in told
+    assert code == 125 and b"dr runs, and it belongs to the folder /other/dr" in told and b"--new starts" in told
 
 
 def test_a_folder_that_is_mounted(desk: Desk) -> None:
@@ -232,6 +234,19 @@ def test_a_folder_that_is_mounted(desk: Desk) -> None:
     desk.engine(containers={"dr": facts(desk, mounts=["/docker-ros/ws/src/target"])})
     assert desk.on_a_terminal("--mws", "ours")[0] == 0
     assert entered(desk)[2:] == ["dr", "/entrypoint.sh", "bash"]
+
+
+@pytest.mark.parametrize("words", [[], ["ours"]])
+def test_a_container_without_the_network_for_ros(desk: Desk, words: list[str]) -> None:
+    """It is entered, and a note says what it lacks."""
+    desk.command = "run"
+    desk.engine(containers={"dr": [*facts(desk), {"NetworkMode": "host", "IpcMode": "private"}]})
+    code, told = desk.on_a_terminal("--ros-network", *words)
+    assert code == 0 and "dr" in entered(desk)
+    assert b"dr runs without --ros-network: its network is host, its shared memory private" in told
+    assert b"--new starts another container with it" in told
+    desk.engine(containers={"dr": [*facts(desk), {"NetworkMode": "host", "IpcMode": "host"}]})
+    assert desk.on_a_terminal("--ros-network", *words) == (0, b"")
 
 
 # ---- The words -------------------------------------------------------------------------------------------------------

@@ -520,7 +520,7 @@ def test_a_driver_that_is_too_old_for_an_image(desk: Desk) -> None:
     labelled = {"ours": {"Labels": {"io.rosml.gpu.driver": "580"}}}
     desk.engine(info={**DOCKER, "Runtimes": {"nvidia": {}}}, images={"ours": OURS}, configs=labelled)
     done = desk.call("ours")
-    assert done.returncode == 1 and not desk.called("run")
+    assert done.returncode == 125 and not desk.called("run")
     assert done.stderr.startswith(
         "error: ours needs NVIDIA's driver 580 or newer, and this machine has 535.1\nremedy: "
     )

@@ -11,6 +11,7 @@ from typing import Any
 
 import click
 import pytest
+import yaml
 from desks import OURS, Desk
 
 from rosml.base.errors import RosmlError
@@ -530,19 +531,18 @@ def test_the_command_as_json(desk: Desk) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "code", "says"),
+    ("words", "says"),
     [
-        (["ubuntu"], 2, "--check is about ROS, and ubuntu has none: ROS_DISTRO"),
-        ([], 2, "--check is about an image, and none is named"),
-        (["missing"], 1, "no image missing here"),
-        (["--ros-network", "-p", "1:1", "ros"], 2, "--ros-network: it needs --network host"),
+        (["ubuntu"], "--check is about ROS, and ubuntu has none: ROS_DISTRO"),
+        ([], "--check needs an image, and none is named"),
+        (["missing"], "no image missing here"),
+        (["--ros-network", "-p", "1:1", "ros"], "--ros-network: it needs --network host"),
     ],
 )
-def test_what_cannot_be_checked(desk: Desk, words: list[str], code: int, says: str) -> None:
+def test_what_cannot_be_checked(desk: Desk, words: list[str], says: str) -> None:
     done = desk.call("--check", *words)
-    assert (
-        (done.returncode, done.stdout) == (code, "") and f"error: {says}" in done.stderr and "remedy: " in done.stderr
-    )
+    assert (done.returncode, done.stdout) == (125, "")
+    assert f"error: {says}" in done.stderr and "remedy: " in done.stderr
     assert not desk.called("run") and not desk.called("pull")
 
 
@@ -554,6 +554,16 @@ def test_settings_and_network_reach_the_engine(desk: Desk) -> None:
     assert desk.ran[-10:] == [*SHARED, "-e", "ROS_DOMAIN_ID=7", "-e", "ROS_DOMAIN_ID=9", "ros", "ls"]
     done = desk.call("--network=host", "ros")
     assert done.stderr.startswith("warning: --network host without its shared memory: ") and done.returncode == 0
+
+
+def test_an_export_has_the_network_and_the_settings(desk: Desk) -> None:
+    def exported(kind: str) -> str:
+        return desk.call(f"--export={kind}", "--ros-network", "ros", ROS_DOMAIN_ID="7").stdout
+
+    (service,) = yaml.safe_load(exported("compose"))["services"].values()
+    assert (service["network_mode"], service["ipc"], service["environment"]["ROS_DOMAIN_ID"]) == ("host", "host", "7")
+    found = json.loads(exported("devcontainer"))
+    assert found["runArgs"][-2:] == ["--network=host", "--ipc=host"] and found["containerEnv"]["ROS_DOMAIN_ID"] == "7"
 
 
 # ---- This machine ----------------------------------------------------------------------------------------------------

@@ -6,8 +6,11 @@ import importlib.util
 import sys
 from pathlib import Path
 
-REQUIRED = ("click", "httpx", "pydantic", "rich", "yaml")
+RUN = ("click", "yaml")
 """What pyproject.toml asks for, as it is imported; some of it is imported late, in the middle of the work."""
+
+IMAGES = ("httpx", "pydantic", "rich")
+"""What all commands but `rosml run` and `rosml attach` need as well: the extra `images` of pyproject.toml."""
 
 
 def program() -> str:
@@ -18,11 +21,14 @@ def program() -> str:
     return f"python -m {called.parent.name}" if called.name == "__main__.py" else called.name
 
 
-if lacking := [name for name in REQUIRED if importlib.util.find_spec(name) is None]:
+LACKING = tuple(name for name in (*RUN, *IMAGES) if importlib.util.find_spec(name) is None)
+"""What is not installed. Outside of a checkout, `rosml` goes without the extra."""
+
+if LACKING and (Path(sys.argv[0]).name != "rosml" or {*LACKING} & {*RUN}):
     remedy = (
         "rm -r .venv, then call it again"
         if program() == "rosml"
         else "run this with .venv/bin/python; ./rosml makes it"
     )
-    print(f"error: not installed: {', '.join(lacking)}\nremedy: {remedy}", file=sys.stderr)
+    print(f"error: not installed: {', '.join(LACKING)}\nremedy: {remedy}", file=sys.stderr)
     sys.exit(2)

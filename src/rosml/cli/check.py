@@ -19,8 +19,11 @@ RMWS = "/opt/ros/{}/share/ament_index/resource_index/rmw_typesupport"
 """Where an image has a file for each RMW implementation."""
 
 
-def show(context: Context, argv: Sequence[str]) -> None:
+def show(context: Context, argv: Sequence[str], *, into: bool) -> None:
     """Prints what there is to say of the container that a command of the engine would start.
+
+    Args:
+        into: whether the image may be looked into, by a container of it that lists a folder.
 
     Raises:
         RosmlError: the image has no ROS, or the engine does not answer.
@@ -34,7 +37,8 @@ def show(context: Context, argv: Sequence[str]) -> None:
     running = [places.running(found, rootless) for found in engine.running(command)]
     others = [found for found in running if found.version]
     distribution = place.environment.get("ROS_DISTRO", "")
-    installed = engine.folder(command, context.line.image, RMWS.format(distribution)) if place.version == "2" else []
+    looked = into and place.version == "2"
+    installed = engine.folder(command, context.line.image, RMWS.format(distribution)) if looked else []
     found = check.findings(context, place, others, [name for name in installed if name != "rmw_implementation"])
     with printing():
         if context.line.asks("json"):

@@ -23,7 +23,10 @@ class Command(click.Command):
     Attributes:
         alone: it needs no checkout. prints: it does nothing but print, so that whoever reads it may stop.
         kept: what is said after Ctrl-C. before: what is called before it begins.
+        failure: the exit code of every error; 0 for that of `command.run`.
     """
+
+    failure = 0
 
     def __init__(
         self,
@@ -55,6 +58,7 @@ class Group(click.Group):
 
     command_class = Command
     prints = False
+    failure = 0
 
     def __init__(
         self,

@@ -40,6 +40,7 @@ def run(
     interrupted: str = INTERRUPTED_TEXT,
     arguments: Sequence[str] | None = None,
     reader_gone: int = 0,
+    failure: int = 0,
 ) -> int:
     """Runs a click command.
 
@@ -48,6 +49,7 @@ def run(
         interrupted: what to say after Ctrl-C or SIGTERM.
         arguments: the command line; this process' own by default.
         reader_gone: exit code where nobody reads the output any more; 0 for commands that do nothing but print.
+        failure: exit code of every error; 0 for those below.
 
     Returns:
         The exit code: 0, 1 for work that failed, 2 for wrong input, 3 and 4 of scans, 130 when interrupted.
@@ -69,25 +71,25 @@ def run(
     except RosmlError as error:
         # Problems of the matrix begin with file and line, where editors and CI look for them.
         head = "" if isinstance(error, InputError) else ERROR
-        return _failed(as_json, error.message, error.remedy, error.exit_code, head)
-    except click.exceptions.Exit as error:  # --help
+        return _failed(as_json, error.message, error.remedy, failure or error.exit_code, head)
+    except click.exceptions.Exit as error:  # --help, or a command's own answer
         return error.exit_code
     except click.ClickException as error:
         error.show()
-        return _told(as_json, error.format_message(), "see --help", error.exit_code)
+        return _told(as_json, error.format_message(), "see --help", failure or error.exit_code)
     except (KeyboardInterrupt, click.Abort):
         click.echo(f"\n{interrupted}", err=True)
         return _told(as_json, "interrupted", interrupted, INTERRUPTED)
     except UnicodeDecodeError as error:
         found = error.object[max(0, error.start - 30) : error.start].decode(errors="replace")
-        return _failed(as_json, f"a file is not UTF-8, after {found!r}", "", 1)
+        return _failed(as_json, f"a file is not UTF-8, after {found!r}", "", failure or 1)
     except BrokenPipeError:  # the reader of our output is gone: `… --list | head`
         _drop_output()
         return reader_gone
     except OSError as error:
         if error.errno == errno.EBADF:
             _drop_output()
-        return _failed(as_json, *_of_the_system(error), 1)
+        return _failed(as_json, *_of_the_system(error), failure or 1)
     return 0
 
 

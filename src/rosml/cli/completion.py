@@ -1,11 +1,20 @@
-"""How shells complete what people type: names of images and groups."""
+"""How shells complete what people type: commands, options, names."""
 
 from __future__ import annotations
 
 import os
 
 import click
-from click.shell_completion import CompletionItem, shell_complete
+from click.shell_completion import (
+    BashComplete,
+    CompletionItem,
+    FishComplete,
+    ShellComplete,
+    ZshComplete,
+    add_completion_class,
+    shell_complete,
+    split_arg_string,
+)
 
 from rosml import ROOT
 from rosml.base.errors import RosmlError
@@ -35,12 +44,88 @@ class Name(click.ParamType[str]):
         return [CompletionItem(name) for name in names[self.kind] if name.startswith(incomplete)]
 
 
+# ---- Shells ----------------------------------------------------------------------------------------------------------
+
+BASH = """\
+%(complete_func)s() {
+    local type value
+    COMPREPLY=()
+    while IFS=, read -r type value; do
+        case $type in
+            plain) COMPREPLY+=("$value") ;;
+            file) compopt -o default ;;
+            dir) compopt -o dirnames ;;
+        esac
+    done < <(env COMP_LINE="${COMP_LINE:0:COMP_POINT}" COMP_WORDBREAKS="$COMP_WORDBREAKS" \
+        %(complete_var)s=bash_complete "$1" 2>/dev/null)
+}
+complete -o nosort -F %(complete_func)s %(prog_name)s
+"""
+"""What bash evaluates. click's own splits words at `:` and `=`, as bash does, and most images have a colon."""
+
+
+class _Shell(ShellComplete):
+    """Asks commands of which click does not read all words how these go on."""
+
+    def get_completions(self, args: list[str], incomplete: str) -> list[CompletionItem[str]]:
+        if args and args[0] in OF_WORDS and isinstance(self.cli, click.Group):
+            from rosml.cli import words_completion  # no other command needs it
+
+            return words_completion.items(self.cli.commands[args[0]], args[1:], incomplete)
+        return super().get_completions(args, incomplete)
+
+
+class Bash(_Shell, BashComplete):
+    """Attributes: kept: what bash leaves in its line before what it completes."""
+
+    source_template = BASH
+    kept = ""
+
+    def get_completion_args(self) -> tuple[list[str], str]:
+        line = os.environ.get("COMP_LINE")
+        if line is None:  # a shell that has evaluated what click has for bash
+            return super().get_completion_args()
+        words = split_arg_string(line)
+        incomplete = "" if line[-1:].isspace() else words.pop()
+        breaks = [incomplete.rfind(x) for x in ":=" if x in os.environ.get("COMP_WORDBREAKS", "")]
+        self.kept = incomplete[: max(breaks, default=-1) + 1]
+        return words[1:], incomplete
+
+    def format_completion(self, item: CompletionItem[str]) -> str:
+        return f"{item.type},{item.value.removeprefix(self.kept)}"
+
+
+class Zsh(_Shell, ZshComplete):
+    """zsh."""
+
+
+class Fish(_Shell, FishComplete):
+    """fish."""
+
+
+OF_WORDS = ("attach", "run")
+"""The commands that become docker or podman."""
+
+
+def asked() -> str:
+    """What a shell asks, such as `bash_complete`; empty where none does, or where what is set asks nothing."""
+    found = os.environ.get(VARIABLE, "")
+    return found if found.endswith(("_source", "_complete")) else ""
+
+
+def begun() -> str:
+    """The first word after `rosml` of the line that a shell completes; empty where there is none."""
+    line = os.environ.get("COMP_LINE") or os.environ.get("COMP_WORDS", "")
+    return next(iter(line.split()[1:]), "")
+
+
 def answer(cli: click.Command) -> int | None:
-    """Answers a shell that asks; None where none does, or where what is set asks nothing."""
-    asked = os.environ.get(VARIABLE, "")
-    if not asked.endswith(("_source", "_complete")):
+    """Answers a shell that asks; None where none does."""
+    if not asked():
         return None
+    for shell in (Bash, Zsh, Fish):
+        add_completion_class(shell)
     try:
-        return shell_complete(cli, {}, "rosml", VARIABLE, asked)
+        return shell_complete(cli, {}, "rosml", VARIABLE, asked())
     except (KeyError, ValueError, IndexError):  # a shell that says too little
         return 1

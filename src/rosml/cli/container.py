@@ -15,6 +15,7 @@ from typing import NoReturn
 import click
 
 from rosml.base.errors import RosmlError
+from rosml.cli import command
 from rosml.cli.checkout import Command
 from rosml.run import words
 from rosml.run.context import Container, Person
@@ -27,7 +28,12 @@ SETTINGS = {"allow_interspersed_args": False, "help_option_names": ["--help"]}
 
 
 class Words(Command):
-    """A command of which click reads its own options, the first word that is none, and nothing else."""
+    """A command of which click reads its own options, the first word that is none, and nothing else.
+
+    It fails with docker's own code, as all others are those of the command in the container.
+    """
+
+    failure = 125
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         with printing():  # --help
@@ -39,9 +45,11 @@ class Words(Command):
         Raises:
             RosmlError: an option of the engine is unknown, or lacks its value; not while a shell completes a word.
         """
-        own = [name for parameter in self.get_params(ctx) for name in parameter.opts if name.startswith("--")]
+        options = [option for option in self.get_params(ctx) if isinstance(option, click.Option)]
+        own = [name for option in options for name in option.opts]
+        with_value = [name for option in options if not option.is_flag for name in option.opts]
         try:
-            line = words.split(args, own)
+            line = words.split(args, own, with_value)
         except RosmlError:
             if not ctx.resilient_parsing:
                 raise
@@ -62,9 +70,13 @@ def showing(main: Callable[..., None]) -> Callable[..., None]:
     return main
 
 
+SHOW = ("--dry-run", "--json", "--check", "--export")
+"""Options with which nothing of anybody's runs."""
+
+
 def only_shown(line: words.Line) -> bool:
     """Whether nothing is to be run."""
-    return line.asks("dry-run") or line.asks("json")
+    return any(word.partition("=")[0] in SHOW for word in line.own)
 
 
 def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] | None = None) -> None:
@@ -140,6 +152,8 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
     attach.check_state(program, container)
     image = None if line.command else engine.image(program, container.image_id)
     argv = attach.argv(program, line, caller, container, image)
+    if note := attach.lacking(line, container):
+        command.warn(*note)
     if container.state == "running":
         perform(line, argv)
         return

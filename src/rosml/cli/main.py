@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from importlib import import_module
 
 import click
 
 from rosml import __version__
+from rosml.base.environment import LACKING
+from rosml.base.errors import RosmlError
 from rosml.cli import command, completion
 from rosml.cli.checkout import Command, Group
 
@@ -16,13 +19,25 @@ SETUP = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
 }
 
 
-@click.group(cls=Group, elsewhere=SETUP)
+class Rosml(Group):
+    """The command, whose other commands need packages that may not be installed."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if LACKING and args and args[0] not in self.commands:
+            text = f"no command {args[0]} here: not installed: {', '.join(LACKING)}"
+            raise RosmlError(text, "pipx install --force '.[images]' in a checkout", exit_code=2)
+        return super().resolve_command(ctx, args)
+
+
+@click.group(cls=Rosml, elsewhere=SETUP)
 @click.version_option(__version__, prog_name="rosml")
 def cli() -> None:
     """ROS base images with machine learning inside.
 
     list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
-    prune with --registry. run and attach need docker or podman. The others need a checkout.
+    prune with --registry. run and attach need docker or podman, containerize needs Docker. The others need a checkout.
 
     \b
     Examples:
@@ -58,10 +73,19 @@ COMMANDS = (
 )
 """The modules of this package that have a command: `main` in each."""
 
-QUICK = ("attach", "run")
+QUICK = completion.OF_WORDS
 """Every shell in a container waits for them, and importing the others takes longer than all that they do themselves."""
 
-for name in {*sys.argv[1:2]} & {*QUICK} or COMMANDS:
+
+def needed() -> Iterable[str]:
+    """The commands that this call needs."""
+    if completion.asked().endswith("_source"):
+        return ()
+    first = completion.begun() if completion.asked() else next(iter(sys.argv[1:]), "")
+    return (first,) if first in QUICK else QUICK if LACKING else COMMANDS
+
+
+for name in needed():
     cli.add_command(import_module(f"rosml.cli.{name}").main)
 
 
@@ -75,5 +99,5 @@ def run(word: str = "") -> int:
         return answered
     first = cli.commands.get(word or next(iter(sys.argv[1:]), ""))
     known = first if isinstance(first, Command | Group) else cli
-    code = command.run(known if word else cli, known.kept, reader_gone=0 if known.prints else command.BROKEN_PIPE)
-    return command.ended(code)
+    gone = 0 if known.prints else command.BROKEN_PIPE
+    return command.ended(command.run(known if word else cli, known.kept, reader_gone=gone, failure=known.failure))

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from rosml.base.errors import RosmlError
+from rosml.run import places
 from rosml.run.concerns import FOLDER, streams, targets
 from rosml.run.context import Container, Image, Person
+from rosml.run.sockets import WHOLE_NETWORK
 from rosml.run.words import Line
 
 HERE = "."
@@ -25,6 +27,10 @@ PASSED = frozenset(
 
 IDLE = ("created", "exited", "configured", "initialized", "stopped")
 """The states from which a container can be started."""
+
+
+class NoContainer(RosmlError):
+    """No container was started in a folder."""
 
 
 def argv(program: str, line: Line, person: Person, container: Container, image: Image | None) -> list[str]:
@@ -70,7 +76,8 @@ def of_folder(found: Sequence[Container], folder: str, command: str) -> Containe
         found: all that `rosml run` started. command: how somebody called this, for the message.
 
     Raises:
-        RosmlError: there is none, or there are several.
+        NoContainer: there is none.
+        RosmlError: there are several.
     """
     here = [container for container in found if container.labels.get(FOLDER) == folder]
     running = [container for container in here if container.state == "running"]
@@ -83,7 +90,7 @@ def of_folder(found: Sequence[Container], folder: str, command: str) -> Containe
         raise RosmlError(f"{len(chosen)} containers of this folder: {names}", f"rosml attach {first}", exit_code=2)
     others = _shown(container for container in found if container.state == "running")
     elsewhere = f"; rosml attach NAME enters one of other folders: {', '.join(others)}" if others else ""
-    raise RosmlError(
+    raise NoContainer(
         f"{command}: no container was started in this folder", f"rosml run IMAGE starts one{elsewhere}", exit_code=2
     )
 
@@ -104,7 +111,7 @@ def check_same(program: str, line: Line, person: Person, container: Container, i
         RosmlError: it is another one.
     """
     name = container.name
-    new = f"{'another --name' if line.has('name') else '--new'} starts another container"
+    new = f"{_other(line)} starts another container"
     enter = f"rosml attach {name} enters it; {new}"
     if container.state != "running":
         again = f"rosml attach {name} starts it again, " if container.state in IDLE else ""
@@ -122,6 +129,20 @@ def check_same(program: str, line: Line, person: Person, container: Container, i
         raise RosmlError(f"{name} runs without this folder at {missing[0]}", enter)
     if line.has("detach"):
         raise RosmlError(f"{name} runs already", enter)
+
+
+def _other(line: Line) -> str:
+    """With what another container starts."""
+    return "another --name" if line.has("name") else "--new"
+
+
+def lacking(line: Line, container: Container) -> tuple[str, str] | None:
+    """What to say, and what to do, where somebody asks for a network for ROS and the container lacks it; None otherwise."""
+    place = places.running(container, rootless=False)
+    if not line.asks(WHOLE_NETWORK) or place.network == place.ipc == places.HOST:
+        return None
+    has = f"its network is {place.network}, its shared memory {place.ipc or places.ALONE}"
+    return f"{container.name} runs without --{WHOLE_NETWORK}: {has}", f"{_other(line)} starts another container with it"
 
 
 def check_state(program: str, container: Container) -> None:

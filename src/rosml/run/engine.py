@@ -57,6 +57,9 @@ def program(environment: Mapping[str, str]) -> str:
 INFO = "{{json .}}"
 """What an engine is asked of itself."""
 
+PATIENCE = 1.0
+"""Seconds in which an engine answers somebody who has pressed the Tab key."""
+
 ID = re.compile("[A-Za-z0-9][A-Za-z0-9_.-]*")
 """How an engine calls a container."""
 
@@ -172,6 +175,31 @@ def folder(command: str, image: str, place: str) -> list[str]:
     alone = ("--rm", "--network", "none", "--entrypoint", "ls")
     listed = _ended(_begun(command, "run", *alone, image, place))
     return [] if listed.code else listed.text.split()
+
+
+def image_names(command: str) -> list[str]:
+    """The names of all images, with their tags: as many as the engine says at once."""
+    return [name for name in _lines(command, "images", "{{.Repository}}:{{.Tag}}") if "<none>" not in name]
+
+
+def container_names(command: str) -> list[str]:
+    """The names of all containers: as many as the engine says at once."""
+    return _lines(command, "ps", "{{.Names}}", "--all")
+
+
+def _lines(command: str, what: str, form: str, *options: str) -> list[str]:
+    """The lines of a list; none where the engine fails, or takes long: somebody has pressed the Tab key."""
+    try:
+        done = subprocess.run(
+            [command, what, *options, "--format", form],
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=PATIENCE,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return []
+    return done.stdout.decode(errors="replace").split() if done.returncode == 0 else []
 
 
 def start(command: str, name: str) -> None:

@@ -13,6 +13,25 @@ SOURCES = ("source=", "src=")
 """How a mount names what is mounted."""
 
 
+READ = ("authfile", "cert-dir", "cidfile", "env-file", "hosts-file", "label-file", "pidfile", "pod-id-file")
+"""Options whose value is a file of this machine, which the engine reads or writes."""
+
+
+def anchored(given: Given, folder: str) -> Given:
+    """The same option of a file, whose folder the engine does not know: also files that the engine itself would find from the
+    current folder.
+
+    Args:
+        given: options of the engine. folder: that of the file.
+
+    Raises:
+        RosmlError: as in `resolved`.
+    """
+    if given.value and given.names[-1] in READ:
+        return given.with_value(_absolute(given.value, folder))
+    return resolved(given, folder)
+
+
 def resolved(given: Given, folder: str) -> Given:
     """The same option; where it mounts a relative folder, with its absolute path. A name without `/` is a volume's.
 
@@ -30,7 +49,7 @@ def resolved(given: Given, folder: str) -> Given:
 
 def bind(source: str, target: str) -> str:
     """The value of `--mount` for a folder. `-v` could not have a colon in a path."""
-    return _csv(["type=bind", f"source={source}", f"target={target}"])
+    return joined(["type=bind", f"source={source}", f"target={target}"])
 
 
 def _volume(value: str, folder: str) -> str:
@@ -59,7 +78,7 @@ def _mount(value: str, folder: str) -> str:
     if "type=bind" not in fields:
         return value
     found = [_source(field, folder) for field in fields]
-    return value if found == fields else _csv(found)
+    return value if found == fields else joined(found)
 
 
 def _source(field: str, folder: str) -> str:
@@ -74,6 +93,6 @@ def _absolute(path: str, folder: str) -> str:
     return path if path.startswith("/") else os.path.normpath(f"{folder}/{path}")
 
 
-def _csv(fields: Sequence[str]) -> str:
-    """Fields with commas between them; one that has a comma, a quote or a line's end in it is quoted."""
+def joined(fields: Sequence[str]) -> str:
+    """A value of fields with commas between them; one that has a comma, a quote or a line's end in it is quoted."""
     return ",".join(f'"{x.replace(chr(34), chr(34) * 2)}"' if set(x) & set(',"\n\r') else x for x in fields)

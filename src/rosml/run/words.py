@@ -55,7 +55,7 @@ class Line:
     command: tuple[str, ...]
 
     def asks(self, name: str) -> bool:
-        """Whether somebody asked for an option of rosml's own, such as `no-rm`; all of them are switches."""
+        """Whether somebody asked for a switch of rosml's own, such as `no-rm`."""
         return f"--{name}" in self.own
 
     def has(self, *names: str) -> bool:
@@ -111,12 +111,12 @@ def table() -> Table:
     return Table(frozenset(kinds["value"]), frozenset(kinds["switch"]), letters)
 
 
-def split(words: Collection[str], own: Collection[str]) -> Line:
+def split(words: Collection[str], own: Collection[str], with_value: Collection[str] = ()) -> Line:
     """Reads a command line as docker and podman read theirs: the first word that is no option is the image.
 
     Args:
         words: what follows `rosml run`.
-        own: rosml's own options, such as `--dry-run`; all of them are switches.
+        own: rosml's own options, such as `--dry-run`. with_value: those of them that take a value; the others are switches.
 
     Raises:
         RosmlError: an option is unknown, or lacks its value.
@@ -130,7 +130,7 @@ def split(words: Collection[str], own: Collection[str]) -> Line:
         if not word.startswith("-") or word == "-":
             return _line(mine, engine, [word, *rest])
         if word.partition("=")[0] in own:
-            mine.append(word)
+            mine += [word, _value(word, rest)] if word in with_value else [word]
         elif word.startswith("--"):
             engine.append(_long(word, rest, own))
         else:

@@ -1,0 +1,73 @@
+"""How shells complete `rosml run` and `rosml attach`: options of rosml and of the engine, images, containers, files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Sequence
+
+import click
+from click.shell_completion import CompletionItem
+
+from rosml.base.errors import RosmlError
+from rosml.run import attach, engine, paths, words
+
+FILES = frozenset(("volume", "mount", "device", *paths.READ))
+"""Options of the engine whose value begins with a path of this machine."""
+
+ENTERS = "attach"
+"""The command that takes a container in the place of an image, and fewer options."""
+
+
+def items(command: click.Command, args: Sequence[str], incomplete: str) -> list[CompletionItem[str]]:
+    """How the last word of a command line goes on; nothing where what stands before it is wrong.
+
+    Args:
+        args: the words before it, without `rosml run`.
+    """
+    context = click.Context(command)
+    own = {x.opts[0]: x for x in command.get_params(context) if isinstance(x, click.Option)}
+    with_value = {name: option for name, option in own.items() if not option.is_flag}
+    try:
+        line = words.split(args, own, with_value)
+    except RosmlError:
+        if option := with_value.get(args[-1]):
+            return option.shell_complete(context, incomplete)
+        return _value(_waiting(args, own), incomplete)
+    if line.image:
+        return _file(incomplete)
+    if incomplete.startswith("--") and "=" in incomplete:
+        name, _, value = incomplete.partition("=")
+        if option := with_value.get(name):
+            return [CompletionItem(f"{name}={x.value}") for x in option.shell_complete(context, value)]
+        return _value(name.removeprefix("--"), value)
+    if incomplete.startswith("-"):
+        theirs = attach.PASSED if command.name == ENTERS else words.table().names
+        known = {name: option.help for name, option in own.items()} | {f"--{name}": None for name in sorted(theirs)}
+        return [CompletionItem(name, help=text) for name, text in known.items() if name.startswith(incomplete)]
+    return [CompletionItem(name) for name in _named(command.name == ENTERS) if name.startswith(incomplete)]
+
+
+def _waiting(args: Sequence[str], own: Collection[str]) -> str:
+    """The option of the engine that waits for its value; empty where none does."""
+    try:
+        return words.split([*args, "value"], own).engine[-1].names[-1]
+    except RosmlError:
+        return ""
+
+
+def _value(name: str, incomplete: str) -> list[CompletionItem[str]]:
+    return _file(incomplete) if name in FILES else []
+
+
+def _file(incomplete: str) -> list[CompletionItem[str]]:
+    """Has the shell look for files."""
+    return [CompletionItem(incomplete, type="file")]
+
+
+def _named(containers: bool) -> list[str]:
+    """What the engine has: containers, or images; nothing where there is none, or it takes long."""
+    try:
+        program = engine.program(os.environ)
+    except RosmlError:
+        return []
+    return sorted(engine.container_names(program) if containers else engine.image_names(program))

@@ -1,0 +1,243 @@
+"""The files with defaults for `rosml run`: the person's, the project's, and a command line on top of them."""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+from rosml.base.errors import RosmlError
+from rosml.run import paths
+from rosml.run.words import Line, split
+
+PERSON = "rosml/run.toml"
+"""The person's file, in the folder of settings."""
+
+PROJECT = ".rosml.toml"
+"""The project's file."""
+
+HERE = "."
+"""The word for the image that a file names."""
+
+KEYS = {
+    "image": '"ghcr.io/me/rosml/ros:jazzy-base"',
+    "options": '["--mws", "-e", "ROS_DOMAIN_ID=7"]',
+    "command": '["ros2", "topic", "list"]',
+}
+"""What a file may have, and an example of each."""
+
+LIMIT = 64 * 1024
+"""Bytes that a file may have: the whole of it is shown to people who are asked about it."""
+
+
+@dataclass(frozen=True)
+class File:
+    """A file with defaults. Attributes: content: as it was read, once. owner: the uid of the user to whom it belongs. line:
+    what it says, as a command line; relative paths in it are absolute already."""
+
+    path: str
+    content: bytes
+    owner: int
+    line: Line
+
+
+@dataclass(frozen=True)
+class Files:
+    """The files that there are."""
+
+    person: File | None = None
+    project: File | None = None
+
+    def under(self, typed: Line) -> Line:
+        """A command line with the defaults below it: of two options that set the same thing, the engines take the later one.
+        Whoever types an image gets no default for the command, which belongs to another image; whoever asks for another
+        container gets none for its name, which one may have already."""
+        lines = [file.line for file in (self.person, self.project) if file]
+        image, command = typed.image, typed.command
+        if image in ("", HERE):
+            image = next((line.image for line in reversed(lines) if line.image), "")
+            command = command or next((line.command for line in reversed(lines) if line.command), ())
+        own = tuple(word for line in (*lines, typed) for word in line.own)
+        below = (given for line in lines for given in line.engine if not (typed.asks("new") and "name" in given.names))
+        return Line(own, (*below, *typed.engine), image, command)
+
+
+def base(environment: Mapping[str, str], variable: str, usual: str) -> str:
+    """A folder of the person's, as the XDG Base Directory Specification has it.
+
+    Args:
+        variable: the one that names it; a relative path does not count. usual: where it is otherwise, in their home.
+    """
+    named = environment.get(variable, "")
+    return named if named.startswith("/") else os.path.join(home(), usual)
+
+
+def home() -> str:
+    """The person's home folder; / where they have none, or a relative one, which would be a place in somebody's project."""
+    found = os.path.expanduser("~")
+    return found if found.startswith("/") else "/"
+
+
+def files(environment: Mapping[str, str], folder: str, options: Collection[str], refused: Collection[str]) -> Files:
+    """The files that there are for a folder.
+
+    Args:
+        options: rosml's own options that a file can have. refused: those for the command line alone. Both with `--`.
+
+    Raises:
+        RosmlError: one of them is wrong, or cannot be read.
+    """
+    person = f"{base(environment, 'XDG_CONFIG_HOME', '.config')}/{PERSON}"
+    project = project_file(folder, home())
+    return Files(
+        _file(person, options, refused) if os.path.lexists(person) else None,
+        _file(project, options, refused, os.O_NOFOLLOW) if project else None,
+    )
+
+
+def project_file(folder: str, end: str) -> str:
+    """The file of a project: in a folder or the nearest one above it; empty where there is none. The search ends below the home
+    folder, where the person's own file counts, and at the end of a file system.
+
+    Args:
+        folder: an absolute path. end: the home folder; links may lead there.
+    """
+    here, end, device = folder, os.path.realpath(end), _device(folder)
+    while here != end and _device(here) == device:
+        if os.path.lexists(path := os.path.join(here, PROJECT)):
+            return path
+        if here == os.path.dirname(here):
+            break
+        here = os.path.dirname(here)
+    return ""
+
+
+def _device(folder: str) -> int:
+    """The file system of a folder; -1 where nobody may look."""
+    try:
+        return os.stat(folder).st_dev
+    except OSError:
+        return -1
+
+
+def shown(text: str) -> str:
+    """Text for a terminal: what would move its cursor, or change the order of letters, is written as an escape."""
+    return "".join(x if x.isprintable() else x.encode("unicode_escape").decode() for x in text)
+
+
+# ---- What is in a file -----------------------------------------------------------------------------------------------
+
+
+def _file(path: str, options: Collection[str], refused: Collection[str], flags: int = 0) -> File:
+    """A file that is there.
+
+    Args:
+        flags: for opening it.
+
+    Raises:
+        RosmlError: as in `files`.
+    """
+    try:
+        # O_NONBLOCK: a pipe in its place would wait for somebody who writes.
+        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | flags), "rb") as stream:
+            found = os.fstat(stream.fileno())
+            if not stat.S_ISREG(found.st_mode):
+                raise _wrong(path, 0, "it is no file", "move it away")
+            content = stream.read(LIMIT + 1)
+    except OSError as error:
+        if flags and os.path.islink(path):
+            raise _wrong(path, 0, "it is a link", "put the file itself there") from None
+        raise _wrong(path, 0, f"cannot be read: {error.strerror}", "make it readable, or move it away") from None
+    if len(content) > LIMIT:
+        raise _wrong(path, 0, f"it has more than {LIMIT // 1024} KiB", "shorten it, or move it away")
+    return File(path, content, found.st_uid, _line(path, _text(path, content), options, refused))
+
+
+def _wrong(path: str, line: int, text: str, remedy: str) -> RosmlError:
+    """What is wrong with a file. `line`: where; 0 for the file as a whole."""
+    place = f"{path}:{line}" if line else path
+    return RosmlError(shown(f"{place}: {text}"), f"{shown(remedy)}; --no-defaults leaves it out", exit_code=2)
+
+
+def _text(path: str, content: bytes) -> str:
+    try:
+        return content.decode()
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        raise _wrong(path, line, f"not UTF-8 (byte 0x{content[error.start]:02x})", "save it as UTF-8") from None
+
+
+def _line(path: str, text: str, options: Collection[str], refused: Collection[str]) -> Line:
+    """What a file says.
+
+    Raises:
+        RosmlError: it is broken, or says something else.
+    """
+    import tomllib  # most folders have no file
+
+    try:
+        found = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        reason, _, place = str(error).partition(" (at ")
+        at = re.match(r"line (\d+)", place)
+        line = int(at[1]) if at else text.count("\n") + 1 if place else 0
+        raise _wrong(path, line, f"no TOML: {reason[:1].lower()}{reason[1:]}", "correct that line") from None
+    for key, value in found.items():
+        try:
+            _check(key, value)
+        except RosmlError as error:
+            raise _wrong(path, _place(text, key), error.message, error.remedy) from None
+    try:
+        given = _options(found.get("options", []), options, refused)
+        engine = tuple(paths.anchored(option, os.path.dirname(path)) for option in given.engine)
+    except RosmlError as error:
+        raise _wrong(path, _place(text, "options"), error.message, error.remedy) from None
+    return Line(given.own, engine, found.get("image", ""), tuple(found.get("command", ())))
+
+
+def _place(text: str, key: str) -> int:
+    """The line where a key stands; 0 where it is written in some other way."""
+    found = re.search(rf"^[ \t]*(\[+[ \t]*)?([\"']?){re.escape(key)}\2[ \t]*[=.\]]", text, re.MULTILINE)
+    return text.count("\n", 0, found.start()) + 1 if found else 0
+
+
+def _check(key: str, value: object) -> None:
+    """Whether a key is known, and has what it should have.
+
+    Raises:
+        RosmlError: it is not, or has not.
+    """
+    if key not in KEYS:
+        from rosml.base.problems import near  # only needed when something is wrong
+
+        raise RosmlError(f"unknown key {key!r}", near(key, KEYS))
+    words = [value] if key == "image" else value
+    if not isinstance(words, list) or not all(isinstance(word, str) for word in words):
+        kind = "a text" if key == "image" else "a list of texts"
+        raise RosmlError(f"{key} must be {kind}", f"write {key} = {KEYS[key]}")
+    if odd := next((letter for word in words for letter in word if not letter.isprintable()), ""):
+        raise RosmlError(f"{key} has a character that cannot be shown: {odd!r}", "remove it")
+    if key == "image" and (value in ("", HERE) or words[0].startswith("-")):
+        raise RosmlError(f"{value!r} is no name of an image", f"write image = {KEYS['image']}")
+
+
+def _options(words: Sequence[str], options: Collection[str], refused: Collection[str]) -> Line:
+    """Options, which may be of rosml or of the engine. No image and no command hides among them.
+
+    Raises:
+        RosmlError: a word is no option.
+    """
+    if two := next((word for word in words if re.match(r"--?[A-Za-z][\w-]* ", word)), ""):
+        first, _, second = two.partition(" ")
+        raise RosmlError(f"options has two words in one: {two!r}", f'write "{first}", "{second.strip()}"')
+    line = split(words, [*options, *refused])
+    if alone := next((name for word in line.own if (name := word.partition("=")[0]) in refused), ""):
+        raise RosmlError(f"{alone} is for the command line alone", "remove it")
+    read = len(line.own) + sum(len(given.words) for given in line.engine)
+    if read < len(words):
+        raise RosmlError(f"options has {words[read]!r}, which is no option", 'an image goes into image = "…"')
+    if valued := next((word.partition("=")[0] for word in line.own if word not in options), ""):
+        raise RosmlError(f"{valued} takes no value", f"write {valued}")
+    return line

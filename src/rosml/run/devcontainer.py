@@ -1,0 +1,129 @@
+"""What would run, as a `devcontainer.json` for editors: https://containers.dev/implementors/json_reference/.
+
+An editor replaces the image's entrypoint by a command that waits, and enters the container as the user who runs there.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from rosml.base.errors import RosmlError
+from rosml.run.concerns import FOLDER as LABEL
+from rosml.run.context import Context
+from rosml.run.export import Call, Option, fields, file, placed, preceded, volume
+from rosml.run.paths import READ, joined
+
+FOLDER = "${localWorkspaceFolder}"
+"""What the file calls the folder that the editor opens."""
+
+OURS = "DOCKER_UID"
+"""The variable from which an entrypoint of ours makes the user (docs/contract.md)."""
+
+DROPPED = ("interactive", "tty")
+"""Editors have their own terminals."""
+
+LISTS = {"cap-add": "capAdd", "security-opt": "securityOpt"}
+SWITCHES = ("init", "privileged")
+ELSEWHERE = ("env", "mount", "user", *LISTS, *SWITCHES)
+"""Options for which the file has a word of its own."""
+
+
+def bare(context: Context) -> Context:
+    """The same without the image's entrypoint: the user's bare ids run. In an image of ours, the group 0 may write to the
+    workspace."""
+    line, image = context.line, context.image
+    named = line.asks("no-user") or line.has("user") or (context.engine.rootless and not context.engine.podman)
+    if OURS in image.environment and context.person.uid and not named:
+        line = preceded(line, "--group-add", "0")
+    environment = {key: value for key, value in image.environment.items() if key != OURS}
+    return replace(context, line=line, image=replace(image, environment=environment))
+
+
+def text(call: Call) -> str:
+    """The file.
+
+    Raises:
+        RosmlError: an editor takes no such call.
+    """
+    return json.dumps(content(call), indent=2, ensure_ascii=False) + "\n"
+
+
+def content(call: Call) -> dict[str, Any]:
+    """What is in the file. What has no counterpart goes to the engine as it is.
+
+    Raises:
+        RosmlError: an editor has its own command.
+    """
+    if call.command:
+        text = f"a dev container has no command of yours, such as {call.command[0]}: its editor keeps it open"
+        raise RosmlError(text, "leave the command out, and call it on the editor's terminal", exit_code=2)
+    if _values(call, "entrypoint"):
+        raise RosmlError("a dev container has its editor's entrypoint", "leave out --entrypoint", exit_code=2)
+    opened = next((option for option in call.options if _target(option, call.folder)), None)
+    others = [option for option in call.options if option is not opened]
+    user = (_values(call, "user") or [""])[-1]
+    found: dict[str, Any] = {"name": call.name, "image": call.image}
+    if opened:
+        target = _target(opened, call.folder)
+        found |= {
+            "workspaceMount": joined(["type=bind", f"source={FOLDER}", f"target={target}"]),
+            "workspaceFolder": target,
+        }
+    if user:
+        found["containerUser"] = "root" if user == "0:0" else user
+    found |= {
+        "updateRemoteUserUID": False,
+        "containerEnv": dict(map(_variable, _values(call, "env"))),
+        "mounts": [_mount(option, call.folder) for option in others if option.name == "mount"],
+        **{option.name: option.is_on for option in others if option.name in SWITCHES},
+        **{key: [*dict.fromkeys(_values(call, name))] for name, key in LISTS.items()},
+        "runArgs": [_word(option, call.folder) for option in others if option.name not in (*ELSEWHERE, *DROPPED)],
+    }
+    return {key: value for key, value in found.items() if value not in ([], {})}
+
+
+def _values(call: Call, name: str) -> Sequence[str]:
+    return [option.value or "" for option in call.options if option.name == name]
+
+
+def _variable(value: str) -> tuple[str, str]:
+    """A variable of the container; without a value it has that of whoever starts it."""
+    name, equals, said = value.partition("=")
+    return name, said if equals else f"${{localEnv:{name}}}"
+
+
+def _target(option: Option, folder: str) -> str:
+    """Where the current folder is mounted; empty where an option mounts something else, or in another way."""
+    if option.name == "volume":
+        source, _, target = (option.value or "").partition(":")
+        return target if source == folder and ":" not in target else ""
+    if option.name != "mount":
+        return ""
+    found = dict(fields(option))
+    target = found.pop("target", "")
+    return target if found == {"type": "bind", "source": folder} else ""
+
+
+def _mount(option: Option, folder: str) -> str:
+    """The value of `--mount`."""
+    found = dict(fields(option))
+    if "source" in found:
+        found["source"] = placed(found["source"], folder, FOLDER)
+    return joined([f"{key}={value}" if value else key for key, value in found.items()])
+
+
+def _word(option: Option, folder: str) -> str:
+    """An option of the engine, as one word."""
+    value = option.value
+    if value is None:
+        return f"--{option.name}"
+    if option.name in READ:
+        value = file(option, folder, FOLDER)
+    elif option.name == "volume":
+        value = volume(option, folder, FOLDER)
+    elif value == f"{LABEL}={folder}":
+        value = f"{LABEL}={FOLDER}"
+    return f"--{option.name}={value}"
