@@ -95,9 +95,9 @@ def test_what_is_proposed_is_whole(checkout: Path, tmp_path_factory: pytest.Temp
 
 
 def test_whatever_is_generated_is_handed_over(checkout: Path) -> None:
-    """Also what new versions happen to leave alone today: every file that the generator can write."""
-    written = [
-        line.split(":")[0] for line in step("./rosml generate", checkout).splitlines() if "is up to date" in line
-    ]
+    """Also what new versions happen to leave alone today: every file that the generator can write, but for those that come
+    from the table of inputs of rosml containerize."""
+    said = [line.split(":")[0] for line in step("./rosml generate", checkout).splitlines() if "is up to date" in line]
+    written = [name for name in said if name != "docs/containerize.md"]
     assert len(written) == 4
     assert [name for name in written if not name.startswith(tuple(KEPT))] == []
