@@ -146,6 +146,25 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
         assert registry.head(name, "latest") == first["run"]["digest"], "the tag stays where it was"
 
 
+@pytest.mark.full(proof="wheels")
+def test_the_example_of_ros_2(published: Publish, services: Services, tmp_path: Path) -> None:
+    """On ROS 2 from wheels, of which rosdep knows nothing on Debian, and which has no command ros2."""
+    folder, name = tmp_path / "counter", f"{NAMESPACE}/counter"
+    shutil.copytree(ROOT / "examples/ros2", folder)
+    options = ("--base-image", published("jazzy-wheels-core").result["reference"], "--image-name", name)
+    program = "/docker-ros/ws/install/counter/lib/counter/count"
+    found = made(folder, *options, "--skip-keys", "rclpy std_msgs", "--command", program)
+    assert found["tests"]["count"] == 1 and not found["tests"]["failures"]
+    (tmp_path / "chk").mkdir()
+    (tmp_path / "chk/Dockerfile").write_text(
+        f"""FROM {found["run"]["reference"]}
+RUN (timeout --signal=INT 8 /tini -s -- /entrypoint.sh bash -c 'exec bash -c "$DEFAULT_CMD"' || true) 2>&1 | tee /said && \
+    grep "round: 20" /said
+"""
+    )
+    build_folder(services, tmp_path / "chk")
+
+
 @pytest.fixture
 def everything(tmp_path: Path) -> Path:
     """A repository that uses each file which it may have, and upstream sources that name others."""

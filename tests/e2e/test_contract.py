@@ -4,22 +4,18 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import subprocess
-import sys
-import tempfile
 import time
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
-from rosml import ROOT
 from rosml.machine.services import Services
 from tests.e2e import engine
 from tests.e2e.conftest import Run
 from tests.e2e.images import Publish
+from tests.e2e.person import Person, somebody
 
 TARGET = "ros1-bookworm-core"
 WORKSPACE = "/docker-ros/ws"
@@ -506,50 +502,11 @@ def test_other_images_work_whoever_starts_them(other: tuple[str, Container], who
 
 # ---- rosml run -------------------------------------------------------------------------------------------------------
 
-PERSON = 12345
-
-
-@dataclass
-class Person:
-    """Somebody in a folder of theirs who may talk to the engine: nobody's uid where the tests started it, or else this user."""
-
-    engine: engine.Engine
-    folder: Path
-    uid: int
-
-    def rosml(self, *words: str, typed: str = "") -> Run:
-        """The command, with containers that have no network."""
-        become = ["setpriv", f"--reuid={self.uid}", f"--regid={self.uid}", "--clear-groups"]
-        own = {"HOME": str(self.folder), "PYTHONPATH": str(ROOT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
-        host = {"DOCKER_HOST": self.engine.host} if self.engine.host else {}
-        done = subprocess.run(
-            [*(become if self.engine.host else []), sys.executable, "-m", "rosml", *words],
-            cwd=self.folder,
-            env={**os.environ, **own, **host},
-            input=typed,
-            capture_output=True,
-            text=True,
-            timeout=120,
-            check=False,
-        )
-        return Run(done.returncode, done.stdout, done.stderr)
-
-    def run(self, *words: str, typed: str = "") -> Run:
-        return self.rosml("run", "--network", "none", *words, typed=typed)
-
 
 @pytest.fixture
-def person(container: Container, tmp_path: Path) -> Iterator[Person]:
-    folder = Path(tempfile.mkdtemp(prefix="person-"))  # pytest's own are nobody else's
-    found = Person(container.docker, folder, os.geteuid())
-    if container.docker.host:
-        socket = Path(container.docker.host.removeprefix("unix://"))
-        socket.chmod(0o666)
-        socket.parent.chmod(0o755)
-        found.uid = PERSON
-        os.chown(folder, PERSON, PERSON)
-    yield found
-    shutil.rmtree(folder)
+def person(container: Container) -> Iterator[Person]:
+    with somebody(container.docker) as found:
+        yield found
 
 
 def test_rosml_run_starts_an_image_as_the_person(container: Container, person: Person) -> None:
