@@ -35,6 +35,7 @@ DISTRIBUTIONS = list(dict.fromkeys(image.distribution for image in IMAGES))
 WORDS = [
     "attach",
     "catalogue",
+    "ci",
     "containerize",
     "diff",
     "explain",

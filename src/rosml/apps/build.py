@@ -109,7 +109,7 @@ class App:
         self._folder, self._values, self._environment = folder, values, environment
         self._services, self._say = services, say
         self._targets = _listed(values["target"], TARGETS, "target")
-        self._platforms = _platforms(values["platform"])
+        self._platforms = listed_platforms(values["platform"])
         self._name = _image_name(values["image-name"] or folder.name.lower())
         if "run" in self._targets and not values["command"]:
             raise RosmlError(
@@ -119,6 +119,11 @@ class App:
             raise RosmlError("there is no base image", "add --base-image, such as ros:jazzy-base", exit_code=2)
         self._require_place()
         self._state = services.state / "containerize" / re.sub(r"[/:]", "-", self._name)
+
+    @property
+    def report(self) -> Path:
+        """Folder of what the build says of the app, with `results` of its tests; one for each platform if there are several."""
+        return self._state / "report"
 
     def build(self) -> Built:
         """Builds the images.
@@ -141,7 +146,7 @@ class App:
         workspace.write_requests(self._values, self._folder, upstream, base.environment, self._state / "requests")
         self._say(f"{_count(count, 'package')} for {', '.join(self._platforms)}")
         file = self._write_bake(base, distribution, upstream)
-        report = self._state / "report"
+        report = self.report
         shutil.rmtree(report, ignore_errors=True)
         buildx.run(self._services, buildx.Bake("report", f"containerize-{self._state.name}", file))
         self._read(report, built)
@@ -261,7 +266,7 @@ class App:
             },
         }
         output = "type=docker" if self._loads else f"type=image,push=true,{COMPRESSION}"
-        report = {"target": "report", "output": [f"type=local,dest={self._state / 'report'}"]}
+        report = {"target": "report", "output": [f"type=local,dest={self.report}"]}
         targets: dict[str, Any] = {"report": {**common, **report}}
         for stage in ("app", "workspace"):
             targets[stage] = {**common, "target": stage}
@@ -364,7 +369,7 @@ def _listed(text: str, known: tuple[str, ...], what: str) -> tuple[str, ...]:
     return tuple(name for name in known if name in found)
 
 
-def _platforms(text: str) -> tuple[str, ...]:
+def listed_platforms(text: str) -> tuple[str, ...]:
     """Platforms as BuildKit names them; docker-ros' users write only the architecture."""
     names = [word.strip() for word in text.split(",") if word.strip()] or [native_architecture()]
     return tuple(dict.fromkeys(name if "/" in name else f"linux/{name}" for name in names))

@@ -41,6 +41,7 @@ def cli() -> None:
 COMMANDS = (
     "attach",
     "catalogue",
+    "ci",
     "containerize",
     "diff",
     "explain",

@@ -1,0 +1,10 @@
+#!/bin/sh
+# Installs rosml of this checkout into a folder, with packages by hash: install.sh FOLDER
+set -eu
+unset PYTHONPATH PYTHONHOME # a ROS workspace sets them, and they change what Python imports
+project=$(dirname "$(readlink -f "$0")")/..
+if [ ! -x "$1/bin/rosml" ]; then
+  python3 -m venv "$1"
+  "$1/bin/pip" install --quiet --disable-pip-version-check --require-hashes --requirement "$project/tools/requirements-app.txt"
+  "$1/bin/pip" install --quiet --disable-pip-version-check --no-deps "$project"
+fi
