@@ -78,11 +78,14 @@ def test_actionlint() -> None:
     actionlint()
 
 
-def test_actionlint_of_the_documentation(tmp_path: Path) -> None:
-    """The workflow that users are shown."""
-    [block] = [block for block in blocks(ROOT / "docs/use.md") if block.title == ".github/workflows/test.yml"]
-    (tmp_path / "test.yml").write_text(block.text)
-    actionlint(tmp_path / "test.yml")
+@pytest.mark.parametrize("page", ["use", "containerize"])
+def test_actionlint_of_the_documentation(page: str, tmp_path: Path) -> None:
+    """The workflows that users are shown."""
+    shown = [block for block in blocks(ROOT / f"docs/{page}.md") if block.title.startswith(".github/workflows/")]
+    assert shown
+    for block in shown:
+        (tmp_path / Path(block.title).name).write_text(block.text)
+    actionlint(*tmp_path.iterdir())
 
 
 def test_zizmor() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -43,6 +44,25 @@ def test_an_input_counts_before_a_variable_and_before_the_forges_default() -> No
     environment = {"INPUT_TARGET": "dev", "TARGET": "run", "DEFAULT_TARGET": "run", "INPUT_PLATFORM": ""}
     environment |= {"PLATFORM": "arm64", "DEFAULT_PLATFORM": "amd64", "DEFAULT_REGISTRY": "registry.example.org"}
     assert ci.given(environment) == {"target": "dev", "platform": "arm64", "registry": "registry.example.org"}
+
+
+def test_a_flag_that_only_ci_has_is_true_or_false() -> None:
+    assert [ci.flag("x", told) for told in ({}, {"x": "True"}, {"x": "false"})] == [False, True, False]
+    with pytest.raises(RosmlError, match="x is true or false, not 'yes'"):
+        ci.flag("x", {"x": "yes"})
+
+
+def test_the_password_reaches_docker_on_no_command_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    docker = tmp_path / "docker"
+    docker.write_text(f'#!/bin/sh\n{{ echo "$*"; cat; }} >{tmp_path}/told\n[ "$3" = me ]\n')
+    docker.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    environment = {"DEFAULT_REGISTRY": "registry.example.org", "REGISTRY_PASSWORD": "p$ss '", "REGISTRY_USER": "me"}
+    assert CliRunner().invoke(command.main, ["login"], env=environment).exit_code == 0
+    told = (tmp_path / "told").read_text()
+    assert told == "login --username me --password-stdin registry.example.org\np$ss '"
+    done = CliRunner().invoke(command.main, ["login"], env={**environment, "REGISTRY_USER": "you"})
+    assert str(done.exception) == "registry.example.org refuses you"
 
 
 # ---- Tags ------------------------------------------------------------------------------------------------------------
@@ -202,6 +222,13 @@ def test_an_index_has_every_platform_and_gets_all_tags(registry: StandIn, servic
     index = json.loads(registry.manifests["me/robot", made.digest][1])
     there = {entry["platform"]["architecture"]: entry["digest"] for entry in index["manifests"]}
     assert there == {"amd64": found["v1-amd64"], "arm64": found["v1-arm64"]}
+
+
+def test_a_name_without_a_registry_is_docker_hubs(services: Services, tmp_path: Path) -> None:
+    made = job(services, tmp_path, image_name="Me/Robot", push="false").build(
+        tmp_path, services, tmp_path / "out", False
+    )
+    assert made[0].reference == "docker.io/me/robot:latest"
 
 
 def test_no_tag_moves_where_a_platform_is_missing(registry: StandIn, services: Services, tmp_path: Path) -> None:

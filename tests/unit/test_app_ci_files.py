@@ -17,6 +17,7 @@ from conftest import ROOT
 from rosml.apps import ci, ci_files
 from rosml.base.errors import RosmlError
 from tests import act
+from tests.pages import blocks
 
 # Of docker-ros, at commit 3943707.
 ACTION = """
@@ -71,10 +72,27 @@ def test_gitlabs_jobs_say_what_they_need() -> None:
             assert "$[[" not in line, f"{name}: a value that becomes part of a command can become another command"
 
 
+def test_jobs_of_the_workflow_may_push_and_no_more() -> None:
+    content = load(ci_files.WORKFLOW)
+    assert content["permissions"] == {}
+    for job in content["jobs"].values():
+        assert job["permissions"] == {"contents": "read", "packages": "write"}
+        assert 0 < job["timeout-minutes"] < 360, "GitHub ends a job after six hours"
+
+
 def test_no_input_becomes_part_of_a_command() -> None:
     for name in (ci_files.ACTION, ci_files.INDEX):
         for step in load(name)["runs"]["steps"]:
             assert "${{" not in step.get("run", "")
+
+
+def test_inputs_that_the_page_shows_are_there() -> None:
+    said = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    known = {*load(ci_files.ACTION)["inputs"], *next(said)["spec"]["inputs"]}
+    for block in blocks(ROOT / "docs/containerize.md"):
+        if block.language == "yaml":
+            given = re.findall(r"^ +(?:with|inputs):\n((?: +[\w-]+: .*\n)+)", block.text, re.MULTILINE)
+            assert given and {name for text in given for name in yaml.safe_load(text)} <= known
 
 
 def test_a_file_without_its_markers_is_not_guessed_at() -> None:
@@ -96,6 +114,7 @@ VALUES = {
 }
 
 PYTHON = """\
+[ "$1" = -m ] || exit 0
 mkdir -p "$3/bin"
 printf '#!/bin/sh\\necho "pip $*" >>"$CALLS"\\n' >"$3/bin/pip"
 cp "$PROGRAMS/rosml" "$3/bin/rosml"

@@ -187,7 +187,7 @@ class App:
             tag = values["dev-image-tag"] or f"{tag}-dev"
         if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
             raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
-        return f"{name}:{tag}" if _has_registry(name) or self._loads else f"{self._services.registry}/{name}:{tag}"
+        return f"{name}:{tag}" if has_registry(name) or self._loads else f"{self._services.registry}/{name}:{tag}"
 
     @property
     def _loads(self) -> bool:
@@ -204,7 +204,7 @@ class App:
         local = f"{self._services.registry}/"
         if self._values["push"] == "true":
             for name in names:
-                if not _has_registry(name):
+                if not has_registry(name):
                     raise RosmlError(f"{name} names no registry", "name one, such as ghcr.io/me/robot", exit_code=2)
         elif self._loads and len(self._platforms) > 1:
             raise RosmlError("Docker holds images of one platform", "name one platform, or add --push", exit_code=2)
@@ -375,7 +375,7 @@ def listed_platforms(text: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(name if "/" in name else f"linux/{name}" for name in names))
 
 
-def _has_registry(name: str) -> bool:
+def has_registry(name: str) -> bool:
     """Whether the name of an image begins with a registry."""
     host = name.split("/")[0]
     return "/" in name and (re.search(r"[.:]", host) is not None or host == "localhost")

@@ -15,12 +15,13 @@ from pathlib import Path
 from typing import Any
 
 from rosml.apps import inputs, junit
-from rosml.apps.build import App, listed_platforms
+from rosml.apps.build import App, has_registry, listed_platforms
 from rosml.apps.inputs import Input
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
 from rosml.registry import oci
+from rosml.registry.credentials import DOCKER_HUB
 
 
 @dataclass(frozen=True)
@@ -49,10 +50,12 @@ OWN = (
     Setting(
         Input("registry-password", "password or token there"), "", "$CI_REGISTRY_PASSWORD", ("registry", "ghcr.io")
     ),
-    Setting(Input("build-context", "folder of the repository with your packages"), "."),
-    Setting(Input("enable-singlearch-push", "tags with the platform, such as latest-arm64, and no others", flag=True)),
-    Setting(Input("enable-checkout", "check your repository out", flag=True), "true"),
-    Setting(Input("enable-checkout-lfs", "with files of Git LFS", flag=True), "true"),
+    Setting(Input("build-context", "folder of the repository with your packages"), ".", "."),
+    Setting(
+        Input("enable-singlearch-push", "give tags with the platform, such as latest-arm64, and no others"), "false"
+    ),
+    Setting(Input("enable-checkout", "check your repository out"), "true"),
+    Setting(Input("enable-checkout-lfs", "with files of Git LFS"), "true"),
     Setting(Input("enable-checkout-submodules", "with submodules: false, true or recursive"), "recursive"),
 )
 """Inputs that only CI has."""
@@ -93,6 +96,18 @@ def given(environment: Mapping[str, str]) -> dict[str, str]:
     return found
 
 
+def flag(name: str, told: Mapping[str, str]) -> bool:
+    """Whether an input that only CI has is true.
+
+    Raises:
+        RosmlError: it is neither true nor false (exit code 2).
+    """
+    value = told.get(name, "false").lower()
+    if value not in ("true", "false"):
+        raise RosmlError(f"{name} is true or false, not {value!r}", f"check {name}", exit_code=2)
+    return value == "true"
+
+
 # ---- The commit ------------------------------------------------------------------------------------------------------
 
 
@@ -126,12 +141,14 @@ def commit(environment: Mapping[str, str]) -> Commit:
             name if environment.get("GITHUB_EVENT_NAME") == "schedule" else ""
         )
         default = not head and bool(known) and ref == f"refs/heads/{known}"
-        return Commit(_slug(head or name), tag, default, Path(environment["GITHUB_WORKSPACE"]))
+        return Commit(_slug(head or name), tag, default, Path(environment.get("GITHUB_WORKSPACE", ".")))
     if environment.get("GITLAB_CI") == "true":
         branch = environment.get("CI_COMMIT_BRANCH", "")
         default = bool(branch) and branch == environment.get("CI_DEFAULT_BRANCH")
         name = environment.get("CI_COMMIT_REF_NAME", "")
-        return Commit(_slug(name), environment.get("CI_COMMIT_TAG", ""), default, Path(environment["CI_PROJECT_DIR"]))
+        return Commit(
+            _slug(name), environment.get("CI_COMMIT_TAG", ""), default, Path(environment.get("CI_PROJECT_DIR", "."))
+        )
     raise RosmlError("this is no job of GitHub or GitLab", "call 'rosml containerize' here", exit_code=2)
 
 
@@ -192,9 +209,9 @@ class Job:
     """
 
     def __init__(self, values: Mapping[str, str], environment: Mapping[str, str], what: Commit, say: Say) -> None:
-        name = values["image-name"].lower()
-        self._values = {**values, "image-name": name, "dev-image-name": values["dev-image-name"].lower()}
-        self._names = {"run": name, "dev": self._values["dev-image-name"] or name}
+        run, dev = (_complete(values[name]) for name in ("image-name", "dev-image-name"))
+        self._values = {**values, "image-name": run, "dev-image-name": dev}
+        self._names = {"run": run, "dev": dev or run}
         self._environment, self._what, self._say = environment, what, say
         self._platforms = listed_platforms(values["platform"])
 
@@ -249,7 +266,7 @@ class Job:
 
     def index(self, folder: Path, registries: oci.Registries) -> list[Image]:
         """Makes an index of the images that jobs for one platform each pushed, and moves the tags to it: all of them, when all
-        images are there.
+        images are there. Nothing is made of images that were not pushed.
 
         Args:
             folder: what the jobs kept.
@@ -257,6 +274,8 @@ class Job:
         Raises:
             RosmlError: an image is missing.
         """
+        if self._values["push"] != "true":
+            return []
         found = [image for file in sorted(folder.rglob(FILE)) for image in _read(file)]
         made = []
         for target in self._values["target"].split(","):
@@ -274,6 +293,12 @@ class Job:
         for image in made:
             _move(registries, image, 0)
         return made
+
+
+def _complete(name: str) -> str:
+    """A name of an image as registries know it; without one of them, it is Docker Hub's, as for docker."""
+    name = name.lower()
+    return name if not name or has_registry(name) else f"{DOCKER_HUB}/{name}"
 
 
 def _keep(report: Path, out: Path) -> None:

@@ -18,7 +18,7 @@ FILES = (ACTION, INDEX, WORKFLOW, GITLAB)
 _DECIDED = ("enable-checkout", "enable-singlearch-push")
 """Inputs of the action that nobody chooses who calls the workflow."""
 
-_NOT_OF_GITLAB = (*_DECIDED, "enable-checkout-lfs", "enable-checkout-submodules")
+NOT_OF_GITLAB = (*_DECIDED, "enable-checkout-lfs", "enable-checkout-submodules")
 """Inputs that are GitLab's own business, and that jobs for one platform each decide."""
 
 _OTHER_STEPS = (
@@ -38,6 +38,7 @@ _INDEX = (
     "image-tag",
     "dev-image-name",
     "dev-image-tag",
+    "push",
     "enable-push-as-latest",
     "registry",
     "registry-user",
@@ -82,7 +83,7 @@ def _blocks() -> dict[str, dict[str, Iterable[str]]]:
     """Lines by file and block."""
     index = [setting for setting in SETTINGS if setting.input.name in _INDEX]
     called = [setting for setting in SETTINGS if setting.input.name not in _DECIDED]
-    gitlab = [setting for setting in SETTINGS if setting.input.name not in _NOT_OF_GITLAB]
+    gitlab = [setting for setting in SETTINGS if setting.input.name not in NOT_OF_GITLAB]
     secret = [setting for setting in called if setting.input.name in SECRET]
     return {
         ACTION: {

@@ -71,6 +71,7 @@ def build(out: Path) -> None:
     from rosml.machine.services import Services
 
     job, given, folder = _job()
+    apart = ci.flag("enable-singlearch-push", given)
     out = out / job.name
     told, page = os.environ.get("GITHUB_OUTPUT", ""), os.environ.get("GITHUB_STEP_SUMMARY", "")
     ci.tell(told, {"artifact": job.name, "folder": out})
@@ -78,7 +79,7 @@ def build(out: Path) -> None:
     services.require_builder()
     images: list[Image] = []
     try:
-        images = job.build(folder, services, out, given.get("enable-singlearch-push", "").lower() == "true")
+        images = job.build(folder, services, out, apart)
     finally:
         ci.tell(page, ci.summary(images, out))
         if page:
