@@ -12,10 +12,11 @@ import pytest
 from click.testing import CliRunner
 from registry_stand_in import StandIn, standing_in
 
-from rosml.apps import ci, inputs
+from rosml.apps import base, build, ci, inputs
 from rosml.apps.build import Built, Made
 from rosml.base.errors import RosmlError
 from rosml.cli import ci as command
+from rosml.machine import buildx
 from rosml.machine.services import Services
 from rosml.registry import oci
 
@@ -224,6 +225,35 @@ def test_an_index_has_every_platform_and_gets_all_tags(registry: StandIn, servic
     assert there == {"amd64": found["v1-amd64"], "arm64": found["v1-arm64"]}
 
 
+def test_a_build_takes_what_ci_makes_of_the_inputs(
+    services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    seen: dict[str, list[str]] = {}
+
+    def run(_: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:
+        wanted = json.loads(bake.file.read_text())["target"][bake.target]
+        seen[bake.target] = wanted.get("tags", [])
+        if bake.target == "report":
+            report = Path(wanted["output"][0].partition("dest=")[2])
+            (report / "results").mkdir(parents=True)
+            (report / "dependencies.json").write_text('{"packages": {}, "keys": {}}')
+            (report / "app.json").write_text('{"packages": [], "changed": []}')
+        return None, {"containerimage.digest": "sha256:1"}
+
+    monkeypatch.setattr(buildx, "run", run)
+    monkeypatch.setattr(ci, "App", build.App)
+    facts = base.Base("ros:jazzy", "sha256:0", ("linux/arm64",), {"ROS_DISTRO": "jazzy"}, {})
+    monkeypatch.setattr(base, "find", lambda *_: facts)
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/package.xml").write_text("<package><name>robot</name></package>")
+    given = {"base_image": "ros:jazzy", "command": "true", "target": "run,dev", "platform": "arm64", "push": "false"}
+    what = ci.Commit("x", "", False, Path())
+    made = job(services, tmp_path, what=what, **given).build(tmp_path / "robot", services, tmp_path / "out", True)
+    name = f"{services.registry}/me/robot"
+    assert seen["run"] == [f"{name}:latest_x_ci-arm64"] == [made[0].reference]
+    assert seen["dev"] == [f"{name}:latest-dev_x_ci-arm64"] == [made[1].reference]
+
+
 def test_a_name_without_a_registry_is_docker_hubs(services: Services, tmp_path: Path) -> None:
     made = job(services, tmp_path, image_name="Me/Robot", push="false").build(
         tmp_path, services, tmp_path / "out", False
@@ -258,3 +288,10 @@ def test_a_failed_test_is_told_and_its_reports_are_kept(
     assert told["artifact"] == "containerize-ghcr.io-me-robot-latest-linux-amd64-linux-arm64"
     files = sorted(str(path.relative_to(told["folder"])) for path in Path(told["folder"]).rglob("*.xml"))
     assert files == [f"reports/linux_{name}/robot/a.xml" for name in ("amd64", "arm64")]
+    monkeypatch.setattr(Services, "of_docker", refuse)
+    done = CliRunner().invoke(command.main, ["build", "--out", str(tmp_path / "other")], env=environment)
+    assert done.stdout.splitlines() == ["::error title=rosml containerize::docker buildx does not answer"]
+
+
+def refuse(folder: Path) -> Services:
+    raise RosmlError("docker buildx does not answer", "install Docker")

@@ -378,11 +378,13 @@ def reported(out: Path) -> junit.Tests:
     return found
 
 
-def errors(out: Path) -> Iterator[str]:
-    """A command of GitHub's for each test that failed, which shows it on the page of the run."""
-    for line in reported(out).failures:
+def errors(out: Path, error: RosmlError) -> Iterator[str]:
+    """Commands of GitHub's that show on the page of the run which tests failed, or else what did."""
+    failures = reported(out).failures
+    title = "Test failed" if failures else "rosml containerize"
+    for line in failures or (error.message,):
         escaped = line.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-        yield f"::error title=Test failed::{escaped}"
+        yield f"::error title={title}::{escaped}"
 
 
 def tell(file: str, lines: Mapping[str, Any] | Iterator[str]) -> None:

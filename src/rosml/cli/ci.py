@@ -75,16 +75,17 @@ def build(out: Path) -> None:
     out = out / job.name
     told, page = os.environ.get("GITHUB_OUTPUT", ""), os.environ.get("GITHUB_STEP_SUMMARY", "")
     ci.tell(told, {"artifact": job.name, "folder": out})
-    services = Services.of_docker(STATE)
-    services.require_builder()
     images: list[Image] = []
     try:
+        services = Services.of_docker(STATE)
+        services.require_builder()
         images = job.build(folder, services, out, apart)
+    except RosmlError as error:
+        if page:
+            click.echo("\n".join(ci.errors(out, error)))
+        raise
     finally:
         ci.tell(page, ci.summary(images, out))
-        if page:
-            for line in ci.errors(out):
-                click.echo(line)
     _done(images)
 
 
