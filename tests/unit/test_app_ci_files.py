@@ -283,3 +283,55 @@ def test_there_is_no_index_where_a_job_failed(tmp_path: Path) -> None:
     assert "rosml ci index made" not in run.calls
     assert sum("rosml ci build" in call for call in run.calls) == 2
     assert (tmp_path / "artifacts/containerize-arm64").is_dir(), "the reports of the failed job"
+
+
+def gitlab(folder: Path, job: str, **variables: str) -> subprocess.CompletedProcess[str]:
+    """Runs the commands of a job of GitLab, with replacements for programs; calls are in `calls`."""
+    _, jobs = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    lines = [*jobs[".containerize"]["before_script"], *jobs[job]["script"]]
+    script = (
+        "\n".join(lines).replace("/tmp/", f"{folder}/").replace("/opt/", f"{folder}/opt/").replace("cd /tmp", "cd .")
+    )
+    (folder / "programs").mkdir()
+    clone = f'mkdir -p "{folder}/rosml/tools/go" && cp -r {ROOT}/containerize "{folder}/rosml/"'
+    pins = f'cp -r {ROOT}/tools/go/buildkitd "{folder}/rosml/tools/go/"'
+    told = 'echo "$(basename "$0") $*" >>"$CALLS"'
+    builds = 'echo "rosml $*" >>"$CALLS"'
+    programs = {"apk": told, "git": f"{told}\n{clone}\n{pins}", "python3": PYTHON, "rosml": builds}
+    programs["docker"] = f'{told}; [ "$2" != inspect ]'
+    for name, text in programs.items():
+        (folder / "programs" / name).write_text(f"#!/bin/sh\nset -eu\n{text}\n")
+        (folder / "programs" / name).chmod(0o755)
+    environment = {"PATH": f"{folder / 'programs'}:{os.environ['PATH']}", "CALLS": str(folder / "calls")}
+    environment |= {"PROGRAMS": str(folder / "programs"), "CI_PROJECT_DIR": "/builds/me/a b", "BUILDX_BUILDER": "rosml"}
+    return subprocess.run(
+        ["sh", "-euc", script], env=environment | variables, capture_output=True, text=True, check=False
+    )
+
+
+def test_jobs_of_gitlab_install_rosml_log_in_and_build(tmp_path: Path) -> None:
+    (tmp_path / "build").mkdir()
+    done = gitlab(
+        tmp_path / "build", ".containerize-build", INPUT_ROSML_URL="", ROSML_URL="https://a.example/rosml.git"
+    )
+    assert done.returncode == 0, done.stderr
+    calls = (tmp_path / "build/calls").read_text().splitlines()
+    assert [call for call in calls if call.startswith("git ")] == [
+        f"git clone --quiet --depth=1 --branch main https://a.example/rosml.git {tmp_path}/build/rosml"
+    ]
+    [login, build] = [call for call in calls if call.startswith("rosml ")]
+    assert (login, build) == ("rosml ci login", "rosml ci build --out /builds/me/a b/containerize-out")
+    assert any(call.startswith("docker buildx create") and call.endswith(" rosml-context") for call in calls)
+    (tmp_path / "index").mkdir()
+    done = gitlab(
+        tmp_path / "index", "containerize", INPUT_ROSML_URL="https://a.example/rosml.git", INPUT_ROSML_REF="v1"
+    )
+    calls = (tmp_path / "index/calls").read_text().splitlines()
+    assert calls[-1] == "rosml ci index /builds/me/a b/containerize-out"
+    assert any(call.startswith("git clone --quiet --depth=1 --branch v1 ") for call in calls)
+
+
+def test_gitlab_is_told_where_rosml_is(tmp_path: Path) -> None:
+    done = gitlab(tmp_path, "containerize")
+    assert done.returncode != 0
+    assert "the input rosml-url is missing" in done.stderr

@@ -247,6 +247,7 @@ class Job:
             "image-tag": wanted["run"][0] + end,
             "dev-image-tag": wanted["dev"][0] + end,
             "enable-push-as-latest": "false",
+            "rosdep-index": str(folder / self._values["rosdep-index"]) if self._values["rosdep-index"] else "",
         }
         app = App(folder, values, self._environment, services, self._say)
         shutil.rmtree(app.report, ignore_errors=True)

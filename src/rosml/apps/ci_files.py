@@ -19,7 +19,7 @@ _DECIDED = ("enable-checkout", "enable-singlearch-push")
 """Inputs of the action that nobody chooses who calls the workflow."""
 
 NOT_OF_GITLAB = (*_DECIDED, "enable-checkout-lfs", "enable-checkout-submodules")
-"""Inputs that are GitLab's own business, and that jobs for one platform each decide."""
+"""Inputs that GitLab, or its jobs for one platform each, decide."""
 
 _OTHER_STEPS = (
     "registry",
@@ -66,8 +66,10 @@ def render(path: str, text: str) -> str:
 
     def block(match: re.Match[str]) -> str:
         name = match["name"]
+        if name not in blocks:
+            return match[0]
         found.add(name)
-        lines = [f"# {name}: written by rosml generate", *blocks.get(name, ()), f"# /{name}"]
+        lines = [f"# {name}: written by rosml generate", *blocks[name], f"# /{name}"]
         return "".join(f"{match['indent']}{line}\n" for line in lines)
 
     rendered = _BLOCK.sub(block, text)
@@ -86,10 +88,7 @@ def _blocks() -> dict[str, dict[str, Iterable[str]]]:
     gitlab = [setting for setting in SETTINGS if setting.input.name not in NOT_OF_GITLAB]
     secret = [setting for setting in called if setting.input.name in SECRET]
     return {
-        ACTION: {
-            "inputs": _inputs(SETTINGS, _of_github),
-            "environment": _environment(SETTINGS),
-        },
+        ACTION: {"inputs": _inputs(SETTINGS, _of_github), "environment": _environment(SETTINGS)},
         INDEX: {"inputs": _inputs(index, _of_github), "environment": _environment(index)},
         WORKFLOW: {
             "inputs": _inputs([it for it in called if it not in secret], _of_workflow, "type: string"),
@@ -101,10 +100,7 @@ def _blocks() -> dict[str, dict[str, Iterable[str]]]:
             "values": _passed(called),
             "names": _passed(index),
         },
-        GITLAB: {
-            "inputs": _inputs(gitlab, _of_gitlab),
-            "environment": _variables(gitlab),
-        },
+        GITLAB: {"inputs": _inputs(gitlab, _of_gitlab), "environment": _variables(gitlab)},
     }
 
 

@@ -17,7 +17,7 @@ from rosml.cli.checkout import Group
 if TYPE_CHECKING:
     from rosml.apps.ci import Image, Job
 
-KEPT = "interrupted: no tag of the commit was moved"
+KEPT = "interrupted: finished steps are kept where the builder is; run the job again"
 """What is said after Ctrl-C."""
 
 
