@@ -13,7 +13,7 @@ from tests import walk
 
 def raise_an_action(fork: Path) -> None:
     """The last step of docs/nightly.md, "In a fork": another commit and version of an action, wherever it is used."""
-    for file in (fork / ".github/workflows").glob("*.yml"):
+    for file in [*(fork / ".github/workflows").glob("*.yml"), *(fork / "containerize").rglob("action.yml")]:
         pin = rf"docker/login-action@{'0' * 40} # v99.0.0"
         file.write_text(re.sub(r"docker/login-action@[0-9a-f]{40} # v[0-9.]+", pin, file.read_text()))
     assert "login-action" in walk.git(fork, "diff")

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
+from rosml.apps import ci_files
 from rosml.bake import targets
 from rosml.images import load
 from rosml.machine import regctl
@@ -73,8 +74,8 @@ def test_the_page_is_followed_to_an_image(
 ) -> None:
     """Its commands, with the key of this archive; the image is built, and not tested: there is no real ROS in it."""
     server, _ = archive
-    (checkout / "docs").mkdir(exist_ok=True)
-    for name in ("matrix.schema.json", "catalogue.schema.json", "README.md", "docs/containerize.md"):
+    for name in ("matrix.schema.json", "catalogue.schema.json", "README.md", "docs/containerize.md", *ci_files.FILES):
+        (checkout / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, checkout / name)
     row(checkout)
     export, generate, explain, image = [

@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from rosml.apps import ci_files
+
 ROOT = Path(__file__).resolve().parents[2]
 LOCK = "locks/cu1/amd64/3.12/torch.txt"
 INSTALL = "components/ros/install.sh"
@@ -43,8 +45,9 @@ def copy_for_generator(folder: Path) -> Path:
     ):
         shutil.copy(ROOT / name, folder)
     shutil.copy(ROOT / "catalogue.schema.json", folder)
-    (folder / "docs").mkdir()
-    shutil.copy(ROOT / "docs/containerize.md", folder / "docs")
+    for name in ("docs/containerize.md", *ci_files.FILES):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, folder / name)
     return folder
 
 

@@ -158,8 +158,8 @@ def test_generated_files_stay_in_the_checkout(
     """A clone of somebody else's may have a link in the place of one."""
     checkout, other = tmp_path / "checkout", tmp_path / "other"
     copy_for_generator(checkout)
-    other.write_text("mine")
     (checkout / "docker-bake.hcl").unlink()
+    other.write_text("mine")
     (checkout / "docker-bake.hcl").symlink_to(other)
     monkeypatch.setattr(generating, "ROOT", checkout)
     monkeypatch.setattr(load, "load", lambda *_: small)

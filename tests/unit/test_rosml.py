@@ -37,6 +37,7 @@ DISTRIBUTIONS = list(dict.fromkeys(image.distribution for image in IMAGES))
 WORDS = [
     "attach",
     "catalogue",
+    "ci",
     "containerize",
     "diff",
     "explain",

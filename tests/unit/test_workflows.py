@@ -17,9 +17,13 @@ import pytest
 from conftest import ROOT
 from workflows import FOLDER, accepted, load, text
 
+from rosml.apps import ci_files
 from rosml.cli import main, publish
 
 NAMES = ("ci", "locks", "nightly", "proofs")
+
+OFFERED = "containerize"
+"""The workflow that other repositories call; test_app_ci_files.py is about it."""
 
 READ = {"contents": "read"}
 PULL = {**READ, "packages": "read"}
@@ -100,7 +104,7 @@ RUNS = [step for step in steps() if "run" in step.content]
 
 
 def test_these_are_all() -> None:
-    assert sorted(path.name for path in FOLDER.iterdir()) == [f"{name}.yml" for name in NAMES]
+    assert sorted(path.name for path in FOLDER.iterdir()) == sorted(f"{name}.yml" for name in (*NAMES, OFFERED))
 
 
 # ---- Commands --------------------------------------------------------------------------------------------------------
@@ -324,9 +328,10 @@ def test_nobody_logs_in_for_a_pull_request() -> None:
 def test_actions_are_pinned() -> None:
     """By commit, beside the version; all uses of an action are of the same one."""
     pins: dict[str, set[tuple[str, str]]] = {}
-    for name in NAMES:
-        for line in text(name).splitlines():
-            if "uses:" in line:
+    files = [*FOLDER.iterdir(), ROOT / ci_files.ACTION, ROOT / ci_files.INDEX]
+    for file in files:
+        for line in file.read_text().splitlines():
+            if "uses:" in line and "uses: $/" not in line:
                 found = re.search(r"uses: ([\w./-]+)@([0-9a-f]{40}) # (v\d+\.\d+\.\d+)( # zizmor: ignore.*)?$", line)
                 assert found, line
                 pins.setdefault(found[1], set()).add((found[2], found[3]))

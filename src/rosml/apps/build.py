@@ -122,6 +122,11 @@ class App:
             raise RosmlError("there is no base image", "add --base-image, such as ros:jazzy-base", exit_code=2)
         self._state = services.state / "containerize" / re.sub(r"[/:]", "-", self._names.app)
 
+    @property
+    def report(self) -> Path:
+        """Folder of what the build says of the app, with `results` of its tests; one for each platform if there are several."""
+        return self._state / "report"
+
     def build(self) -> Built:
         """Builds the images.
 
@@ -144,7 +149,7 @@ class App:
 
     def _make(self, inputs: bake_file.Inputs, built: Built, cache: caches.Cache | None) -> None:
         """Builds what no cache has, and joins the images."""
-        report, file = self._state / "report", self._state / "bake.json"
+        report, file = self.report, self._state / "bake.json"
         known: dict[str, str] = {}
         kept: dict[str, str] = {}
         facts = None

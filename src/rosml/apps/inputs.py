@@ -106,6 +106,7 @@ TABLE = (
     _gone("slim-image-name", "there is no slim image yet"),
     _gone("slim-image-tag", "there is no slim image yet"),
     _gone("enable-industrial-ci", "tests run here without it: see the input tests"),
+    _gone("buildx-attestations", "images have none, so that the same sources have the same digest"),
     _gone("docker-ros-git-ref", "the version of rosml decides"),
 )
 """All inputs, in the order in which they are documented."""

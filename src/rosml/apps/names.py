@@ -29,7 +29,7 @@ class Names:
         self._values, self._registry = values, services.registry
         self.app = _name(values["image-name"] or folder.lower())
         self.targets = _targets(values["target"])
-        self.platforms = _platforms(values["platform"])
+        self.platforms = listed_platforms(values["platform"])
         has_docker = services.builder_kind != "buildkitd" and shutil.which("docker") is not None
         self.loads = values["push"] == "false" and (has_docker or not services.registry)
         self._require_place()
@@ -43,7 +43,7 @@ class Names:
             tag = values["dev-image-tag"] or f"{tag}-dev"
         if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
             raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
-        local = f"{self._registry}/" if self._registry and not self.loads and not _has_registry(name) else ""
+        local = f"{self._registry}/" if self._registry and not self.loads and not has_registry(name) else ""
         return f"{local}{name}:{tag}"
 
     def tags(self, target: str) -> list[str]:
@@ -58,7 +58,7 @@ class Names:
         names = [self.reference(target).rpartition(":")[0] for target in self.targets]
         if self._values["push"] == "true":
             for name in names:
-                if not _has_registry(name):
+                if not has_registry(name):
                     raise RosmlError(f"{name} names no registry", "name one, such as ghcr.io/me/robot", exit_code=2)
         elif self.loads and len(self.platforms) > 1:
             raise RosmlError("Docker holds images of one platform", "name one platform, or add --push", exit_code=2)
@@ -79,13 +79,13 @@ def _targets(text: str) -> tuple[str, ...]:
     return tuple(name for name in TARGETS if name in found)
 
 
-def _platforms(text: str) -> tuple[str, ...]:
+def listed_platforms(text: str) -> tuple[str, ...]:
     """Platforms as BuildKit names them; docker-ros' users write only the architecture."""
     names = [word.strip() for word in text.split(",") if word.strip()] or [native_architecture()]
     return tuple(dict.fromkeys(name if "/" in name else f"linux/{name}" for name in names))
 
 
-def _has_registry(name: str) -> bool:
+def has_registry(name: str) -> bool:
     """Whether the name of an image begins with a registry."""
     host = name.split("/")[0]
     return "/" in name and (re.search(r"[.:]", host) is not None or host == "localhost")

@@ -5,19 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from rosml.apps import inputs
+from rosml.apps import ci, ci_files, inputs
 from rosml.base.errors import RosmlError
 
 _BY = "written by scripts/generate_bake.py"
 
 
 def render(page: str) -> str:
-    """The page with both tables as they are now.
+    """The page with its tables as they are now.
 
     Raises:
         RosmlError: markers are missing.
     """
-    for name, lines in (("inputs", _inputs()), ("gone", _gone())):
+    for name, lines in (("inputs", _inputs()), ("ci", _ci()), ("gone", _gone())):
         begin, end = f"<!-- {name}: {_BY} -->\n", f"<!-- /{name} -->"
         pattern = re.compile(f"{re.escape(begin)}.*{re.escape(end)}", re.DOTALL)
         if not pattern.search(page):
@@ -35,6 +35,22 @@ def _inputs() -> Iterator[str]:
     for item in inputs.TABLE:
         if not item.gone:
             yield f"| `{item.name}` | {item.help} | {f'`{item.default}`' if item.default else ''} |"
+
+
+def _ci() -> Iterator[str]:
+    yield "| input | what it says | on GitHub | on GitLab |"
+    yield "| --- | --- | --- | --- |"
+    for setting in ci.SETTINGS:
+        if setting.server or setting.github or setting.gitlab:
+            item = setting.input
+            github = f"the job's token for {setting.server[1]}" if setting.server else _code(setting.github)
+            gitlab = "no such input" if item.name in ci_files.NOT_OF_GITLAB else _code(setting.gitlab)
+            yield f"| `{item.name}` | {item.help.partition('; ')[0]} | {github} | {gitlab} |"
+
+
+def _code(text: str) -> str:
+    """A default as it is written."""
+    return f"`{text}`" if text else ""
 
 
 def _gone() -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Writes docker-bake.hcl (and schemas, and tables of the documentation) from matrix.yaml.
+"""Writes docker-bake.hcl (and schemas, tables of the documentation, and files for CI) from matrix.yaml.
 
 \b
 Examples:
@@ -53,7 +53,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     inputs.Inputs(ROOT, image_set).check()
     if output:
         return {output: bake_file.render(image_set)}
-    from rosml.apps import page
+    from rosml.apps import ci_files, page
     from rosml.catalogue import readme
     from rosml.catalogue.model import Published
     from rosml.matrix import schema
@@ -64,6 +64,7 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
         ROOT / "catalogue.schema.json": schema.render(Published, "src/rosml/catalogue/model.py", read=True),
         ROOT / "README.md": readme.render(files.text(ROOT / "README.md"), image_set),
         ROOT / "docs/containerize.md": page.render(files.text(ROOT / "docs/containerize.md")),
+        **{ROOT / path: ci_files.render(path, files.text(ROOT / path)) for path in ci_files.FILES},
     }
 
 

@@ -56,6 +56,7 @@ def cli() -> None:
 COMMANDS = (
     "attach",
     "catalogue",
+    "ci",
     "containerize",
     "diff",
     "explain",
