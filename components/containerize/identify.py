@@ -43,6 +43,9 @@ SOURCES = Path("/etc/ros/rosdep/sources.list.d")
 EMPTY = "empty.yaml"
 """An index of distributions that has none."""
 
+DEBIAN = "10-debian.list"
+"""Of Debian's rosdep: it calls Debian's own packages of ROS 1 by names that ROS 2 has as well."""
+
 Packages = dict[str, dict[str, set[str]]]
 """Keys of rosdep that packages ask for, by package and kind."""
 
@@ -77,7 +80,7 @@ def read(folder: Path, left_out: Path) -> Packages:
 
 
 class Rosdep:
-    """rosdep's lists: those of the image, and of a folder or, where that is empty, of the network."""
+    """rosdep's lists: those of a folder, then those of the image; then those of the network, if there is no such folder."""
 
     def __init__(self, index: Path, scratch: Path) -> None:
         self._index, self._scratch = index, scratch
@@ -120,10 +123,12 @@ class Rosdep:
         folder = self._scratch / "sources"
         folder.mkdir()
         for path in sorted(SOURCES.glob("*.list")):
+            if path.name == DEBIAN and os.environ.get("ROS_VERSION") != "1":
+                continue
             lines = [line for line in path.read_text().splitlines() if line.startswith("yaml file:")]
             (folder / path.name).write_text("\n".join(lines) + "\n")
         listed = [f"yaml file://{path}" for path in sorted(self._index.glob("rosdep/*.yaml"))]
-        (folder / "50-index.list").write_text("\n".join(listed) + "\n")
+        (folder / "00-index.list").write_text("\n".join(listed) + "\n")
         return str(folder)
 
     def _own_index(self) -> str:

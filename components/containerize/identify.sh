@@ -8,6 +8,11 @@ here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
 source "$here/../build/network.sh"
 
+mkdir -p "${WORKSPACE:=/docker-ros/ws}"
+# Which ROS it is: conditions in manifests ask for that.
+# shellcheck source=components/containerize/setup.sh
+source "$here/setup.sh"
+
 if ! python3 -c 'import catkin_pkg, rosdep2' 2>/dev/null; then
   echo "error: the base image has no rosdep; take one of ours, or install python3-rosdep in yours" >&2
   exit 1

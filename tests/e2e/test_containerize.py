@@ -153,7 +153,12 @@ def test_the_example_of_ros_2(published: Publish, services: Services, tmp_path: 
     shutil.copytree(ROOT / "examples/ros2", folder)
     options = ("--base-image", published("jazzy-wheels-core").result["reference"], "--image-name", name)
     program = "/docker-ros/ws/install/counter/lib/counter/count"
-    found = made(folder, *options, "--skip-keys", "rclpy std_msgs", "--command", program)
+    (tmp_path / "index/rosdep").mkdir(parents=True)
+    (tmp_path / "index/rosdep/base.yaml").write_text(
+        "rclpy: {debian: []}\nstd_msgs: {debian: []}\npython3-pytest: {debian: [python3-pytest]}\n"
+    )
+    found = made(folder, *options, "--rosdep-index", str(tmp_path / "index"), "--command", program)
+    assert found["installed"] == [], "nothing of Debian's ROS 1"
     assert found["tests"]["count"] == 1 and not found["tests"]["failures"]
     (tmp_path / "chk").mkdir()
     (tmp_path / "chk/Dockerfile").write_text(
