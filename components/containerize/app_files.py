@@ -4,7 +4,8 @@
     app_files.py BASE RUNTIME BUILT OUT
 
 BASE is the base image, RUNTIME the same with the packages that the app needs to run, BUILT holds the install space. OUT/root gets
-the files, OUT/app.json what is to be known of them. Times and owners do not depend on when and where it was built.
+the files, OUT/app.json what is to be known of them. If the packages take away or replace what the base image has, OUT/root gets
+the install space alone: the run image then starts from RUNTIME. Times and owners do not depend on when and where it was built.
 
 The app has no copy of dpkg's database: it would be that of one base. Its packages are in `/var/lib/dpkg/status.d`, where
 scanners look for them.
@@ -95,27 +96,38 @@ def copy(source: Path, path: str, out: Path) -> None:
     put(source / path, out / path)
 
 
-def main(base: Path, runtime: Path, built: Path, out: Path) -> None:
-    root = out / "root"
-    root.mkdir(parents=True)
+def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
+    """Puts the files below a root that the packages bring; gives what is to be known of them. Nothing, if they take away or
+    replace what the base image has: a layer on top of it cannot say that."""
     old, new = entries(base), entries(runtime)
+    known, installed = status(base), status(runtime)
     wanted = [path for path in sorted(new) if not LEFT_OUT.fullmatch(path)]
-    changed = [path for path in wanted if path in old and not same(path, base, runtime, old[path], new[path])]
-    removed = [path for path in sorted(old) if path not in new and not LEFT_OUT.fullmatch(path)]
+    facts = {
+        "packages": sorted(installed.keys() - known.keys()),
+        "replaced": sorted(name for name in known if installed.get(name) != known[name]),
+        "changed": [path for path in wanted if path in old and not same(path, base, runtime, old[path], new[path])],
+        "removed": [path for path in sorted(old) if path not in new and not LEFT_OUT.fullmatch(path)],
+    }
+    if facts["replaced"] or facts["removed"]:
+        return facts
+    changed = {*facts["changed"]}
     for path in wanted:
         if path not in old or path in changed:
             copy(runtime, path, root)
-
-    known, installed = status(base), status(runtime)
-    added = sorted(installed.keys() - known.keys())
-    if added:
+    if facts["packages"]:
         folder = root / "var/lib/dpkg/status.d"
         copy(runtime, "var/lib/dpkg/status", root)
         (root / "var/lib/dpkg/status").unlink()
         folder.mkdir()
-        for name in added:
+        for name in facts["packages"]:
             (folder / name.partition(":")[0]).write_text(installed[name])
-    replaced = sorted(name for name in known if installed.get(name) != known[name])
+    return facts
+
+
+def main(base: Path, runtime: Path, built: Path, out: Path) -> None:
+    root = out / "root"
+    root.mkdir(parents=True)
+    facts = packages(base, runtime, root)
 
     install = "docker-ros/ws/install"
     for above, folders, names in os.walk(built / install):
@@ -138,13 +150,7 @@ def main(base: Path, runtime: Path, built: Path, out: Path) -> None:
     for above, folders, names in os.walk(root):
         for name in [*folders, *names, "."]:
             os.utime(os.path.join(above, name), (TIME, TIME), follow_symlinks=False)
-    facts = {"packages": added, "replaced": replaced, "changed": changed, "removed": removed}
     (out / "app.json").write_text(json.dumps(facts, indent=2) + "\n")
-    if removed or replaced:
-        sys.exit(
-            f"error: the packages that the app needs change the base image: {', '.join([*replaced, *removed][:10])}; take a"
-            " base image that has them"
-        )
 
 
 if __name__ == "__main__":

@@ -249,6 +249,27 @@ def test_a_repository_may_ask_for_everything(
     build_folder(services, tmp_path / "chk")
 
 
+def test_packages_may_replace_what_the_base_image_has(published: Publish, services: Services, tmp_path: Path) -> None:
+    folder, name = tmp_path / "robot", f"{NAMESPACE}/replaces"
+    (folder / "docker").mkdir(parents=True)
+    (folder / "package.xml").write_text(PACKAGE.format("a", ""))
+    (folder / "CMakeLists.txt").write_text(CMAKE.format("a"))
+    (folder / "docker/custom.sh").write_text("apt-get purge --yes less\n")
+    base = published(BASE)
+    found = made(
+        folder, "--base-image", base.result["reference"], "--image-name", name, "--command", "true", "--target", "run"
+    )
+    assert "less:amd64" in [name.replace("arm64", "amd64") for name in found["replaced"]]
+    assert [layer.digest for layer in regctl.layers(services, found["run"]["reference"])][
+        : len(base.layers)
+    ] == base.layers
+    (tmp_path / "chk").mkdir()
+    (tmp_path / "chk/Dockerfile").write_text(
+        f"FROM {found['run']['reference']}\nRUN ! command -v less && ! dpkg -s less && test -e install/a/share/a/said\n"
+    )
+    build_folder(services, tmp_path / "chk")
+
+
 @pytest.mark.parametrize(
     ("file", "text", "says"),
     [

@@ -237,7 +237,7 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
             report = Path(targets["report"]["output"][0].partition("dest=")[2])
             (report / "results").mkdir(parents=True)
             (report / "dependencies.json").write_text('{"packages": {}, "keys": {}}')
-            (report / "app.json").write_text('{"packages": [], "changed": []}')
+            (report / "app.json").write_text('{"packages": [], "changed": [], "replaced": [], "removed": []}')
         return None, {"containerimage.digest": "sha256:1"}
 
     monkeypatch.setattr(buildx, "run", run)

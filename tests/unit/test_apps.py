@@ -85,6 +85,20 @@ def test_a_base_image_is_read_and_held_by_its_digest(services: Services) -> None
     assert "rosml list" in caught.value.remedy
 
 
+def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where Docker builds; another builder could not have it."""
+    facts = {"Id": "sha256:7", "Os": "linux", "Architecture": "amd64", "Config": {"Env": ["ROS_DISTRO=jazzy"]}}
+    docker = tmp_path / "docker"
+    docker.write_text(f"#!/bin/sh\necho '{json.dumps([facts])}'\n")
+    docker.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    name = f"{services.registry}/mine:1"
+    found = base.find(name, dataclasses.replace(services, builder_kind="user"), ("linux/amd64",))
+    assert (found.reference, found.digest, found.environment) == (name, "sha256:7", {"ROS_DISTRO": "jazzy"})
+    with pytest.raises(RosmlError, match="there is no image"):
+        base.find(name, services, ("linux/amd64",))
+
+
 # ---- Sources ---------------------------------------------------------------------------------------------------------
 
 
@@ -138,6 +152,9 @@ def test_what_is_no_package_of_apt_is_refused(tmp_path: Path) -> None:
         requests(tmp_path / "robot", {}, {})
 
 
+APP: dict[str, list[str]] = {"packages": ["libfoo:all"], "changed": [], "replaced": [], "removed": []}
+
+
 # ---- The build -------------------------------------------------------------------------------------------------------
 
 
@@ -162,7 +179,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
             report = Path(wanted["report"]["output"][0].partition("dest=")[2])
             report.mkdir(parents=True)
             (report / "dependencies.json").write_text(json.dumps({"packages": {"robot": {}}, "keys": {}}))
-            (report / "app.json").write_text(json.dumps({"packages": ["libfoo:all"], "changed": []}))
+            (report / "app.json").write_text(json.dumps(APP))
         return None, {"containerimage.digest": "sha256:1"}
 
     monkeypatch.setattr(buildx, "run", run)
@@ -196,6 +213,16 @@ def test_images_are_joined_after_the_report_is_read(
     assert 'ENV RMW_IMPLEMENTATION="rmw_zenoh_cpp"' in lines
     assert run["labels"][bake_file.BASE_DIGEST] == digest
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
+
+
+def test_a_run_image_starts_from_its_packages_where_they_replace_some_of_the_base(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    monkeypatch.setitem(APP, "replaced", ["libbar:amd64"])
+    built = app(repository, services, base_image="ros:jazzy", command="true").build()
+    assert calls[1]["dockerfile-inline"].splitlines()[:2] == ["FROM runtime", "COPY --link --from=app / /"]
+    assert "libbar:amd64" in dict(built.summary())[""]
 
 
 def test_names_and_tags_are_those_of_docker_ros(

@@ -26,6 +26,9 @@ BASE_DIGEST = "org.opencontainers.image.base.digest"
 REPORT = "report"
 """The target that leaves a folder with what is to be known of the app."""
 
+STAGES = ("app", "runtime", "workspace")
+"""Stages that images are joined from."""
+
 _MIRRORS = {"os-apt-mirror": "OS_APT_MIRROR", "ros-apt-mirror": "ROS_APT_MIRROR"}
 
 
@@ -59,6 +62,7 @@ def render(
     report: Path,
     known: Mapping[str, str],
     kept: Mapping[str, str],
+    linked: bool = True,
 ) -> str:
     """The bake file.
 
@@ -66,6 +70,7 @@ def render(
         environment: variables that are set.
         report: folder for the report.
         known: stages that are in a registry, with their references. kept: where others go, by stage.
+        linked: the run image is the base image and the app; otherwise it starts from the stage that has the app's packages.
     """
     values = inputs.values
     secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
@@ -90,7 +95,7 @@ def render(
         },
     }
     targets: dict[str, Any] = {REPORT: {**common, "target": REPORT, "output": [f"type=local,dest={report}"]}}
-    for stage in ("app", "workspace"):
+    for stage in STAGES:
         targets[stage] = {**common, "target": stage}
     for stage, reference in kept.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
@@ -98,9 +103,9 @@ def render(
     for target in names.targets:
         targets[target] = {
             "context": str(inputs.empty),
-            "dockerfile-inline": _dockerfile(target, values),
+            "dockerfile-inline": _dockerfile(target, values, linked),
             "platforms": list(names.platforms),
-            "contexts": base | {name: stages.get(name, f"target:{name}") for name in ("app", "workspace")},
+            "contexts": base | {name: stages.get(name, f"target:{name}") for name in STAGES},
             "args": {"SOURCE_DATE_EPOCH": str(inputs.time)},
             "labels": _labels(inputs, names.app, target),
             "tags": names.tags(target),
@@ -110,9 +115,10 @@ def render(
     return json.dumps({"group": groups, "target": targets}, indent=2) + "\n"
 
 
-def _dockerfile(target: str, values: Mapping[str, str]) -> str:
+def _dockerfile(target: str, values: Mapping[str, str], linked: bool) -> str:
     """How an image is joined: nothing runs."""
-    lines = ["FROM base", "COPY --link --from=app / /"] if target == "run" else ["FROM workspace"]
+    base = "base" if linked else "runtime"
+    lines = [f"FROM {base}", "COPY --link --from=app / /"] if target == "run" else ["FROM workspace"]
     variables = {"WORKSPACE": "/docker-ros/ws"}
     if values["ros-distro"]:
         variables["ROS_DISTRO"] = values["ros-distro"]

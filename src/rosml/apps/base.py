@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import re
+import subprocess
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.machine.services import NAMESPACE, Services
@@ -20,6 +23,7 @@ class Base:
         name: as people write it, with its registry and tag. digest: of its index, or of its manifest.
         platforms: that it has.
         environment: its variables, and labels, of the first platform that was asked for.
+        local: whether it is in the user's Docker, and in no registry that answers.
     """
 
     name: str
@@ -27,10 +31,13 @@ class Base:
     platforms: tuple[str, ...]
     environment: Mapping[str, str]
     labels: Mapping[str, str]
+    local: bool = False
 
     @property
     def reference(self) -> str:
-        """What the builder pulls, whatever becomes of the tag."""
+        """What the builder takes, whatever becomes of the tag; Docker finds its own images by their names alone."""
+        if self.local:
+            return self.name
         return f"{re.sub(r':[^:/]+$', '', self.name)}@{self.digest}"
 
 
@@ -45,25 +52,53 @@ def candidates(text: str, services: Services) -> tuple[str, ...]:
 
 
 def find(text: str, services: Services, platforms: tuple[str, ...]) -> Base:
-    """The base image of that name.
+    """The base image of that name: in a registry, or else in the user's Docker if that builds.
 
     Raises:
         RosmlError: there is none, or it is for other platforms.
     """
+    refused: RosmlError | None = None
     with oci.Registries(services.ca_bundle) as registries:
         for name in candidates(text, services):
             place = oci.parse(name)
             registry = registries(place.host)
-            manifest = registry.manifest(place.repository, place.reference)
-            if manifest is None:
+            try:
+                manifest = registry.manifest(place.repository, place.reference)
+            except RosmlError as error:  # it does not answer, or wants to know who asks
+                refused = error
                 continue
-            return _read(registry, place, manifest, platforms)
+            if manifest is not None:
+                return _read(registry, place, manifest, platforms)
+    if services.builder_kind != "buildkitd" and (found := _in_docker(text)):
+        return found
+    if refused:
+        if len(candidates(text, services)) == 1:
+            raise refused
+        raise RosmlError(f"there is no image {text} in the local registry, and {refused.message}", refused.remedy)
     tried = ", ".join(candidates(text, services))
     raise RosmlError(
         f"there is no image {text} (looked for {tried})",
         "check its name with 'rosml list'; 'rosml image TARGET' builds one of ours; 'docker login' for a private one",
         exit_code=2,
     )
+
+
+def _in_docker(text: str) -> Base | None:
+    """An image that the user's Docker has."""
+    try:
+        command = ["docker", "image", "inspect", text]
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        [facts] = json.loads(done.stdout)
+    except (OSError, ValueError):
+        return None
+    config = facts.get("Config") or {}
+    return _base(text, facts["Id"], (f"{facts['Os']}/{facts['Architecture']}",), config, local=True)
+
+
+def _base(name: str, digest: str, platforms: tuple[str, ...], config: Mapping[str, Any], local: bool = False) -> Base:
+    pairs = (item.partition("=") for item in config.get("Env") or [])
+    variables = {name: value for name, _, value in pairs}
+    return Base(name, digest, platforms, variables, config.get("Labels") or {}, local)
 
 
 def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
@@ -90,5 +125,4 @@ def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, pla
         text = f"{place} is not for {', '.join(missing)}"
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
     config = configs[platforms[0] if platforms else known[0]].get("config") or {}
-    pairs = (item.partition("=") for item in config.get("Env") or [])
-    return Base(str(place), found.digest, known, {name: value for name, _, value in pairs}, config.get("Labels") or {})
+    return _base(str(place), found.digest, known, config)

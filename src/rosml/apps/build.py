@@ -47,6 +47,8 @@ class Built:
         packages: ROS packages of the app. keys: what each key of rosdep became.
         installed: packages of the operating system that the run image has beyond its base.
         changed: files of the base image that these packages change.
+        replaced: packages and files of the base image that they replace or remove; if there are some, the run image does not
+            share its layers with the base image alone.
         upstream: repositories that were imported.
         tests: of the packages. reports: folder of their JUnit files; empty where an earlier build passed them.
         seconds: what it took.
@@ -58,6 +60,7 @@ class Built:
     keys: dict[str, Any] = field(default_factory=dict)
     installed: list[str] = field(default_factory=list)
     changed: list[str] = field(default_factory=list)
+    replaced: list[str] = field(default_factory=list)
     upstream: list[sources.Repository] = field(default_factory=list)
     tests: junit.Tests = field(default_factory=junit.Tests)
     reports: str = ""
@@ -69,19 +72,25 @@ class Built:
 
     def facts(self) -> dict[str, Any]:
         """What another build from the same would come to, for `take`."""
-        found = {name: getattr(self, name) for name in ("packages", "keys", "installed", "changed")}
+        found = {name: getattr(self, name) for name in ("packages", "keys", "installed", "changed", "replaced")}
         return found | {"tests": [self.tests.count, self.tests.skipped]}
 
     def take(self, facts: Mapping[str, Any]) -> None:
         """Takes what an earlier build from the same came to."""
         self.packages, self.keys = facts["packages"], facts["keys"]
-        self.installed, self.changed = facts["installed"], facts["changed"]
+        self.installed, self.changed, self.replaced = facts["installed"], facts["changed"], facts["replaced"]
         self.tests = junit.Tests(*facts["tests"])
 
     def summary(self) -> Iterator[tuple[str, str]]:
         """What people are told at the end: what about, and a sentence."""
         lacks = f"{_count(len(self.installed), 'package')} that the base lacks"
         yield "app", f"{_count(len(self.packages), 'ROS package')}, {lacks}"
+        if self.replaced:
+            names = ", ".join(self.replaced[:3]) + (" …" if len(self.replaced) > 3 else "")
+            yield (
+                "",
+                f"not joined to the base image, of which its packages change {_count(len(self.replaced), 'thing')}: {names}",
+            )
         tests = self.tests
         if tests.count:
             where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
@@ -156,7 +165,7 @@ class App:
         if cache:
             keys = self._keys(inputs)
             known, facts = cache.found(keys), cache.report(keys)
-            if {"app", "workspace"} - known.keys():
+            if {*bake_file.STAGES} - known.keys():
                 facts = None
             kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
         arguments = (inputs, self._names, self._services, [*self._environment], report, known, kept)
@@ -171,6 +180,7 @@ class App:
             self._require_passed(built)
             if cache:
                 cache.keep(keys, built.facts())
+        files.write(file, bake_file.render(*arguments, linked=not built.replaced))
         for target in self._names.targets:
             call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
             _progress, metadata = buildx.run(self._services, call)
@@ -258,11 +268,12 @@ class App:
         folders = [report] if len(platforms) == 1 else [report / name.replace("/", "_") for name in platforms]
         try:
             dependencies = json.loads((folders[0] / "dependencies.json").read_text())
-            app = json.loads((folders[0] / "app.json").read_text())
+            apps = [json.loads((folder / "app.json").read_text()) for folder in folders]
         except (OSError, ValueError) as error:
             raise RosmlError(f"the build left no report: {error}", "run it again") from None
         built.packages, built.keys = list(dependencies["packages"]), dependencies["keys"]
-        built.installed, built.changed = app["packages"], app["changed"]
+        built.installed, built.changed = apps[0]["packages"], apps[0]["changed"]
+        built.replaced = sorted({name for app in apps for name in (*app["replaced"], *app["removed"])})
         for folder in folders:
             built.tests = junit.add(built.tests, junit.read(folder / "results"))
         built.reports = str(report / "results" if len(folders) == 1 else report)
