@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """What an app adds to its base image: the files that its packages bring, and its install space.
 
-    app_files.py BASE RUNTIME BUILT OUT
+    app_files.py BASE RUNTIME ENVIRONMENT BUILT OUT
 
-BASE is the base image, RUNTIME the same with the packages that the app needs to run, BUILT holds the install space. OUT/root gets
+BASE is the base image, RUNTIME the same with the packages that the app needs to run. ENVIRONMENT is where the app was built, and
+BUILT the same after it: it holds the install space. OUT/root gets
 the files, OUT/app.json what is to be known of them. If the packages take away or replace what the base image has, OUT/root gets
 the install space alone: the run image then starts from RUNTIME. Times and owners do not depend on when and where it was built.
 
@@ -21,15 +22,28 @@ import py_compile
 import re
 import shutil
 import stat
+import subprocess
 import sys
 from pathlib import Path
 
 LEFT_OUT = re.compile(
-    r"etc/ld\.so\.cache|var/lib/dpkg/(?!status\.d).*|var/lib/apt/.*|var/cache/.*|var/log/.*|(tmp|run|proc|sys|dev)/.*"
-    r"|root/\.cache/.*"
+    r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
+    r"|var/lib/dpkg/(?!status\.d).*|var/lib/apt/.*|var/cache/(apt|debconf|ldconfig|man)(/.*)?|(var/)?tmp/.*"
+    r"|(run|proc|sys|dev)/.*"
 )
-"""Files that differ and belong to no app: the state of dpkg and apt, caches. glibc finds libraries in its default folders
-without ld.so.cache."""
+"""What differs and belongs to no app: the state of dpkg and apt, caches, backups, a machine's identity."""
+
+EMPTIED = re.compile(r"var/(cache|log)/.*")
+"""Of what is there, folders belong to an app, and files do not."""
+
+FOUND_ALONE = re.compile(r"/(usr/)?lib(32|64|x32)?/[^/]+|/(usr/)?lib/[^/]+-linux-gnu[^/]*/[^/]+")
+"""Libraries that glibc finds without ld.so.cache."""
+
+WORKING = re.compile(r"docker-ros/ws(/.*)?|root/\.(ros|colcon|cache|ccache)(/.*)?|.*/__pycache__(/.*)?|.*\.pyc")
+"""What building a workspace leaves, and no package installs."""
+
+CAPABILITY = "security.capability"
+"""What lets a program do without root, such as ping."""
 
 TIME = 1767225600
 """2026-01-01T00:00:00Z, as the layers of all parts have it."""
@@ -55,7 +69,23 @@ def same(path: str, one: Path, other: Path, before: os.stat_result, after: os.st
         return True
     if before.st_size != after.st_size:
         return False
-    return before.st_mtime_ns == after.st_mtime_ns or filecmp.cmp(one / path, other / path, shallow=False)
+    # What a step changes gets the time of all parts: then the time says nothing.
+    if before.st_mtime_ns == after.st_mtime_ns and int(after.st_mtime) != TIME:
+        return True
+    return filecmp.cmp(one / path, other / path, shallow=False)
+
+
+def belongs(path: str, facts: os.stat_result) -> bool:
+    """Whether a file can be one of an app."""
+    return not LEFT_OUT.fullmatch(path) and (stat.S_ISDIR(facts.st_mode) or not EMPTIED.fullmatch(path))
+
+
+def libraries(root: Path) -> set[str]:
+    """The libraries that only ld.so.cache finds, such as those in /usr/local/lib."""
+    command = ["ldconfig", "-p", "-C", str(root / "etc/ld.so.cache")]
+    said = subprocess.run(command, capture_output=True, text=True, check=False).stdout
+    paths = {line.rpartition(" => ")[2].strip() for line in said.splitlines() if " => " in line}
+    return {path for path in paths if not FOUND_ALONE.fullmatch(path)}
 
 
 def status(root: Path) -> dict[str, str]:
@@ -84,6 +114,8 @@ def put(source: Path, target: Path) -> None:
         return
     os.chown(target, facts.st_uid, facts.st_gid)
     os.chmod(target, stat.S_IMODE(facts.st_mode))
+    if CAPABILITY in os.listxattr(source):  # after the change of the owner, which takes it away
+        os.setxattr(target, CAPABILITY, os.getxattr(source, CAPABILITY))
 
 
 def copy(source: Path, path: str, out: Path) -> None:
@@ -101,17 +133,19 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
     replace what the base image has: a layer on top of it cannot say that."""
     old, new = entries(base), entries(runtime)
     known, installed = status(base), status(runtime)
-    wanted = [path for path in sorted(new) if not LEFT_OUT.fullmatch(path)]
+    wanted = [path for path in sorted(new) if belongs(path, new[path])]
     facts = {
         "packages": sorted(installed.keys() - known.keys()),
         "replaced": sorted(name for name in known if installed.get(name) != known[name]),
         "changed": [path for path in wanted if path in old and not same(path, base, runtime, old[path], new[path])],
-        "removed": [path for path in sorted(old) if path not in new and not LEFT_OUT.fullmatch(path)],
+        "removed": [path for path in sorted(old) if path not in new and belongs(path, old[path])],
     }
+    if libraries(runtime) - libraries(base):
+        facts["changed"].append("etc/ld.so.cache")
     if facts["replaced"] or facts["removed"]:
         return facts
     changed = {*facts["changed"]}
-    for path in wanted:
+    for path in [*wanted, *changed.difference(wanted)]:
         if path not in old or path in changed:
             copy(runtime, path, root)
     if facts["packages"]:
@@ -124,10 +158,20 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
     return facts
 
 
-def main(base: Path, runtime: Path, built: Path, out: Path) -> None:
+def outside(environment: Path, built: Path) -> list[str]:
+    """What the app's packages installed outside of the install space."""
+    before = entries(environment)
+    return [
+        path
+        for path, facts in sorted(entries(built).items())
+        if path not in before and belongs(path, facts) and not WORKING.fullmatch(path)
+    ]
+
+
+def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path) -> None:
     root = out / "root"
     root.mkdir(parents=True)
-    facts = packages(base, runtime, root)
+    facts = {**packages(base, runtime, root), "outside": outside(environment, built)}
 
     install = "docker-ros/ws/install"
     for above, folders, names in os.walk(built / install):

@@ -75,6 +75,7 @@ def read(folder: Path, left_out: Path) -> Packages:
                 if dependency.evaluated_condition
             }
             for kind, attributes in KINDS.items()
+            if kind != "test" or path.parts[:1] != ("upstream",)  # tests of these do not run
         }
     return packages
 

@@ -19,6 +19,7 @@ script() {
     fail "the script $2 the installation of dependencies ended with $?" "the lines above say why"
 }
 
+use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
 export SOURCE_DATE_EPOCH=1767225600 # as the files of all parts: nothing here depends on the commit
 kinds=("$@")
 if [[ -n $(ls -A /run/additional) ]]; then
@@ -28,12 +29,18 @@ fi
 if [[ -s /run/requests/before.sh || -s /run/requests/after.sh ]]; then apt_update; fi # what these scripts expect
 script before.sh before
 mapfile -t debs < <(listed apt; cat /run/requests/apt)
-mapfile -t requirements < <(listed pip; cat /run/requests/pip)
+mapfile -t requirements < <(listed pip)
 if [[ " $* " == *" build "* ]]; then
   if ! command -v g++ >/dev/null || ! command -v cmake >/dev/null; then debs+=(build-essential cmake); fi
   if ! command -v colcon >/dev/null; then debs+=(python3-colcon-common-extensions); fi
 fi
-if [[ ${#requirements[@]} -gt 0 ]] && ! python3 -m pip --version >/dev/null 2>&1; then debs+=(python3-pip); fi
+if [[ ${#requirements[@]} -gt 0 || -s /run/requests/pip ]] && ! python3 -m pip --version >/dev/null 2>&1; then debs+=(python3-pip); fi
+
+# catkin leaves Python tests out where it is missing, and manifests seldom name it.
+if [[ " $* " == *" test "* && ${ROS_VERSION:-} == 1 ]]; then
+  apt_update
+  if [[ -n $(apt-cache search --names-only '^python3-nose$') ]]; then debs+=(python3-nose); fi
+fi
 
 missing=()
 for name in "${debs[@]}"; do
@@ -41,12 +48,26 @@ for name in "${debs[@]}"; do
   if [[ $status != installed ]]; then missing+=("$name"); fi
 done
 if [[ ${#missing[@]} -gt 0 ]]; then
-  use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
   apt_update
   apt_install "${missing[@]}"
 fi
-if [[ ${#requirements[@]} -gt 0 ]]; then
-  PIP_BREAK_SYSTEM_PACKAGES=1 python3 -m pip install --no-cache-dir --root-user-action ignore "${requirements[@]}"
-fi
+export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore
+if [[ ${#requirements[@]} -gt 0 ]]; then python3 -m pip install "${requirements[@]}"; fi
+if [[ -s /run/requests/pip ]]; then python3 -m pip install --requirement /run/requests/pip; fi
 script after.sh after
+
+# What clean.sh takes away, and a package or a script made: folders for logs and caches, and what programs downloaded for root.
+folders=$(find /var/log /var/cache -mindepth 1 -type d -printf '%m %U:%G %p\n' | grep -v -E ' /var/cache/(apt|debconf|ldconfig|man)(/|$)' || true)
+rm -rf /root/.cache/pip /root/.cache/uv
+if [[ -n $(ls -A /root/.cache 2>/dev/null) ]]; then mv /root/.cache /root/.cache-kept; fi
 "$here/../build/clean.sh"
+while read -r mode owner folder; do
+  if [[ -n $folder ]]; then
+    mkdir -p "$folder"
+    chown "$owner" "$folder"
+    chmod "$mode" "$folder"
+    touch --date="@$SOURCE_DATE_EPOCH" "$folder"
+  fi
+done <<<"$folders"
+if [[ -e /root/.cache-kept ]]; then mv /root/.cache-kept /root/.cache; fi
+touch --date="@$SOURCE_DATE_EPOCH" /var/log /var/cache /root

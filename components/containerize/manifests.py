@@ -28,7 +28,7 @@ def _manifests(folder: Path) -> list[Path]:
     """The package.xml of all packages, as colcon finds them: none in an ignored folder, and none inside of another package."""
     found = []
     for path, folders, names in os.walk(folder):
-        folders.sort()
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
         ignored = IGNORED & set(names)
         if "package.xml" in names and not ignored:
             found.append(Path(path, "package.xml"))
@@ -72,8 +72,16 @@ def packages(folder: Path, left_out: Path) -> list[tuple[Path, Any]]:
 def main(folder: Path, left_out: Path) -> None:
     kept = {place for place, _package in packages(folder, left_out)}
     for place, _package in all_packages(folder).values():
-        if place not in kept:
+        if place in kept:
+            continue
+        if len(place.parts) > 1:
             shutil.rmtree(folder / place)
+        else:  # the repository itself is the package, and src/target stays
+            for path in (folder / place).iterdir():
+                if path.is_dir() and not path.is_symlink():
+                    shutil.rmtree(path)
+                else:
+                    path.unlink()
 
 
 if __name__ == "__main__":

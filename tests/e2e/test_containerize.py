@@ -59,7 +59,7 @@ def made(folder: Path, *options: str) -> dict[str, Any]:
 
 def ran(services: Services, name: str) -> set[str]:
     """The stages of which a step ran, and was not in the cache, in the last build of an app."""
-    log = (services.state / f"log/containerize-{name.replace('/', '-')}.log").read_text()
+    log = (services.state / f"log/containerize-{name.replace('/', '+')}@latest.log").read_text()
     return set(re.findall(r"^[\d.]+ s \[(?:[a-z-]+ )?([a-z-]+) \d+/\d+\] RUN", log, re.MULTILINE))
 
 
@@ -90,7 +90,7 @@ def test_the_example(published: Publish, services: Services, tmp_path: Path) -> 
     assert layers[:-1] == base.layers, "the base image and one layer of the app"
     for reference in (run_image, dev_image):
         assert CANARY not in json.dumps(config(services, reference))
-    assert CANARY not in (services.state / f"log/containerize-{NAMESPACE}-compass.log").read_text()
+    assert CANARY not in (services.state / f"log/containerize-{NAMESPACE}+compass@latest.log").read_text()
 
     (tmp_path / "chk").mkdir()
     (tmp_path / "chk/Dockerfile").write_text(
@@ -134,7 +134,7 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
     assert {image.target: image.digest for image in again.images}["run"] == first["run"]["digest"]
     assert f"nothing to build: {cache} has it" in said
     assert again.tests.count == 2 and again.packages == ["compass"]
-    logs = [services.state / f"log/containerize-{NAMESPACE}-cached-{target}.log" for target in ("run", "dev")]
+    logs = [services.state / f"log/containerize-{NAMESPACE}+cached@latest-{target}.log" for target in ("run", "dev")]
     assert not [line for log in logs for line in log.read_text().splitlines() if "RUN" in line], "no step at all"
 
     source.write_text(source.read_text().replace('"west"', '"WEST"'))
@@ -196,7 +196,8 @@ def everything(tmp_path: Path) -> Path:
     docker = folder / "docker"
     (docker / "additional-files").mkdir(parents=True)
     (docker / "additional-files/hello").write_text("from a file\n")
-    (docker / "additional-debs.txt").write_text("# to look around\ntree  # and count\n")
+    (folder / ".dockerignore").write_text("*\n")  # it is about another build
+    (docker / "additional-debs.txt").write_text("# to look around\ntree  # and count\nlibcap2-bin\niputils-ping\n")
     (docker / "additional-pip-requirements.txt").write_text("toolz  # small\n")
     (docker / "blacklisted-packages.txt").write_text("unwanted  # needs what nobody has\n")
     (docker / "before_dependency_identification.sh").write_text(
@@ -207,7 +208,12 @@ def everything(tmp_path: Path) -> Path:
     (docker / "before_dependency_installation.sh").write_text(
         "apt-get install --yes sl >/dev/null\ntouch /opt/before\n"
     )
-    (docker / "custom.sh").write_text("cp /docker-ros/additional-files/hello /opt/after\npython3 -c 'import toolz'\n")
+    (docker / "custom.sh").write_text(
+        "cp /docker-ros/additional-files/hello /opt/after\npython3 -c 'import toolz'\n"
+        "sed -i s/Debian/Zebian/ /etc/motd\n"
+        "gcc -shared -Wl,-soname,libmine.so.1 -o /usr/local/lib/libmine.so.1.0 -x c /dev/null && ldconfig\n"
+        "install -d --owner=games /var/log/mine && mkdir -p ~/.cache/model && touch ~/.cache/model/weights\n"
+    )
     return folder
 
 
@@ -215,9 +221,8 @@ def test_a_repository_may_ask_for_everything(
     published: Publish, services: Services, everything: Path, tmp_path: Path
 ) -> None:
     options = ("--base-image", published(BASE).result["reference"], "--image-name", f"{NAMESPACE}/everything")
-    found = made(
-        everything, *options, "--command", "echo $((6 * 7)) && cat /opt/after", "--cmake-args", "-DGREETING='two words'"
-    )
+    command = "# several lines\necho $((6 * 7)) ${NOTHING:-7}\ncat /opt/after"
+    found = made(everything, *options, "--command", command, "--cmake-args", "-DGREETING='two words'")
     assert found["packages"] == ["base", "further", "wanted"]
     assert {repository["path"]: repository["moving"] for repository in found["upstream"]} == {
         "base": True,
@@ -229,13 +234,15 @@ def test_a_repository_may_ask_for_everything(
     (tmp_path / "chk").mkdir()
     lines = [
         "FROM {} AS {}",
-        "RUN command -v tree && python3 -c 'import toolz' && test -e /opt/before && cat /opt/after",
+        "RUN command -v tree && python3 -c 'import toolz' && test -e /opt/before && cat /opt/after && grep Zebian /etc/motd",
+        "RUN python3 -c 'import ctypes; ctypes.CDLL(\"libmine.so.1\")' && getcap /usr/bin/ping | grep net_raw",
+        'RUN test "$(stat --format %U /var/log/mine)" = games && test -e /root/.cache/model/weights',
     ]
     (tmp_path / "chk/Dockerfile").write_text(
         "\n".join(
             [
                 *(line.format(found["run"]["reference"], "run") for line in lines),
-                """RUN test "$(/entrypoint.sh bash -c 'exec bash -c "$DEFAULT_CMD"' | tr '\\n' /)" = '42/from a file/' && \\
+                """RUN test "$(/entrypoint.sh bash -c 'exec bash -c "$DEFAULT_CMD"' | tr '\\n' /)" = '42 7/from a file/' && \\
     test "$(cat /docker-ros/ws/install/*/share/*/said | sort -u)" = "two words" && test ! -e /docker-ros/ws/install/unwanted""",
                 *(line.format(found["dev"]["reference"], "dev") for line in lines),
                 "RUN cd /docker-ros/ws/src && test -e upstream/base/package.xml -a -e upstream/further/package.xml && \\",

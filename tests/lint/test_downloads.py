@@ -17,12 +17,12 @@ SHELL = r"(?:sudo\s+(?:-\S+\s+)*)?(?:ba|da|z|k)?sh\b|python[0-9.]*\b|perl\b"
 RULES = {
     "runs what it downloads": rf"(?:curl|wget)\b[^;&\n]*\|\s*(?:{SHELL})|(?:\bsh|\bbash|\bsource|\.|\beval)\s+(?:-c\s+)?[\"']?[<$]\((?:curl|wget)",
     "asks for the latest of something": r":latest\b|/latest\b|@latest\b|\blatest/|api\.github\.com",
-    "pip without hashes": r"\bpip[0-9.]*[\"']?\s+install\b(?!.*--require-hashes)(?!.*--no-index)(?!.*\$\{requirements\[@\]\})",
+    "pip without hashes": r"\bpip[0-9.]*[\"']?\s+install\b(?!.*--require-hashes)(?!.*--no-index)(?!.*(?:\$\{requirements\[@\]\}|/run/requests/pip))",
     "clones what moves": r"\bgit\s+(?:clone|pull|fetch)\b",
     "a package manager without hashes": r"\b(?:npm|pnpm|yarn|gem|cargo|go|conda|mamba)\s+(?:install|add|i)\b|\bpipx\b|\bnpx\b|\buvx\b",
     "trusts whoever answers": r"--insecure\b|--no-check-certificate\b|--allow-unauthenticated\b|\[[^]]*trusted=yes|--trusted-host",
 }
-"""What a line must not do. `${requirements[@]}` are those of a user's own repository, in components/containerize."""
+"""What a line must not do. `${requirements[@]}` and `/run/requests/pip` are those of a user's own repository, in components/containerize."""
 
 STEPS = {
     "ADD of an address without a checksum": r"^ADD\s(?!.*--checksum=sha256:[0-9a-f]{64}\b).*\b(?:https?|ftp|git)(?:://|@)",

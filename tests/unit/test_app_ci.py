@@ -233,11 +233,13 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
     def run(_: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:
         targets = json.loads(bake.file.read_text())["target"]
         seen[bake.target] = targets.get(bake.target, {}).get("tags", [])
-        if bake.target == "all":
+        if bake.target == "packages":
             report = Path(targets["report"]["output"][0].partition("dest=")[2])
             (report / "results").mkdir(parents=True)
             (report / "dependencies.json").write_text('{"packages": {}, "keys": {}}')
-            (report / "app.json").write_text('{"packages": [], "changed": [], "replaced": [], "removed": []}')
+            (report / "app.json").write_text(
+                '{"packages": [], "changed": [], "replaced": [], "removed": [], "outside": []}'
+            )
         return None, {"containerimage.digest": "sha256:1"}
 
     monkeypatch.setattr(buildx, "run", run)

@@ -70,9 +70,9 @@ def test_a_flag_is_true_or_false(tmp_path: Path) -> None:
 
 
 def test_names_that_lost_their_meaning_are_answered(tmp_path: Path) -> None:
-    (tmp_path / ".env").write_text("CUSTOM_SCRIPT_FILE=docker/custom.sh\n")
+    (tmp_path / ".env").write_text("CUSTOM_SCRIPT_FILE=docker/custom.sh\nTARGTE=dev\n")
     said = list(inputs.answers(tmp_path, {"SLIM_BUILD_ARGS": "--http-probe=false"}))
-    assert len(said) == 2
+    assert len(said) == 3 and "TARGTE in .env is not used: there is no such input" in said
     assert "CUSTOM_SCRIPT_FILE is not used: it is after-dependency-installation-script" in said
 
 

@@ -152,7 +152,7 @@ def test_what_is_no_package_of_apt_is_refused(tmp_path: Path) -> None:
         requests(tmp_path / "robot", {}, {})
 
 
-APP: dict[str, list[str]] = {"packages": ["libfoo:all"], "changed": [], "replaced": [], "removed": []}
+APP: dict[str, list[str]] = {"packages": ["libfoo:all"], "changed": [], "replaced": [], "removed": [], "outside": []}
 
 
 # ---- The build -------------------------------------------------------------------------------------------------------
@@ -175,7 +175,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
         content = json.loads(bake.file.read_text())
         wanted = content["target"]
         seen.append({"name": bake.target, **wanted.get(bake.target, wanted["report"])})
-        if bake.target == "all":
+        if bake.target == "packages":
             report = Path(wanted["report"]["output"][0].partition("dest=")[2])
             report.mkdir(parents=True)
             (report / "dependencies.json").write_text(json.dumps({"packages": {"robot": {}}, "keys": {}}))
@@ -196,7 +196,7 @@ def test_images_are_joined_after_the_report_is_read(
     repository: Path, services: Services, calls: list[dict[str, Any]]
 ) -> None:
     digest = put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
-    command = 'ros2 run robot "a $b" \\'
+    command = 'ros2 run robot "a $b" \\\n${HOME} %{x}'
     built = app(
         repository, services, base_image="ros:jazzy", command=command, rmw_implementation="rmw_zenoh_cpp"
     ).build()
@@ -209,8 +209,9 @@ def test_images_are_joined_after_the_report_is_read(
     lines = run["dockerfile-inline"].splitlines()
     assert lines[:2] == ["FROM base", "COPY --link --from=app / /"]
     assert not [line for line in lines if line.startswith("RUN")]
-    assert r'ENV DEFAULT_CMD="ros2 run robot \"a \$b\" \\"' in lines
-    assert 'ENV RMW_IMPLEMENTATION="rmw_zenoh_cpp"' in lines
+    assert "ENV DEFAULT_CMD=$${APP_DEFAULT_CMD}" in lines, "bake makes one $ of it"
+    assert run["args"]["APP_DEFAULT_CMD"] == command.replace("${", "$${").replace("%{", "%%{")
+    assert run["args"]["APP_RMW_IMPLEMENTATION"] == "rmw_zenoh_cpp"
     assert run["labels"][bake_file.BASE_DIGEST] == digest
     assert dev["dockerfile-inline"].startswith("FROM workspace\n")
 
@@ -261,7 +262,7 @@ def test_a_base_without_ros_is_asked_about(repository: Path, services: Services,
         app(repository, services, base_image="plain:1", command="true").build()
     assert "--ros-distro" in caught.value.remedy
     app(repository, services, base_image="plain:1", command="true", ros_distro="jazzy").build()
-    assert 'ENV ROS_DISTRO="jazzy"' in calls[-1]["dockerfile-inline"]
+    assert calls[-1]["args"]["APP_ROS_DISTRO"] == "jazzy"
 
 
 # ---- Tests of the app ------------------------------------------------------------------------------------------------
@@ -295,7 +296,7 @@ def test_no_image_is_made_where_a_test_failed(
     with pytest.raises(RosmlError, match=r"1 of 3 tests failed; no image was made") as caught:
         app(repository, services, base_image="ros:jazzy", command="true").build()
     assert "robot: a.bad: 1 is not 2" in caught.value.message
-    assert [call["name"] for call in calls] == ["all"]
+    assert [call["name"] for call in calls] == ["packages"]
 
 
 def test_images_go_to_docker_where_there_is_one(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -28,6 +27,9 @@ REPORT = "report"
 
 STAGES = ("app", "runtime", "workspace")
 """Stages that images are joined from."""
+
+PACKAGES = "packages"
+"""The group of all that is built before the images."""
 
 _MIRRORS = {"os-apt-mirror": "OS_APT_MIRROR", "ros-apt-mirror": "ROS_APT_MIRROR"}
 
@@ -91,10 +93,10 @@ def render(
             "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
             "ROS_DISTRO": inputs.distribution,
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
-            "TESTS": "results" if values["tests"] == "true" else "untested",
         },
     }
-    targets: dict[str, Any] = {REPORT: {**common, "target": REPORT, "output": [f"type=local,dest={report}"]}}
+    stage = REPORT if values["tests"] == "true" else f"{REPORT}-untested"
+    targets: dict[str, Any] = {REPORT: {**common, "target": stage, "output": [f"type=local,dest={report}"]}}
     for stage in STAGES:
         targets[stage] = {**common, "target": stage}
     for stage, reference in kept.items():
@@ -103,39 +105,51 @@ def render(
     for target in names.targets:
         targets[target] = {
             "context": str(inputs.empty),
-            "dockerfile-inline": _dockerfile(target, values, linked),
+            "dockerfile-inline": _dockerfile(target, _variables(target, inputs), linked),
             "platforms": list(names.platforms),
             "contexts": base | {name: stages.get(name, f"target:{name}") for name in STAGES},
-            "args": {"SOURCE_DATE_EPOCH": str(inputs.time)},
+            "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
             "labels": _labels(inputs, names.app, target),
             "tags": names.tags(target),
             "output": ["type=docker" if names.loads else f"type=image,push=true,{COMPRESSION}"],
         }
-    groups = {"all": {"targets": [REPORT, *(f"keep-{stage}" for stage in kept)]}}
-    return json.dumps({"group": groups, "target": targets}, indent=2) + "\n"
+    groups = {PACKAGES: {"targets": [REPORT, *(f"keep-{stage}" for stage in kept)]}}
+    return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"
 
 
-def _dockerfile(target: str, values: Mapping[str, str], linked: bool) -> str:
-    """How an image is joined: nothing runs."""
+def _literal(value: Any) -> Any:
+    """A value in which bake expands nothing."""
+    if isinstance(value, str):
+        return value.replace("${", "$${").replace("%{", "%%{")
+    if isinstance(value, Mapping):
+        return {_literal(key): _literal(item) for key, item in value.items()}
+    return [_literal(item) for item in value] if isinstance(value, list | tuple) else value
+
+
+def _variables(target: str, inputs: Inputs) -> dict[str, str]:
+    """The environment of an image, beside its base image's."""
+    values = inputs.values
+    found = {"WORKSPACE": "/docker-ros/ws"}
+    if inputs.distribution != inputs.base.environment.get("ROS_DISTRO"):
+        found["ROS_DISTRO"] = inputs.distribution
+    if values["rmw-implementation"]:
+        found["RMW_IMPLEMENTATION"] = values["rmw-implementation"]
+    if target == "run":
+        found["DEFAULT_CMD"] = values["command"]
+    return {f"APP_{name}": value for name, value in found.items()}
+
+
+def _dockerfile(target: str, variables: Iterable[str], linked: bool) -> str:
+    """How an image is joined: nothing runs. Values come as arguments, since a value of several lines cannot stand here."""
     base = "base" if linked else "runtime"
     lines = [f"FROM {base}", "COPY --link --from=app / /"] if target == "run" else ["FROM workspace"]
-    variables = {"WORKSPACE": "/docker-ros/ws"}
-    if values["ros-distro"]:
-        variables["ROS_DISTRO"] = values["ros-distro"]
-    if values["rmw-implementation"]:
-        variables["RMW_IMPLEMENTATION"] = values["rmw-implementation"]
     command = ["bash"]
     if target == "run":
-        variables["DEFAULT_CMD"] = values["command"]
         # bash becomes a simple command, so that this gets the signals.
         command = ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"']
-    lines += [f"ENV {name}={_quoted(value)}" for name, value in variables.items()]
+    for name in variables:
+        lines += [f"ARG {name}", f"ENV {name.removeprefix('APP_')}=${{{name}}}"]
     return "\n".join([*lines, f"CMD {json.dumps(command)}", ""])
-
-
-def _quoted(text: str) -> str:
-    """A value as ENV of a Dockerfile takes it, with nothing expanded."""
-    return '"' + re.sub(r'(["\\$])', r"\\\1", text).replace("\n", "\\\n") + '"'
 
 
 def _labels(inputs: Inputs, name: str, target: str) -> dict[str, str]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import re
 import shutil
 import subprocess
 import time
@@ -20,6 +19,7 @@ from rosml.apps.git import Access
 from rosml.apps.names import Names
 from rosml.base import files
 from rosml.base.errors import RosmlError
+from rosml.base.file_lock import turn
 from rosml.base.units import duration
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -49,6 +49,7 @@ class Built:
         changed: files of the base image that these packages change.
         replaced: packages and files of the base image that they replace or remove; if there are some, the run image does not
             share its layers with the base image alone.
+        outside: what the packages installed outside of the install space, which is in no image.
         upstream: repositories that were imported.
         tests: of the packages. reports: folder of their JUnit files; empty where an earlier build passed them.
         seconds: what it took.
@@ -61,6 +62,7 @@ class Built:
     installed: list[str] = field(default_factory=list)
     changed: list[str] = field(default_factory=list)
     replaced: list[str] = field(default_factory=list)
+    outside: list[str] = field(default_factory=list)
     upstream: list[sources.Repository] = field(default_factory=list)
     tests: junit.Tests = field(default_factory=junit.Tests)
     reports: str = ""
@@ -72,14 +74,16 @@ class Built:
 
     def facts(self) -> dict[str, Any]:
         """What another build from the same would come to, for `take`."""
-        found = {name: getattr(self, name) for name in ("packages", "keys", "installed", "changed", "replaced")}
+        found = {
+            name: getattr(self, name) for name in ("packages", "keys", "installed", "changed", "replaced", "outside")
+        }
         return found | {"tests": [self.tests.count, self.tests.skipped]}
 
     def take(self, facts: Mapping[str, Any]) -> None:
         """Takes what an earlier build from the same came to."""
         self.packages, self.keys = facts["packages"], facts["keys"]
         self.installed, self.changed, self.replaced = facts["installed"], facts["changed"], facts["replaced"]
-        self.tests = junit.Tests(*facts["tests"])
+        self.outside, self.tests = facts["outside"], junit.Tests(*facts["tests"])
 
     def summary(self) -> Iterator[tuple[str, str]]:
         """What people are told at the end: what about, and a sentence."""
@@ -91,10 +95,13 @@ class Built:
                 "",
                 f"not joined to the base image, of which its packages change {_count(len(self.replaced), 'thing')}: {names}",
             )
+        if self.outside:
+            names = ", ".join(f"/{name}" for name in self.outside[:3]) + (" …" if len(self.outside) > 3 else "")
+            yield "", f"installed outside of the install space, and in no image: {names}"
         tests = self.tests
-        if tests.count:
-            where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
-            yield "tests", f"{tests.count - tests.skipped} passed, {tests.skipped} skipped; {where}"
+        where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
+        passed = f"{tests.count - tests.skipped} passed, {tests.skipped} skipped; {where}"
+        yield "tests", passed if tests.count else "none ran"
         yield "time", duration(self.seconds)
 
 
@@ -129,7 +136,9 @@ class App:
             )
         if not values["base-image"]:
             raise RosmlError("there is no base image", "add --base-image, such as ros:jazzy-base", exit_code=2)
-        self._state = services.state / "containerize" / re.sub(r"[/:]", "-", self._names.app)
+        # By what is made: two calls may work side by side, and those that make the same take turns.
+        name = f"{self._names.app}@{values['image-tag']}".replace("/", "+").replace(":", "=")
+        self._state = services.state / "containerize" / name
 
     @property
     def report(self) -> Path:
@@ -142,6 +151,11 @@ class App:
         Raises:
             RosmlError: an input is wrong, or a step or a test failed.
         """
+        self._state.mkdir(parents=True, exist_ok=True)
+        with turn(self._state / "lock", lambda: self._say(f"waiting for another call that makes {self._names.app}")):
+            return self._build()
+
+    def _build(self) -> Built:
         started = time.monotonic()
         base = bases.find(self._values["base-image"], self._services, self._names.platforms)
         self._say(f"base image {base.name}")
@@ -175,7 +189,7 @@ class App:
             built.take(facts)
         else:
             shutil.rmtree(report, ignore_errors=True)
-            buildx.run(self._services, buildx.Bake("all", f"containerize-{self._state.name}", file))
+            buildx.run(self._services, buildx.Bake(bake_file.PACKAGES, f"containerize-{self._state.name}", file))
             self._read(report, built)
             self._require_passed(built)
             if cache:
@@ -210,23 +224,26 @@ class App:
     def _inputs(self, base: bases.Base) -> bake_file.Inputs:
         """What the build reads, written down for it."""
         values, folder, state = self._values, self._folder, self._state
-        distribution = values["ros-distro"] or base.environment.get("ROS_DISTRO", "")
+        distribution = base.environment.get("ROS_DISTRO") or values["ros-distro"]
+        if values["ros-distro"] not in ("", distribution):
+            self._say(f"ROS_DISTRO={values['ros-distro']} is not used: the base image has {distribution}")
         if not distribution:
             text = f"{base.name} does not say which ROS it has"
             raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
         upstream, manifests, requests, empty = (state / name for name in ("upstream", "manifests", "requests", "empty"))
+        workspace.stage(folder, state / "staged" / "target")
         empty.mkdir(parents=True, exist_ok=True)
         count = workspace.write_manifests({"target": folder, "upstream": upstream}, manifests)
-        workspace.write_requests(values, folder, upstream, base.environment, requests)
+        workspace.write_requests({**values, "ros-distro": distribution}, folder, upstream, base.environment, requests)
         self._say(f"{_count(count, 'package')} for {', '.join(self._names.platforms)}")
         additional = folder / values["additional-files-dir"]
-        index = Path(values["rosdep-index"]).expanduser() if values["rosdep-index"] else empty
+        index = folder / Path(values["rosdep-index"]).expanduser() if values["rosdep-index"] else empty
         if not index.is_dir():
             text = f"rosdep-index: there is no folder {index}"
             raise RosmlError(text, "name a checkout of ros/rosdistro", exit_code=2)
         contexts = {
             "manifests": manifests,
-            "target": folder,
+            "target": state / "staged",
             "upstream": upstream,
             "requests": requests,
             "additional": additional if additional.is_dir() else empty,
@@ -273,6 +290,7 @@ class App:
             raise RosmlError(f"the build left no report: {error}", "run it again") from None
         built.packages, built.keys = list(dependencies["packages"]), dependencies["keys"]
         built.installed, built.changed = apps[0]["packages"], apps[0]["changed"]
+        built.outside = apps[0]["outside"]
         built.replaced = sorted({name for app in apps for name in (*app["replaced"], *app["removed"])})
         for folder in folders:
             built.tests = junit.add(built.tests, junit.read(folder / "results"))

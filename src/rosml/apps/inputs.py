@@ -158,11 +158,13 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
 
 
 def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
-    """A sentence for each variable of docker-ros that is set and means nothing here."""
+    """A sentence for each variable that is set and means nothing here: of docker-ros, or of the file alone."""
     file = read_env(folder / FILE)
     for item in TABLE:
         if item.gone and (environment.get(item.variable) or file.get(item.variable)):
             yield f"{item.variable} is not used: {item.gone}"
+    known = {item.variable for item in (*TABLE, _IMAGE)}
+    yield from (f"{name} in {FILE} is not used: there is no such input" for name in file if name not in known)
 
 
 def read_env(file: Path) -> dict[str, str]:

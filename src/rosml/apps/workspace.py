@@ -5,11 +5,15 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import stat
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from rosml.apps import inputs
 from rosml.base.errors import RosmlError
+
+SECRET = (".git", ".env")
+"""What stays on the caller's machine."""
 
 IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
@@ -18,7 +22,7 @@ IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 def manifests(root: Path) -> Iterator[Path]:
     """The package.xml of the packages below a folder, as colcon finds them, and the files that hide others."""
     for folder, folders, names in os.walk(root):
-        folders[:] = sorted(name for name in folders if name != ".git")
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
         hidden = [name for name in IGNORED if name in names]
         if hidden:
             yield Path(folder, hidden[0])
@@ -51,6 +55,37 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
     return count
 
 
+def stage(folder: Path, out: Path) -> None:
+    """Makes a folder of links to the files of a repository, without git's folder and files of secrets: what the builder gets.
+
+    It is one level deeper than the context of the build, so that a `.dockerignore` of the repository, which is about another
+    build, hides nothing.
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    for path, folders, names in os.walk(folder):
+        place = out / os.path.relpath(path, folder)
+        links = [name for name in folders if Path(path, name).is_symlink()]
+        folders[:] = [name for name in folders if name not in SECRET and name not in links]
+        for name in folders:
+            (place / name).mkdir(mode=0o755)
+        for name in [*names, *links]:
+            if name not in SECRET:
+                _link(Path(path, name), place / name)
+
+
+def _link(source: Path, target: Path) -> None:
+    """Gives a file another name; copies it where that is on another file system. Sockets and pipes are left out."""
+    facts = source.lstat()
+    if stat.S_ISLNK(facts.st_mode):
+        target.symlink_to(os.readlink(source))
+    elif stat.S_ISREG(facts.st_mode):
+        try:
+            os.link(source, target)
+        except OSError:
+            shutil.copy2(source, target)
+
+
 def write_requests(
     values: Mapping[str, str], folder: Path, upstream: Path, environment: Mapping[str, str], out: Path
 ) -> None:
@@ -81,9 +116,7 @@ def write_requests(
             raise RosmlError(f"{where}: {name!r} is no package of apt", "write one a line: name or name=version", 2)
     texts = {
         "apt": "".join(f"{line}\n" for line in debs),
-        "pip": "".join(
-            f"{line}\n" for line in inputs.lines_of(said("additional-pip-file", "enable-recursive-additional-pip"))
-        ),
+        "pip": said("additional-pip-file", "enable-recursive-additional-pip"),
         "blacklist": "".join(
             f"{line}\n"
             for line in inputs.lines_of(said("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
