@@ -37,6 +37,11 @@ def _manifests(folder: Path) -> list[Path]:
     return found
 
 
+def shown(place: Path) -> Path:
+    """A place as the user knows it: below the repository, or in `upstream`."""
+    return place.relative_to("target") if place.parts[:1] == ("target",) else place
+
+
 def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
     """All packages by name: the place of each below the folder, and its manifest."""
     found: dict[str, tuple[Path, Any]] = {}
@@ -46,10 +51,10 @@ def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
             package = parse_package(str(path))
         except InvalidPackage as error:
             why = " ".join(str(error).replace(str(path), "").split()).strip(" :'")
-            fail(f"{place / path.name} is no manifest: {why}", "correct it")
+            fail(f"{shown(place) / path.name} is no manifest: {why}", "correct it")
         if package.name in found:
             fail(
-                f"two packages are called {package.name}: {found[package.name][0]} and {place}",
+                f"two packages are called {package.name}: {shown(found[package.name][0])} and {shown(place)}",
                 "put COLCON_IGNORE into one",
             )
         found[package.name] = place, package

@@ -145,6 +145,11 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
     with oci.Registry(services.registry) as registry:
         assert registry.head(name, "latest") == first["run"]["digest"], "the tag stays where it was"
 
+    untested = build.App(
+        folder, inputs.values(options | {"tests": "false"}, folder, {}), {}, fresh, said.append
+    ).build()
+    assert untested.tests.count == 0, "no result of the build before"
+
 
 @pytest.mark.full(proof="wheels")
 def test_the_example_of_ros_2(published: Publish, services: Services, tmp_path: Path) -> None:
@@ -281,8 +286,8 @@ def test_packages_may_replace_what_the_base_image_has(published: Publish, servic
     ("file", "text", "says"),
     [
         ("a/package.xml", PACKAGE.format("a", "<depend>a_typo</depend>"), "rosdep does not know a_typo (asked for by a)"),
-        ("a/package.xml", "<package>", "target/a/package.xml is no manifest"),
-        ("b/package.xml", PACKAGE.format("a", ""), "two packages are called a: target/a and target/b"),
+        ("a/package.xml", "<package>", "error: a/package.xml is no manifest"),
+        ("b/package.xml", PACKAGE.format("a", ""), "two packages are called a: a and b"),
         ("docker/blacklisted-packages.txt", "c", "no package is called c"),
         ("docker/custom.sh", "echo before; false; echo after", "the script after the installation of dependencies ended with 1"),
         ("docker/additional-debs.txt", "no-such-package", "Unable to locate package no-such-package"),

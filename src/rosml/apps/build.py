@@ -87,8 +87,10 @@ class Built:
 
     def summary(self) -> Iterator[tuple[str, str]]:
         """What people are told at the end: what about, and a sentence."""
-        lacks = f"{_count(len(self.installed), 'package')} that the base lacks"
-        yield "app", f"{_count(len(self.packages), 'ROS package')}, {lacks}"
+        yield (
+            "app",
+            f"{_count(len(self.packages), 'ROS package')}, {_count(len(self.installed), 'package')} of apt added",
+        )
         if self.replaced:
             names = ", ".join(self.replaced[:3]) + (" …" if len(self.replaced) > 3 else "")
             yield (

@@ -48,9 +48,10 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
             shutil.copyfile(path, target)
             count += path.name == "package.xml"
     if not count:
-        where = " or ".join(str(root) for root in roots.values())
         raise RosmlError(
-            f"there is no package.xml in {where}", "call it in a folder with ROS packages, or name one", exit_code=2
+            f"there is no package.xml in {roots['target']}",
+            "call it in a folder with ROS packages, or name one",
+            exit_code=2,
         )
     return count
 
