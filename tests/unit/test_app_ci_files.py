@@ -90,7 +90,7 @@ def test_inputs_that_the_page_shows_are_there() -> None:
     said = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
     known = {*load(ci_files.ACTION)["inputs"], *next(said)["spec"]["inputs"]}
     for block in blocks(ROOT / "docs/containerize.md"):
-        if block.language == "yaml":
+        if block.language == "yaml" and block.title != ".repos":
             given = re.findall(r"^ +(?:with|inputs):\n((?: +[\w-]+: .*\n)+)", block.text, re.MULTILINE)
             assert given and {name for text in given for name in yaml.safe_load(text)} <= known
 
