@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import os
 import shutil
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,6 +14,7 @@ from typing import Any
 import pytest
 from registry_stand_in import StandIn, standing_in
 
+from rosml import ROOT
 from rosml.apps import bake_file, base, build, inputs, junit, names, sources, workspace
 from rosml.base.errors import RosmlError
 from rosml.machine import buildx
@@ -280,11 +283,82 @@ def test_failures_are_named_with_what_they_said(tmp_path: Path) -> None:
 
 
 def test_what_left_no_report_counts_as_failed(tmp_path: Path) -> None:
+    """Whatever other packages report."""
     (tmp_path / "robot").mkdir()
-    (tmp_path / "failed").write_text("tests do not build\n")
-    assert junit.read(tmp_path).failures == ("tests do not build",)
+    (tmp_path / "failed").write_text("tests do not build\nrobot: left no report\narm: left no report\n")
+    found = junit.read(tmp_path)
+    assert found == junit.Tests(3, 0, ("tests do not build", "robot: left no report", "arm: left no report"))
     (tmp_path / "robot/a.xml").write_text(SUITE[:40])
-    assert junit.read(tmp_path).failures == ("robot: a.xml is no XML: its program was ended",)
+    assert junit.read(tmp_path).failures == (
+        "robot: a.xml is no XML: its program was ended",
+        "tests do not build",
+        "arm: left no report",
+    )
+
+
+@pytest.mark.parametrize("encoding", ["klingon", "shift_jis"])
+def test_an_encoding_that_cannot_be_read_is_said(encoding: str, tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/a.xml").write_text(f'<?xml version="1.0" encoding="{encoding}"?>{SUITE}')
+    assert junit.read(tmp_path).failures == ("robot: a.xml has an encoding that cannot be read: write it in UTF-8",)
+
+
+CTEST = """<Site><Testing><TestList><Test>./good</Test></TestList>
+<Test Status="passed"><Name>good</Name><FullCommandLine>good</FullCommandLine></Test>
+<Test Status="failed"><Name>bad</Name><FullCommandLine>bad</FullCommandLine><Results>
+  <Measurement><Value>first\n[NON-XML-CHAR-0x1B][31m\u202elast[NON-XML-CHAR-0x0]\n\n</Value></Measurement></Results></Test>
+<Test Status="notrun"><Name>off</Name><Results>
+  <NamedMeasurement name="Completion Status"><Value>Disabled</Value></NamedMeasurement></Results></Test>
+<Test Status="failed"><Name>a</Name><FullCommandLine>a --xml "/ws/build/robot/a.xml"</FullCommandLine></Test>
+<Test Status="passed"><Name>b</Name><FullCommandLine>b --xml "/ws/build/robot/b.xml"</FullCommandLine></Test>
+<Test Status="failed"><Name>c</Name><FullCommandLine>c --xml "/ws/build/robot/b.xml"</FullCommandLine><Results>
+  <NamedMeasurement name="Exit Code"><Value>SEGFAULT</Value></NamedMeasurement></Results></Test>
+</Testing></Site>"""
+
+
+def test_tests_of_ctest_count_where_no_junit_file_has_them(tmp_path: Path) -> None:
+    (tmp_path / "robot/Testing/1").mkdir(parents=True)
+    (tmp_path / "robot/Testing/1/Test.xml").write_text(CTEST)
+    (tmp_path / "robot/a.xml").write_text(SUITE)
+    (tmp_path / "robot/b.xml").write_text('<testsuite><testcase name="good"/></testsuite>')
+    ours = ("robot: a.bad: 1 is not 2", "robot: bad: last", "robot: c: SEGFAULT")
+    assert junit.read(tmp_path) == junit.Tests(4 + 4, 1 + 1, ours)
+
+
+def test_a_long_name_or_message_is_cut(tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    case = f'<testcase name="{"n" * 999}"><failure message="{"m" * 999}"/></testcase>'
+    (tmp_path / "robot/a.xml").write_text(f"<testsuite>{case}</testsuite>")
+    assert junit.read(tmp_path).failures == (f"robot: {'n' * junit.SHOWN}: {'m' * junit.SHOWN}",)
+
+
+COLCON = """#!/bin/sh
+case $1 in
+list) printf '%s\n' robot arm ;;
+test)
+  sleep 0.05 # times of files are not exact
+  mkdir -p "$COLCON_LOG_PATH/latest_test"
+  printf "[0.1] (robot) JobStarted: {}\n[0.2] (robot) TestFailure: {'identifier': 'robot'}\n" \
+    >"$COLCON_LOG_PATH/latest_test/events.log"
+  echo '<testsuite/>' >build/robot/new.xml
+  echo '<Site><TestList></TestList></Site>' >build/robot/Test.xml
+  echo '<other/>' >build/robot/other.xml ;;
+esac
+"""
+
+
+def test_what_a_build_wrote_is_no_result_of_tests(tmp_path: Path) -> None:
+    work, out = tmp_path / "ws", tmp_path / "results"
+    for name in ("robot/data", "arm"):
+        (work / "build" / name).mkdir(parents=True)
+    (work / "build/robot/data/sample.xml").write_text("<testsuite/>")
+    (tmp_path / "colcon").write_text(COLCON)
+    (tmp_path / "colcon").chmod(0o755)
+    environment = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(work), "TMPDIR": str(tmp_path)}
+    subprocess.run([ROOT / "components/containerize/test.sh", out], env=environment, check=True)
+    left = sorted(str(path.relative_to(out)) for path in out.rglob("*") if path.is_file())
+    assert left == ["failed", "robot/Test.xml", "robot/new.xml"]
+    assert (out / "failed").read_text() == "robot: its tests failed and left no report\n"
 
 
 def test_no_image_is_made_where_a_test_failed(
