@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Iterator
@@ -265,6 +266,29 @@ def test_a_base_without_ros_is_asked_about(repository: Path, services: Services,
     assert "--ros-distro" in caught.value.remedy
     app(repository, services, base_image="plain:1", command="true", ros_distro="jazzy").build()
     assert 'ENV ROS_DISTRO="jazzy"' in calls[-1]["dockerfile-inline"]
+
+
+def test_each_script_that_a_build_calls_decides_what_a_cache_has(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    scripts = repository.parent / "components"
+    shutil.copytree(bake_file.SCRIPTS, scripts)
+    monkeypatch.setattr(bake_file, "SCRIPTS", scripts)
+    given = {"base_image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
+
+    def kept() -> str:
+        app(repository, services, **given).build()
+        [file] = services.state.rglob("bake.json")
+        return json.dumps(json.loads(file.read_text())["target"]["keep-runtime"]["output"])
+
+    seen = {kept()}
+    dockerfile = (scripts / "containerize/Dockerfile").read_text()
+    called = sorted(set(re.findall(r"from=scripts,source=([a-z_/]+\.(?:sh|py))", dockerfile)))
+    for name in called:
+        (scripts / name).write_text("changed")
+        seen.add(kept())
+    assert len(seen) == 1 + len(called)
 
 
 # ---- Tests of the app ------------------------------------------------------------------------------------------------

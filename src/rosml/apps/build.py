@@ -244,7 +244,10 @@ class App:
         given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
         return caches.keys(
             given | {"skip-keys": values["skip-keys"]},
-            [*(contexts[name] for name in names), *(bake_file.SCRIPTS / name for name in ("containerize", "build"))],
+            [
+                *(contexts[name] for name in names),
+                *(bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")),
+            ],
             contexts["upstream"],
             contexts["target"],
             values["cmake-args"],
