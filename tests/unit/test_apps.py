@@ -396,6 +396,32 @@ def test_no_image_is_made_where_a_test_failed(
     assert [call["name"] for call in calls] == ["all"]
 
 
+NAMES = ["robot", "me/robot", "me/a.b_c__d---e/f", "ghcr.io/me/robot", "localhost/robot", "127.0.0.1:5000/me/robot"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_names_are_those_that_registries_take(name: str, services: Services) -> None:
+    values = inputs.values({"image-name": name}, services.state, {})
+    assert names.Names(values, "robot", services_without_registry(services)).app == name
+
+
+@pytest.mark.parametrize(
+    "name",
+    [".", "..", "a/../b", "a//b", "/a", "a/", "-a", "a-", "a..b", "a___b", "a._b", "a:5000", "ghcr.io:x/a", "my robot"],
+)
+def test_other_names_are_refused(name: str, services: Services) -> None:
+    for given in ({"image-name": name}, {"image-name": "robot", "dev-image-name": name}):
+        values = inputs.values(given, services.state, {})
+        with pytest.raises(RosmlError, match="is no name of an image") as caught:
+            names.Names(values, "robot", services_without_registry(services))
+        assert caught.value.exit_code == 2
+
+
+def services_without_registry(services: Services) -> Services:
+    """Those of a user's Docker."""
+    return dataclasses.replace(services, registry="", builder_kind="user")
+
+
 def test_images_go_to_docker_where_there_is_one(
     repository: Path, services: Services, monkeypatch: pytest.MonkeyPatch
 ) -> None:
