@@ -8,7 +8,7 @@ import os
 import re
 import shutil
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -154,6 +154,69 @@ def test_what_is_no_package_of_apt_is_refused(tmp_path: Path) -> None:
     (tmp_path / "robot/docker/additional-debs.txt").write_text("htop; rm -rf /\n")
     with pytest.raises(RosmlError, match="'htop; rm -rf /' is no package of apt"):
         requests(tmp_path / "robot", {}, {})
+
+
+def link_out(place: Path) -> None:
+    place.symlink_to("/etc")
+
+
+def link_to_nothing(place: Path) -> None:
+    place.symlink_to("nothing")
+
+
+def link_to_itself(place: Path) -> None:
+    place.symlink_to(place.name)
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (link_out, "leads out of"),
+        (link_to_nothing, "a link to nothing"),
+        (link_to_itself, "a link to nothing"),
+        (Path.mkdir, "a folder in the place of a file"),
+    ],
+)
+@pytest.mark.parametrize("recursive", ["true", "false"])
+def test_what_a_file_of_the_repository_is_not_is_said(
+    make: Callable[[Path], None], says: str, recursive: str, tmp_path: Path
+) -> None:
+    (tmp_path / "robot/docker").mkdir(parents=True)
+    make(tmp_path / "robot/docker/custom.sh")
+    given = {"enable-recursive-after-dependency-installation-script": recursive}
+    with pytest.raises(RosmlError, match=f"docker/custom.sh:? {says}") as caught:
+        requests(tmp_path / "robot", given, {})
+    assert caught.value.exit_code == 2 and caught.value.remedy
+
+
+def test_nothing_outside_a_repository_is_read(tmp_path: Path) -> None:
+    repository = tmp_path / "robot"
+    (repository / "arm").mkdir(parents=True)
+    (tmp_path / "package.xml").write_text(PACKAGE.format("arm"))
+    (repository / "arm/package.xml").symlink_to("../../package.xml")
+    with pytest.raises(RosmlError, match=r"arm/package\.xml leads out of"):
+        workspace.write_manifests({"target": repository}, tmp_path / "out")
+    (repository / "files").symlink_to("..")
+    with pytest.raises(RosmlError, match=r"robot/files leads out of"):
+        workspace.additional_files("files", repository)
+    with pytest.raises(RosmlError, match=r"leads out of"):
+        requests(repository, {"additional-debs-file": "../package.xml"}, {})
+
+
+def test_additional_files_are_a_folder(tmp_path: Path) -> None:
+    assert workspace.additional_files("docker/additional-files", tmp_path) is None
+    assert workspace.additional_files("", tmp_path) is None
+    (tmp_path / "files").touch()
+    with pytest.raises(RosmlError, match="files: a file in the place of a folder"):
+        workspace.additional_files("files", tmp_path)
+    with pytest.raises(RosmlError, match="additional-files-dir: there is no folder file in"):
+        workspace.additional_files("file", tmp_path)
+
+
+def test_no_file_is_one_that_is_named_empty(tmp_path: Path) -> None:
+    (tmp_path / "robot/docker").mkdir(parents=True)
+    (tmp_path / "robot/docker/custom.sh").write_text("true")
+    assert requests(tmp_path / "robot", {"after-dependency-installation-script": ""}, {})["after.sh"] == ""
 
 
 APP: dict[str, list[str]] = {"packages": ["libfoo:all"], "changed": [], "replaced": [], "removed": []}

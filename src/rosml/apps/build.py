@@ -219,7 +219,7 @@ class App:
         count = workspace.write_manifests({"target": folder, "upstream": upstream}, manifests)
         workspace.write_requests(values, folder, upstream, base.environment, requests)
         self._say(f"{_count(count, 'package')} for {', '.join(self._names.platforms)}")
-        additional = folder / values["additional-files-dir"]
+        additional = workspace.additional_files(values["additional-files-dir"], folder)
         index = Path(values["rosdep-index"]).expanduser() if values["rosdep-index"] else empty
         if not index.is_dir():
             text = f"rosdep-index: there is no folder {index}"
@@ -229,7 +229,7 @@ class App:
             "target": folder,
             "upstream": upstream,
             "requests": requests,
-            "additional": additional if additional.is_dir() else empty,
+            "additional": additional or empty,
             "rosdep": index,
         }
         hooked = (requests / "identification.sh").stat().st_size > 0

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosml.apps import within
 from rosml.base.errors import RosmlError
 
 
@@ -278,15 +279,14 @@ def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -
         roots: the repository and its upstream sources.
 
     Raises:
-        RosmlError: one cannot be read.
+        RosmlError: one cannot be read, is none, or leads out of its repository (exit code 2).
     """
-    found = [folder / name]
+    found = [(folder / name, folder)]
     if recursive:
-        base = os.path.basename(name)
-        found = [path for root in roots for path in sorted(root.rglob(base)) if ".git" not in path.parts]
+        found = [(path, root) for root in roots for path in _called(os.path.basename(name), root)]
     texts = []
-    for path in found:
-        if not path.is_file():
+    for path, root in found:
+        if not within.there(path, root):
             continue
         try:
             texts.append(path.read_text())
@@ -294,6 +294,16 @@ def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -
             reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
             raise RosmlError(f"cannot read {path}: {reason}", "check the file", exit_code=2) from None
     return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
+
+
+def _called(name: str, root: Path) -> list[Path]:
+    """All that has a name below a folder, links to nothing as well, and nothing of git's."""
+    found = []
+    for path, folders, names in os.walk(root):
+        folders[:] = [below for below in folders if below != ".git"]
+        if name in folders or name in names:
+            found.append(Path(path, name))
+    return sorted(found)
 
 
 def lines_of(text: str) -> list[str]:
