@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Runs the tests of the packages in src/target, in the workspace that workspace.sh built. Their JUnit files go into a folder, with
-# `failed`, a list of what failed, if something did: whoever reads it says so, after the reports are out.
+# Runs the tests of the packages in src/target, in the workspace that workspace.sh built. Their JUnit files and those of CTest
+# go into a folder for each package, with `failed`, a list of what failed, if something did: whoever reads it says so, after
+# the reports are out.
 #   test.sh OUT
 set -euo pipefail
 
 out=$1
 mkdir -p "$out"
-export WORKSPACE=${WORKSPACE:-/docker-ros/ws} COLCON_LOG_PATH=/tmp/log ROS_HOME=/tmp/ros HOME=/tmp
+scratch=$(mktemp -d)
+export WORKSPACE=${WORKSPACE:-/docker-ros/ws} COLCON_LOG_PATH=$scratch/log ROS_HOME=/tmp/ros HOME=/tmp
 # shellcheck source=components/containerize/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -16,16 +18,16 @@ if [[ ${ROS_VERSION:-} == 1 ]]; then # catkin builds tests by a target of their 
   colcon build --base-paths src/target --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
     --cmake-target tests --cmake-target-skip-unavailable || echo "tests do not build" >>"$out/failed"
 fi
+touch "$scratch/begun"
 colcon test --base-paths src/target --packages-select "${packages[@]}" --event-handlers console_cohesion+ ||
   echo "colcon test ended with an error" >>"$out/failed"
+sed -n -E 's/^\[[0-9.]+\] \((.+)\) TestFailure: .*/\1: its tests failed and left no report/p' \
+  "$COLCON_LOG_PATH/latest_test/events.log" >>"$out/failed" || true # without a log, the line above says why
 for package in "${packages[@]}"; do
-  if ! colcon test-result --test-result-base "build/$package" --verbose >/tmp/result; then
-    sed "s/^/$package: /" /tmp/result >>"$out/failed"
-  fi
-  # JUnit files are XML with a test suite; CTest's own file is not one.
+  # What the build wrote is no result. JUnit files are XML with a test suite; CTest's own file has a list of tests.
   while IFS= read -r -d '' file; do
-    if grep -q '<testsuite' "$file"; then
+    if grep -q -e '<testsuite' -e '<TestList>' "$file"; then
       install -D --mode=644 "$file" "$out/$package/${file#"build/$package/"}"
     fi
-  done < <(find "build/$package" -name '*.xml' -print0)
+  done < <(find "build/$package" -name '*.xml' -newer "$scratch/begun" -print0)
 done

@@ -3,17 +3,24 @@ nothing else."""
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from registry_stand_in import StandIn, standing_in
 
-from rosml.apps.cache import Cache, Keys, keys, tree
+from rosml.apps import junit
+from rosml.apps.build import Built
+from rosml.apps.cache import FORMAT, Cache, Keys, keys
 from rosml.base.errors import RosmlError
+from rosml.registry import oci
 
 KEYS = Keys("e", "u", "a")
+
+REPORT = Built("base", packages=["robot"], keys={"roscpp": ["libroscpp-dev"]}, tests=junit.Tests(3, 1)).facts()
 
 
 @pytest.fixture
@@ -52,7 +59,11 @@ def write(path: str) -> Callable[[Path], object]:
         (lambda folder: (folder / "target/src/file").rename(folder / "target/src/other"), ["app"]),
         (write("upstream/file"), ["upstream", "app"]),
         (write("needs/file"), ["environment", "upstream", "app"]),
+        (lambda folder: (folder / "target/src/file").chmod(0o600), ["app"]),
+        (lambda folder: (folder / "target/src").chmod(0o700), ["app"]),
+        (lambda folder: (folder / "target/empty").mkdir(), ["app"]),
         (write("target/.env"), []),
+        (write("needs/.env"), ["environment", "upstream", "app"]),
         (lambda folder: os.utime(folder / "target/src/file", (1, 1)), []),
     ],
 )
@@ -77,20 +88,65 @@ def test_sources_that_a_script_changes_decide_which_packages_are_needed(folder: 
     assert differ(before, made(folder, hooked=True)) == ["environment", "upstream", "app"]
 
 
-def test_gits_folder_does_not_count(folder: Path) -> None:
-    before = tree(folder)
-    (folder / ".git").mkdir()
-    write(".git/HEAD")(folder)
-    assert tree(folder) == before
+def test_gits_folder_of_sources_does_not_count(folder: Path) -> None:
+    before = made(folder)
+    (folder / "target/.git").mkdir()
+    write("target/.git/HEAD")(folder)
+    assert made(folder) == before
 
 
 def test_a_report_is_found_again(registry: StandIn) -> None:
     with Cache(f"{registry.address}/me/robot-cache", "") as cache:
         assert (cache.found(KEYS), cache.report(KEYS)) == ({}, None)
-        cache.keep(KEYS, {"packages": ["robot"]})
-        assert cache.report(KEYS) == {"packages": ["robot"]}
+        cache.keep(KEYS, REPORT)
+        assert cache.report(KEYS) == REPORT
         assert cache.report(Keys("e", "u", "other")) is None
         assert cache.reference("app-a") == f"{registry.address}/me/robot-cache:app-a"
+
+
+ROBOT = "me/robot-cache"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"no JSON",
+        b"[]",
+        oci.encoded({**REPORT, "format": FORMAT + 1}),
+        oci.encoded(REPORT),
+        oci.encoded({"format": FORMAT, "packages": []}),
+        oci.encoded({**REPORT, "format": FORMAT, "tests": ["3", 1]}),
+        oci.encoded({**REPORT, "format": FORMAT, "tests": [3]}),
+        oci.encoded({**REPORT, "format": FORMAT, "packages": None}),
+    ],
+)
+def test_a_damaged_report_is_none(content: bytes, registry: StandIn) -> None:
+    with Cache(f"{registry.address}/{ROBOT}", "") as cache:
+        cache.keep(KEYS, REPORT)
+        [tag] = registry.tags[ROBOT]
+        manifest = json.loads(registry.manifests[ROBOT, registry.tags[ROBOT][tag]][1])
+        registry.blobs[ROBOT, oci.digest_of(content)] = content
+        manifest["layers"] = [oci.descriptor("application/json", content)]
+        with oci.Registry(registry.address) as client:
+            client.put_manifest(ROBOT, tag, manifest)
+        assert cache.report(KEYS) is None
+
+
+@pytest.mark.parametrize(
+    "manifest",
+    [
+        {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []},
+        {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []},
+        {**oci.artifact("application/vnd.rosml.app.report.v1+json", b"", ""), "layers": []},
+    ],
+)
+def test_another_manifest_is_no_report(manifest: dict[str, Any], registry: StandIn) -> None:
+    with Cache(f"{registry.address}/{ROBOT}", "") as cache:
+        cache.keep(KEYS, REPORT)
+        [tag] = registry.tags[ROBOT]
+        with oci.Registry(registry.address) as client:
+            client.put_manifest(ROBOT, tag, manifest, manifest["mediaType"])
+        assert cache.report(KEYS) is None
 
 
 def test_a_cache_is_a_repository() -> None:

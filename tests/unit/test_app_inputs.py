@@ -17,6 +17,46 @@ def test_the_command_line_wins_over_the_environment_and_that_over_the_file(tmp_p
     assert found["cmake-args"] == "-DCMAKE_BUILD_TYPE=Release"
 
 
+def test_an_empty_value_counts_on_the_command_line_alone(tmp_path: Path) -> None:
+    (tmp_path / ".env").write_text("CMAKE_ARGS=-DX=1\nIMAGE_TAG=\nIMAGE=me/robot:v1\n")
+    assert inputs.values({"cmake-args": ""}, tmp_path, {})["cmake-args"] == ""
+    assert inputs.values({}, tmp_path, {"CMAKE_ARGS": ""})["cmake-args"] == "-DX=1"
+    assert inputs.values({"image-name": ""}, tmp_path, {})["image-name"] == ""
+
+
+@pytest.mark.parametrize("value", ["-DA=1 -DB='a;b'", '-DA="a b|c"', r"-DA=a\;b", "-DA=${HOME}", "-DA='x'\n-DB=y", ""])
+def test_arguments_of_cmake_are_a_shells_words(value: str, tmp_path: Path) -> None:
+    assert inputs.values({"cmake-args": value}, tmp_path, {})["cmake-args"] == value
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"cmake-args": "-DA='b"}, "cmake-args: .*: its quotation has no end"),
+        ({"cmake-args": '-DA="b'}, "cmake-args: .*: its quotation has no end"),
+        ({"cmake-args": "-DA=b\\"}, "cmake-args: .*: its quotation has no end"),
+        ({"cmake-args": "-DA=a;b"}, "cmake-args: .*: ; needs quotes"),
+        ({"cmake-args": "-DA=1 | id"}, r"cmake-args: .*: \| needs quotes"),
+        ({"cmake-args": "-DA=1 & id"}, "cmake-args: .*: & needs quotes"),
+        ({"cmake-args": "-DA=1) id ("}, r"cmake-args: .*: \) needs quotes"),
+        ({"cmake-args": "-DA=1#2 # three"}, "cmake-args: .*: # needs quotes"),
+        ({"ros-distro": "Jazzy"}, "ros-distro: 'Jazzy'"),
+        ({"ros-distro": "jazzy; id"}, "ros-distro: 'jazzy; id'"),
+        ({"rmw-implementation": "cyclonedds"}, "rmw-implementation: 'cyclonedds'"),
+        ({"rmw-implementation": "rmw_a b"}, "rmw-implementation: 'rmw_a b'"),
+    ],
+)
+def test_a_value_that_a_step_could_not_use_is_refused(given: dict[str, str], says: str, tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match=says) as caught:
+        inputs.values(given, tmp_path, {})
+    assert caught.value.exit_code == 2 and caught.value.remedy
+
+
+def test_a_file_of_variables_may_begin_with_a_byte_order_mark(tmp_path: Path) -> None:
+    (tmp_path / ".env").write_bytes("COMMAND=ros2\n".encode("utf-8-sig"))
+    assert inputs.read_env(tmp_path / ".env") == {"COMMAND": "ros2"}
+
+
 def test_image_and_tag_may_be_one_variable(tmp_path: Path) -> None:
     """As docker-ros' local script has them."""
     found = inputs.values({}, tmp_path, {"IMAGE": "127.0.0.1:5000/me/robot:v1"})

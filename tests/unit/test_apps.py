@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import os
+import re
 import shutil
-from collections.abc import Iterator
+import subprocess
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 from registry_stand_in import StandIn, standing_in
 
+from rosml import ROOT
 from rosml.apps import bake_file, base, build, inputs, junit, names, sources, workspace
 from rosml.base.errors import RosmlError
 from rosml.machine import buildx
@@ -152,6 +156,69 @@ def test_what_is_no_package_of_apt_is_refused(tmp_path: Path) -> None:
         requests(tmp_path / "robot", {}, {})
 
 
+def link_out(place: Path) -> None:
+    place.symlink_to("/etc")
+
+
+def link_to_nothing(place: Path) -> None:
+    place.symlink_to("nothing")
+
+
+def link_to_itself(place: Path) -> None:
+    place.symlink_to(place.name)
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (link_out, "leads out of"),
+        (link_to_nothing, "a link to nothing"),
+        (link_to_itself, "a link to nothing"),
+        (Path.mkdir, "a folder in the place of a file"),
+    ],
+)
+@pytest.mark.parametrize("recursive", ["true", "false"])
+def test_what_a_file_of_the_repository_is_not_is_said(
+    make: Callable[[Path], None], says: str, recursive: str, tmp_path: Path
+) -> None:
+    (tmp_path / "robot/docker").mkdir(parents=True)
+    make(tmp_path / "robot/docker/custom.sh")
+    given = {"enable-recursive-after-dependency-installation-script": recursive}
+    with pytest.raises(RosmlError, match=f"docker/custom.sh:? {says}") as caught:
+        requests(tmp_path / "robot", given, {})
+    assert caught.value.exit_code == 2 and caught.value.remedy
+
+
+def test_nothing_outside_a_repository_is_read(tmp_path: Path) -> None:
+    repository = tmp_path / "robot"
+    (repository / "arm").mkdir(parents=True)
+    (tmp_path / "package.xml").write_text(PACKAGE.format("arm"))
+    (repository / "arm/package.xml").symlink_to("../../package.xml")
+    with pytest.raises(RosmlError, match=r"arm/package\.xml leads out of"):
+        workspace.write_manifests({"target": repository}, tmp_path / "out")
+    (repository / "files").symlink_to("..")
+    with pytest.raises(RosmlError, match=r"robot/files leads out of"):
+        workspace.additional_files("files", repository)
+    with pytest.raises(RosmlError, match=r"leads out of"):
+        requests(repository, {"additional-debs-file": "../package.xml"}, {})
+
+
+def test_additional_files_are_a_folder(tmp_path: Path) -> None:
+    assert workspace.additional_files("docker/additional-files", tmp_path) is None
+    assert workspace.additional_files("", tmp_path) is None
+    (tmp_path / "files").touch()
+    with pytest.raises(RosmlError, match="files: a file in the place of a folder"):
+        workspace.additional_files("files", tmp_path)
+    with pytest.raises(RosmlError, match="additional-files-dir: there is no folder file in"):
+        workspace.additional_files("file", tmp_path)
+
+
+def test_no_file_is_one_that_is_named_empty(tmp_path: Path) -> None:
+    (tmp_path / "robot/docker").mkdir(parents=True)
+    (tmp_path / "robot/docker/custom.sh").write_text("true")
+    assert requests(tmp_path / "robot", {"after-dependency-installation-script": ""}, {})["after.sh"] == ""
+
+
 APP: dict[str, list[str]] = {"packages": ["libfoo:all"], "changed": [], "replaced": [], "removed": [], "outside": []}
 
 
@@ -265,6 +332,29 @@ def test_a_base_without_ros_is_asked_about(repository: Path, services: Services,
     assert calls[-1]["args"]["APP_ROS_DISTRO"] == "jazzy"
 
 
+def test_each_script_that_a_build_calls_decides_what_a_cache_has(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    scripts = repository.parent / "components"
+    shutil.copytree(bake_file.SCRIPTS, scripts)
+    monkeypatch.setattr(bake_file, "SCRIPTS", scripts)
+    given = {"base_image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
+
+    def kept() -> str:
+        app(repository, services, **given).build()
+        [file] = services.state.rglob("bake.json")
+        return json.dumps(json.loads(file.read_text())["target"]["keep-runtime"]["output"])
+
+    seen = {kept()}
+    dockerfile = (scripts / "containerize/Dockerfile").read_text()
+    called = sorted(set(re.findall(r"from=scripts,source=([a-z_/]+\.(?:sh|py))", dockerfile)))
+    for name in called:
+        (scripts / name).write_text("changed")
+        seen.add(kept())
+    assert len(seen) == 1 + len(called)
+
+
 # ---- Tests of the app ------------------------------------------------------------------------------------------------
 
 SUITE = """<testsuites><testsuite name="robot">
@@ -281,11 +371,82 @@ def test_failures_are_named_with_what_they_said(tmp_path: Path) -> None:
 
 
 def test_what_left_no_report_counts_as_failed(tmp_path: Path) -> None:
+    """Whatever other packages report."""
     (tmp_path / "robot").mkdir()
-    (tmp_path / "failed").write_text("tests do not build\n")
-    assert junit.read(tmp_path).failures == ("tests do not build",)
+    (tmp_path / "failed").write_text("tests do not build\nrobot: left no report\narm: left no report\n")
+    found = junit.read(tmp_path)
+    assert found == junit.Tests(3, 0, ("tests do not build", "robot: left no report", "arm: left no report"))
     (tmp_path / "robot/a.xml").write_text(SUITE[:40])
-    assert junit.read(tmp_path).failures == ("robot: a.xml is no XML: its program was ended",)
+    assert junit.read(tmp_path).failures == (
+        "robot: a.xml is no XML: its program was ended",
+        "tests do not build",
+        "arm: left no report",
+    )
+
+
+@pytest.mark.parametrize("encoding", ["klingon", "shift_jis"])
+def test_an_encoding_that_cannot_be_read_is_said(encoding: str, tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/a.xml").write_text(f'<?xml version="1.0" encoding="{encoding}"?>{SUITE}')
+    assert junit.read(tmp_path).failures == ("robot: a.xml has an encoding that cannot be read: write it in UTF-8",)
+
+
+CTEST = """<Site><Testing><TestList><Test>./good</Test></TestList>
+<Test Status="passed"><Name>good</Name><FullCommandLine>good</FullCommandLine></Test>
+<Test Status="failed"><Name>bad</Name><FullCommandLine>bad</FullCommandLine><Results>
+  <Measurement><Value>first\n[NON-XML-CHAR-0x1B][31m\u202elast[NON-XML-CHAR-0x0]\n\n</Value></Measurement></Results></Test>
+<Test Status="notrun"><Name>off</Name><Results>
+  <NamedMeasurement name="Completion Status"><Value>Disabled</Value></NamedMeasurement></Results></Test>
+<Test Status="failed"><Name>a</Name><FullCommandLine>a --xml "/ws/build/robot/a.xml"</FullCommandLine></Test>
+<Test Status="passed"><Name>b</Name><FullCommandLine>b --xml "/ws/build/robot/b.xml"</FullCommandLine></Test>
+<Test Status="failed"><Name>c</Name><FullCommandLine>c --xml "/ws/build/robot/b.xml"</FullCommandLine><Results>
+  <NamedMeasurement name="Exit Code"><Value>SEGFAULT</Value></NamedMeasurement></Results></Test>
+</Testing></Site>"""
+
+
+def test_tests_of_ctest_count_where_no_junit_file_has_them(tmp_path: Path) -> None:
+    (tmp_path / "robot/Testing/1").mkdir(parents=True)
+    (tmp_path / "robot/Testing/1/Test.xml").write_text(CTEST)
+    (tmp_path / "robot/a.xml").write_text(SUITE)
+    (tmp_path / "robot/b.xml").write_text('<testsuite><testcase name="good"/></testsuite>')
+    ours = ("robot: a.bad: 1 is not 2", "robot: bad: last", "robot: c: SEGFAULT")
+    assert junit.read(tmp_path) == junit.Tests(4 + 4, 1 + 1, ours)
+
+
+def test_a_long_name_or_message_is_cut(tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    case = f'<testcase name="{"n" * 999}"><failure message="{"m" * 999}"/></testcase>'
+    (tmp_path / "robot/a.xml").write_text(f"<testsuite>{case}</testsuite>")
+    assert junit.read(tmp_path).failures == (f"robot: {'n' * junit.SHOWN}: {'m' * junit.SHOWN}",)
+
+
+COLCON = """#!/bin/sh
+case $1 in
+list) printf '%s\n' robot arm ;;
+test)
+  sleep 0.05 # times of files are not exact
+  mkdir -p "$COLCON_LOG_PATH/latest_test"
+  printf "[0.1] (robot) JobStarted: {}\n[0.2] (robot) TestFailure: {'identifier': 'robot'}\n" \
+    >"$COLCON_LOG_PATH/latest_test/events.log"
+  echo '<testsuite/>' >build/robot/new.xml
+  echo '<Site><TestList></TestList></Site>' >build/robot/Test.xml
+  echo '<other/>' >build/robot/other.xml ;;
+esac
+"""
+
+
+def test_what_a_build_wrote_is_no_result_of_tests(tmp_path: Path) -> None:
+    work, out = tmp_path / "ws", tmp_path / "results"
+    for name in ("robot/data", "arm"):
+        (work / "build" / name).mkdir(parents=True)
+    (work / "build/robot/data/sample.xml").write_text("<testsuite/>")
+    (tmp_path / "colcon").write_text(COLCON)
+    (tmp_path / "colcon").chmod(0o755)
+    environment = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "WORKSPACE": str(work), "TMPDIR": str(tmp_path)}
+    subprocess.run([ROOT / "components/containerize/test.sh", out], env=environment, check=True)
+    left = sorted(str(path.relative_to(out)) for path in out.rglob("*") if path.is_file())
+    assert left == ["failed", "robot/Test.xml", "robot/new.xml"]
+    assert (out / "failed").read_text() == "robot: its tests failed and left no report\n"
 
 
 def test_no_image_is_made_where_a_test_failed(
@@ -297,6 +458,32 @@ def test_no_image_is_made_where_a_test_failed(
         app(repository, services, base_image="ros:jazzy", command="true").build()
     assert "robot: a.bad: 1 is not 2" in caught.value.message
     assert [call["name"] for call in calls] == ["packages"]
+
+
+NAMES = ["robot", "me/robot", "me/a.b_c__d---e/f", "ghcr.io/me/robot", "localhost/robot", "127.0.0.1:5000/me/robot"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_names_are_those_that_registries_take(name: str, services: Services) -> None:
+    values = inputs.values({"image-name": name}, services.state, {})
+    assert names.Names(values, "robot", services_without_registry(services)).app == name
+
+
+@pytest.mark.parametrize(
+    "name",
+    [".", "..", "a/../b", "a//b", "/a", "a/", "-a", "a-", "a..b", "a___b", "a._b", "a:5000", "ghcr.io:x/a", "my robot"],
+)
+def test_other_names_are_refused(name: str, services: Services) -> None:
+    for given in ({"image-name": name}, {"image-name": "robot", "dev-image-name": name}):
+        values = inputs.values(given, services.state, {})
+        with pytest.raises(RosmlError, match="is no name of an image") as caught:
+            names.Names(values, "robot", services_without_registry(services))
+        assert caught.value.exit_code == 2
+
+
+def services_without_registry(services: Services) -> Services:
+    """Those of a user's Docker."""
+    return dataclasses.replace(services, registry="", builder_kind="user")
 
 
 def test_images_go_to_docker_where_there_is_one(

@@ -238,7 +238,7 @@ class App:
         count = workspace.write_manifests({"target": folder, "upstream": upstream}, manifests)
         workspace.write_requests({**values, "ros-distro": distribution}, folder, upstream, base.environment, requests)
         self._say(f"{_count(count, 'package')} for {', '.join(self._names.platforms)}")
-        additional = folder / values["additional-files-dir"]
+        additional = workspace.additional_files(values["additional-files-dir"], folder)
         index = folder / Path(values["rosdep-index"]).expanduser() if values["rosdep-index"] else empty
         if not index.is_dir():
             text = f"rosdep-index: there is no folder {index}"
@@ -248,7 +248,7 @@ class App:
             "target": state / "staged",
             "upstream": upstream,
             "requests": requests,
-            "additional": additional if additional.is_dir() else empty,
+            "additional": additional or empty,
             "rosdep": index,
         }
         hooked = (requests / "identification.sh").stat().st_size > 0
@@ -263,7 +263,10 @@ class App:
         given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
         return caches.keys(
             given | {"skip-keys": values["skip-keys"]},
-            [*(contexts[name] for name in names), *(bake_file.SCRIPTS / name for name in ("containerize", "build"))],
+            [
+                *(contexts[name] for name in names),
+                *(bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")),
+            ],
             contexts["upstream"],
             contexts["target"],
             values["cmake-args"],

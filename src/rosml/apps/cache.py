@@ -11,10 +11,12 @@ import hashlib
 import json
 import os
 import stat
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from pydantic import BaseModel, ConfigDict, Field
 
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
@@ -22,8 +24,12 @@ from rosml.registry import oci
 REPORT = "report"
 """The tag of what a build came to begins with this."""
 
+FORMAT = 1
+"""Of reports. Another number makes those that are in registries no reports: change it with their fields."""
+
 _TYPE = "application/vnd.rosml.app.report.v1+json"
-_LEFT_OUT = {".git", ".env"}
+_LEFT_OUT = (".git", ".env")
+"""What is no source, and never reaches an image."""
 
 
 @dataclass(frozen=True)
@@ -67,38 +73,58 @@ def keys(
         cmake: arguments of CMake. tests: whether they run.
         hooked: a script changes the sources before their dependencies are read, so that all of them count for these.
     """
-    sources = [tree(upstream), tree(target)]
+    sources = [tree(folder, _LEFT_OUT) for folder in (upstream, target)]
     environment = _digest(given, [tree(folder) for folder in dependencies], sources if hooked else [])
     built = _digest(environment, sources[0], cmake, sources[1] if hooked else "")
     return Keys(environment, built, _digest(built, sources[1], tests))
 
 
-def tree(folder: Path) -> str:
-    """The digest of all files below a folder: names, contents, links, and whether they can be run. Times do not count, nor
-    what never reaches an image."""
+def tree(folder: Path, without: Container[str] = ()) -> str:
+    """The digest of a folder and all below it: names, modes, contents and links. Times do not count.
+
+    Args:
+        without: names of files and folders that are left out, at any depth.
+    """
     total = hashlib.sha256()
-    for path in _files(folder):
+    for path in _found(folder, without):
         facts = path.lstat()
         total.update(os.fsencode(path.relative_to(folder)) + b"\0")
         if stat.S_ISLNK(facts.st_mode):
             total.update(b"link " + os.fsencode(os.readlink(path)) + b"\0")
-        elif stat.S_ISREG(facts.st_mode):
+            continue
+        total.update(f"{stat.S_IFMT(facts.st_mode):o} {stat.S_IMODE(facts.st_mode):o}".encode() + b"\0")
+        if stat.S_ISREG(facts.st_mode):
             with path.open("rb") as file:
-                content = hashlib.file_digest(file, "sha256").hexdigest()
-            total.update(f"{bool(facts.st_mode & stat.S_IXUSR)} {content}".encode() + b"\0")
+                total.update(hashlib.file_digest(file, "sha256").digest())
     return total.hexdigest()
 
 
-def _files(folder: Path) -> Iterator[Path]:
+def _found(folder: Path, without: Container[str]) -> Iterator[Path]:
+    """A folder and all below it, in an order that does not depend on the disk."""
     for path, folders, names in os.walk(folder):
-        folders[:] = sorted(name for name in folders if name not in _LEFT_OUT)
+        folders[:] = sorted(name for name in folders if name not in without)
         links = [name for name in folders if Path(path, name).is_symlink()]
-        yield from (Path(path, name) for name in sorted([*names, *links]) if name not in _LEFT_OUT)
+        yield Path(path)
+        yield from (Path(path, name) for name in sorted([*names, *links]) if name not in without)
 
 
 def _digest(*parts: object) -> str:
     """A short digest, for a tag."""
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
+
+
+class _Report(BaseModel):
+    """A report, as `Built.facts` gives it."""
+
+    model_config = ConfigDict(strict=True, extra="forbid")
+
+    packages: list[str]
+    keys: dict[str, Any]
+    installed: list[str]
+    changed: list[str]
+    replaced: list[str]
+    outside: list[str]
+    tests: list[int] = Field(min_length=2, max_length=2)
 
 
 class Cache:
@@ -138,12 +164,18 @@ class Cache:
         return there
 
     def report(self, keys: Keys) -> dict[str, Any] | None:
-        """What a build from the same came to; None if none passed."""
-        manifest = self._registry.manifest(self._place.repository, f"{REPORT}-{keys.app}")
-        if manifest is None:
+        """What a build from the same came to. None if none passed, or if what is there cannot be read or has another form."""
+        try:
+            manifest = self._registry.manifest(self._place.repository, f"{REPORT}-{keys.app}")
+            if manifest is None or manifest.content.get("artifactType") != _TYPE:
+                return None
+            [layer] = manifest.content.get("layers") or [None]
+            content = self._registry.json_blob(self._place.repository, layer["digest"])
+            if content.pop("format", None) != FORMAT:
+                return None
+            return _Report.model_validate(content).model_dump()
+        except (RosmlError, TypeError, ValueError):
             return None
-        [layer] = manifest.content["layers"]
-        return self._registry.json_blob(self._place.repository, layer["digest"])
 
     def keep(self, keys: Keys, report: Mapping[str, Any]) -> None:
         """Keeps what a build came to.
@@ -151,7 +183,7 @@ class Cache:
         Raises:
             RosmlError: the registry refuses.
         """
-        content = oci.encoded(report)
+        content = oci.encoded({**report, "format": FORMAT})
         for blob in (content, oci.EMPTY_BLOB):
             self._registry.put_blob(self._place.repository, blob)
         manifest = oci.artifact(_TYPE, content, "application/json")

@@ -1,7 +1,8 @@
 """What a user can say about an app: one table, from which the command's options and their documentation are made.
 
 Names, variables and defaults are those of docker-ros (https://github.com/ika-rwth-aachen/docker-ros), so that its users keep
-their files. Values come from the command line, else from the environment, else from a file `.env` in the folder.
+their files. Values come from the command line, else from the environment, else from a file `.env` in the folder. A value of the
+command line counts where it is empty, too. A variable that is empty says nothing, as in `${VARIABLE:-default}`.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from rosml.apps import within
 from rosml.base.errors import RosmlError
 
 
@@ -119,6 +121,12 @@ _IMAGE = Input("image")
 
 FILE = ".env"
 
+_PATTERNS = {
+    "ros-distro": ("[a-z][a-z0-9]*|Debian", "name one, such as jazzy"),
+    "rmw-implementation": ("rmw_[a-z0-9_]+", "name one, such as rmw_cyclonedds_cpp"),
+}
+"""Inputs that become a part of names of packages: how their values look, and what to do about others."""
+
 _PIECE = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^\s'"\\]+)""", re.DOTALL)
 
 _LINE = re.compile(r"\s*(?:export\s+)?([A-Za-z_][A-Za-z0-9_]*)=(.*)", re.DOTALL)
@@ -133,28 +141,62 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
         environment: of the process.
 
     Raises:
-        RosmlError: `.env` cannot be read, or a flag is neither true nor false (exit code 2).
+        RosmlError: `.env` cannot be read, or a value is none that its input can have (exit code 2).
     """
     file = read_env(folder / FILE)
     found = {}
     for item in TABLE:
         if item.gone:
             continue
-        said = (given.get(item.name), environment.get(item.variable), file.get(item.variable))
-        value = next((text for text in said if text), item.default)
+        value = given.get(item.name)
+        if value is None:
+            value = environment.get(item.variable) or file.get(item.variable) or item.default
         if item.flag:
             value = value.lower()
             if value not in ("true", "false"):
                 raise RosmlError(f"{item.name} is true or false, not {value!r}", f"check {item.variable}", exit_code=2)
+        _require_possible(item.name, value)
         found[item.name] = value
     named = environment.get(_IMAGE.variable) or file.get(_IMAGE.variable, "")
-    if named and not (given.get("image-name") or given.get("image-tag")):
+    if named and given.get("image-name") is None and given.get("image-tag") is None:
         name, colon, tag = named.rpartition(":")
         if not colon or "/" in tag:
             name, tag = named, ""
         found["image-name"] = name
         found["image-tag"] = tag or found["image-tag"]
     return found
+
+
+def _require_possible(name: str, value: str) -> None:
+    """Checks what becomes a part of a shell's words, or of names of packages.
+
+    Raises:
+        RosmlError: it cannot be that (exit code 2).
+    """
+    if name == "cmake-args":
+        problem, remedy = _problem_of_words(value), "write it as a shell reads it, such as -DNAME='a;b'"
+    else:
+        pattern, remedy = _PATTERNS.get(name, ("(?s:.*)", ""))
+        problem = "" if not value or re.fullmatch(pattern, value) else "that is no name of one"
+    if problem:
+        raise RosmlError(f"{name}: {value!r}: {problem}", remedy, exit_code=2)
+
+
+def _problem_of_words(text: str) -> str:
+    """Why a shell cannot read a text as words alone; empty where it can."""
+    place = 0
+    while place < len(text):
+        if text[place].isspace():
+            place += 1
+            continue
+        piece = _PIECE.match(text, place)
+        if piece is None:
+            return "its quotation has no end"
+        begins = place == 0 or text[place - 1].isspace()
+        if found := re.search(r"^#|[;|&()<>`]" if begins else "[;|&()<>`]", piece[4] or ""):
+            return f"{found[0]} needs quotes"
+        place = piece.end()
+    return ""
 
 
 def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
@@ -174,7 +216,7 @@ def read_env(file: Path) -> dict[str, str]:
         RosmlError: it cannot be read; or a line is no such line, or would need a shell (exit code 2).
     """
     try:
-        text = file.read_text()
+        text = file.read_text("utf-8-sig")
     except FileNotFoundError:
         return {}
     except UnicodeDecodeError:
@@ -239,15 +281,14 @@ def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -
         roots: the repository and its upstream sources.
 
     Raises:
-        RosmlError: one cannot be read.
+        RosmlError: one cannot be read, is none, or leads out of its repository (exit code 2).
     """
-    found = [folder / name]
+    found = [(folder / name, folder)]
     if recursive:
-        base = os.path.basename(name)
-        found = [path for root in roots for path in sorted(root.rglob(base)) if ".git" not in path.parts]
+        found = [(path, root) for root in roots for path in _called(os.path.basename(name), root)]
     texts = []
-    for path in found:
-        if not path.is_file():
+    for path, root in found:
+        if not within.there(path, root):
             continue
         try:
             texts.append(path.read_text())
@@ -255,6 +296,16 @@ def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -
             reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
             raise RosmlError(f"cannot read {path}: {reason}", "check the file", exit_code=2) from None
     return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
+
+
+def _called(name: str, root: Path) -> list[Path]:
+    """All that has a name below a folder, links to nothing as well, and nothing of git's."""
+    found = []
+    for path, folders, names in os.walk(root):
+        folders[:] = [below for below in folders if below != ".git"]
+        if name in folders or name in names:
+            found.append(Path(path, name))
+    return sorted(found)
 
 
 def lines_of(text: str) -> list[str]:

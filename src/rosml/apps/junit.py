@@ -1,7 +1,8 @@
-"""What JUnit files say of tests."""
+"""What the tests of packages left: JUnit files, and those of CTest."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,35 +27,93 @@ def add(one: Tests, other: Tests) -> Tests:
 
 
 def read(folder: Path) -> Tests:
-    """All JUnit files below a folder, which has one for each package, and its file `failed`: what is no test's own failure,
-    such as tests that do not build or a program that ended without a report."""
+    """What is below a folder that has a folder for each package.
+
+    A test of CTest whose program writes a JUnit file is counted there. The file `failed` has what left no report, such as
+    tests that do not build. Its lines `PACKAGE: …` count if no test of that package failed.
+    """
     found = Tests()
+    for package in sorted(path for path in folder.glob("*") if path.is_dir()):
+        found = add(found, _package(package))
+    try:
+        lines = (folder / "failed").read_text(errors="replace").split("\n")
+    except FileNotFoundError:
+        return found
+    told = {line.partition(": ")[0] for line in found.failures}
+    others = tuple(clean for line in lines if (clean := _clean(line)) and clean.partition(": ")[0] not in told)
+    return add(found, Tests(len(others), 0, others))
+
+
+def _package(folder: Path) -> Tests:
+    found = Tests()
+    reports: list[str] = []
+    failed: list[str] = []
+    ctest: list[ElementTree.Element] = []
     for path in sorted(folder.rglob("*.xml")):
-        found = add(found, _file(path, path.relative_to(folder).parts[0]))
-    failed = folder / "failed"
-    if failed.exists() and not found.failures:
-        lines = failed.read_text(errors="replace").split("\n")
-        found = add(found, Tests(failures=tuple(line for line in lines if line.strip())))
+        try:
+            root = ElementTree.parse(path).getroot()
+        except ElementTree.ParseError:
+            text = f"{folder.name}: {path.name} is no XML: its program was ended"
+            found = add(found, Tests(1, 0, (text,)))
+        except (LookupError, ValueError):  # an encoding that Python does not know, or expat cannot take
+            text = f"{folder.name}: {path.name} has an encoding that cannot be read: write it in UTF-8"
+            found = add(found, Tests(1, 0, (text,)))
+        else:
+            if root.tag == "Site":
+                ctest += root.iter("Test")
+                continue
+            tests = _junit(root, folder.name)
+            (failed if tests.failures else reports).append(f"/{folder.name}/{path.relative_to(folder)}")
+            found = add(found, tests)
+    for test in ctest:
+        if "Status" in test.attrib:
+            found = add(found, _ctest(test, folder.name, reports, failed))
     return found
 
 
-def _file(path: Path, package: str) -> Tests:
-    try:
-        root = ElementTree.parse(path).getroot()
-    except ElementTree.ParseError:
-        return Tests(1, 0, (f"{package}: {path.name} is no XML: its program was ended",))
+def _junit(root: ElementTree.Element, package: str) -> Tests:
     count = skipped = 0
     failures = []
-    for case in _cases(root):
+    for case in root.iter("testcase"):
         count += 1
         skipped += case.find("skipped") is not None
         wrong = next((found for kind in ("failure", "error") if (found := case.find(kind)) is not None), None)
         if wrong is not None:
-            said = " ".join((wrong.get("message") or wrong.text or "").split())[:SHOWN]
             name = ".".join(filter(None, (case.get("classname"), case.get("name"))))
-            failures.append(f"{package}: {name}: {said}".rstrip(": "))
+            failures.append(_failure(package, name, wrong.get("message") or wrong.text or ""))
     return Tests(count, skipped, tuple(failures))
 
 
-def _cases(root: ElementTree.Element) -> Iterator[ElementTree.Element]:
-    yield from root.iter("testcase")
+def _ctest(test: ElementTree.Element, package: str, reports: list[str], failed: list[str]) -> Tests:
+    """A test of CTest; nothing where the JUnit file that it wrote says the same.
+
+    Args:
+        reports, failed: JUnit files without and with a failure.
+    """
+    values = dict(_measured(test))
+    status = test.get("Status")
+    skipped = status == "notrun" and re.match("SKIP|Disabled", values.get("Completion Status", "")) is not None
+    right = status == "passed" or skipped
+    command = test.findtext("FullCommandLine", "")
+    if any(name in command for name in (*failed, *(reports if right else ()))):
+        return Tests()
+    if right:
+        return Tests(1, int(skipped))
+    output = [line for line in test.findtext("Results/Measurement/Value", "").splitlines() if _clean(line)]
+    said = output[-1] if output else values.get("Exit Code", "")
+    return Tests(1, 0, (_failure(package, test.findtext("Name", ""), said),))
+
+
+def _measured(test: ElementTree.Element) -> Iterator[tuple[str, str]]:
+    for item in test.iter("NamedMeasurement"):
+        yield item.get("name", ""), item.findtext("Value", "")
+
+
+def _failure(package: str, name: str, said: str) -> str:
+    return f"{package}: {_clean(name)}: {_clean(said)}".rstrip(": ")
+
+
+def _clean(text: str) -> str:
+    """A line that a terminal shows as it is, and that is not too long."""
+    text = re.sub(r"\x1b\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-0x1B\]\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-\w+\]", "", text)
+    return " ".join("".join(sign if sign.isprintable() else " " for sign in text).split())[:SHOWN]

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from rosml.base.errors import RosmlError
 from rosml.machine.base_images import native_architecture
 from rosml.machine.services import Services
+from rosml.registry import oci
 
 TARGETS = ("run", "dev")
 """Images that an app can have: to run it, and to work on it."""
@@ -92,9 +93,10 @@ def has_registry(name: str) -> bool:
 
 
 def _name(text: str) -> str:
-    """A name of an image without its tag."""
-    if not re.fullmatch(r"[a-z0-9.:-]+(/[a-z0-9._-]+)+|[a-z0-9._-]+", text):
-        raise RosmlError(
-            f"{text!r} is no name of an image", "add --image-name: small letters, digits, and hyphens", exit_code=2
-        )
+    """A name of an image without its tag, as registries take it."""
+    host, path = text.split("/", 1) if has_registry(text) else ("localhost", text)
+    if not oci.is_place(host, path):
+        text = f"{text!r} is no name of an image"
+        remedy = "add --image-name: small letters and digits, with single points, hyphens and slashes between them"
+        raise RosmlError(text, remedy, exit_code=2)
     return text

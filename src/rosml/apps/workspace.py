@@ -9,7 +9,7 @@ import stat
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from rosml.apps import inputs
+from rosml.apps import inputs, within
 from rosml.base.errors import RosmlError
 
 SECRET = (".git", ".env")
@@ -36,7 +36,7 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
     """Copies the manifests of some folders, each below its name; gives the number of packages.
 
     Raises:
-        RosmlError: there is no package.
+        RosmlError: there is no package, or a manifest cannot be read or leads out of its folder (exit code 2).
     """
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
@@ -45,8 +45,15 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
         for path in manifests(root):
             target = out / name / path.relative_to(root)
             target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(path, target)
-            count += path.name == "package.xml"
+            if path.name in IGNORED:
+                target.touch()
+                continue
+            within.there(path, root)
+            try:
+                shutil.copyfile(path, target)
+            except OSError as error:
+                raise RosmlError(f"cannot read {path}: {error.strerror}", "check the file", exit_code=2) from None
+            count += 1
     if not count:
         raise RosmlError(
             f"there is no package.xml in {roots['target']}",
@@ -87,6 +94,25 @@ def _link(source: Path, target: Path) -> None:
             shutil.copy2(source, target)
 
 
+def additional_files(name: str, folder: Path) -> Path | None:
+    """The folder of the repository that an image gets; None if it has none.
+
+    Raises:
+        RosmlError: a folder that was named is not there, is none, or leads out of the repository (exit code 2).
+    """
+    if not name:
+        return None
+    _require_named("additional-files-dir", name, folder, "folder")
+    return folder / name if within.there(folder / name, folder, folder=True) else None
+
+
+def _require_named(name: str, value: str, folder: Path, kind: str) -> None:
+    """Checks that what a user named is there; a default need not be."""
+    default = next(item.default for item in inputs.TABLE if item.name == name)
+    if value != default and not os.path.lexists(folder / value):
+        raise RosmlError(f"{name}: there is no {kind} {value} in {folder}", "check its name", exit_code=2)
+
+
 def write_requests(
     values: Mapping[str, str], folder: Path, upstream: Path, environment: Mapping[str, str], out: Path
 ) -> None:
@@ -102,9 +128,10 @@ def write_requests(
 
     def said(name: str, recursive: str = "") -> str:
         every = bool(recursive) and values[recursive] == "true"
-        default = next(item.default for item in inputs.TABLE if item.name == name)
-        if values[name] != default and not every and not (folder / values[name]).is_file():
-            raise RosmlError(f"{name}: there is no file {values[name]} in {folder}", "check its name", exit_code=2)
+        if not values[name]:
+            return ""
+        if not every:
+            _require_named(name, values[name], folder, "file")
         return inputs.text_of(folder, values[name], every, roots)
 
     debs = inputs.lines_of(said("additional-debs-file", "enable-recursive-additional-debs"))
