@@ -58,6 +58,7 @@ FIRST = (
     "attached",
     "workflows",
     "contract",
+    "containerize",
     "ros",
     "documentation",
     "join",
