@@ -293,6 +293,15 @@ def test_a_run_image_starts_from_its_packages_where_they_replace_some_of_the_bas
     assert "libbar:amd64" in dict(built.summary())[""]
 
 
+def test_a_relative_index_of_rosdep_is_one_of_the_folder(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    (repository / "lists").mkdir()
+    app(repository, services, base_image="ros:jazzy", command="true", rosdep_index="lists").build()
+    assert calls[0]["contexts"]["rosdep"] == str(repository / "lists")
+
+
 def test_names_and_tags_are_those_of_docker_ros(
     repository: Path, services: Services, calls: list[dict[str, Any]]
 ) -> None:

@@ -21,16 +21,13 @@ class Base:
 
     Attributes:
         name: as people write it, with its registry and tag. digest: of its index, or of its manifest.
-        platforms: that it has.
-        environment: its variables, and labels, of the first platform that was asked for.
+        environment: its variables, of the first platform that was asked for.
         local: whether it is in the user's Docker, and in no registry that answers.
     """
 
     name: str
     digest: str
-    platforms: tuple[str, ...]
     environment: Mapping[str, str]
-    labels: Mapping[str, str]
     local: bool = False
 
     @property
@@ -43,12 +40,11 @@ class Base:
 
 def candidates(text: str, services: Services) -> tuple[str, ...]:
     """Complete references that a user may mean, the likeliest first."""
-    text = text.removeprefix("docker.io/") if text.startswith("docker.io/") else text
-    host = text.split("/")[0]
-    if "/" in text and (re.search(r"[.:]", host) or host == "localhost"):
+    text = text.removeprefix(f"{DOCKER_HUB}/")
+    if oci.has_registry(text):
         return (text,)
     local = (f"{services.registry}/{NAMESPACE}/{text}", f"{services.registry}/{text}") if services.registry else ()
-    return (*local, f"{DOCKER_HUB}/{text}" if "/" in text else f"{DOCKER_HUB}/library/{text}")
+    return (*local, oci.complete(text))
 
 
 def find(text: str, services: Services, platforms: tuple[str, ...]) -> Base:
@@ -57,9 +53,10 @@ def find(text: str, services: Services, platforms: tuple[str, ...]) -> Base:
     Raises:
         RosmlError: there is none, or it is for other platforms.
     """
+    names = candidates(text, services)
     refused: RosmlError | None = None
     with oci.Registries(services.ca_bundle) as registries:
-        for name in candidates(text, services):
+        for name in names:
             place = oci.parse(name)
             registry = registries(place.host)
             try:
@@ -72,12 +69,11 @@ def find(text: str, services: Services, platforms: tuple[str, ...]) -> Base:
     if services.builder_kind != "buildkitd" and (found := _in_docker(text)):
         return found
     if refused:
-        if len(candidates(text, services)) == 1:
+        if len(names) == 1:
             raise refused
         raise RosmlError(f"there is no image {text} in the local registry, and {refused.message}", refused.remedy)
-    tried = ", ".join(candidates(text, services))
     raise RosmlError(
-        f"there is no image {text} (looked for {tried})",
+        f"there is no image {text} (looked for {', '.join(names)})",
         "check its name with 'rosml list'; 'rosml image TARGET' builds one of ours; 'docker login' for a private one",
         exit_code=2,
     )
@@ -91,14 +87,12 @@ def _in_docker(text: str) -> Base | None:
         [facts] = json.loads(done.stdout)
     except (OSError, ValueError):
         return None
-    config = facts.get("Config") or {}
-    return _base(text, facts["Id"], (f"{facts['Os']}/{facts['Architecture']}",), config, local=True)
+    return Base(text, facts["Id"], _variables(facts.get("Config") or {}), local=True)
 
 
-def _base(name: str, digest: str, platforms: tuple[str, ...], config: Mapping[str, Any], local: bool = False) -> Base:
-    pairs = (item.partition("=") for item in config.get("Env") or [])
-    variables = {name: value for name, _, value in pairs}
-    return Base(name, digest, platforms, variables, config.get("Labels") or {}, local)
+def _variables(config: Mapping[str, Any]) -> dict[str, str]:
+    """The variables that the configuration of an image sets."""
+    return {name: value for name, _, value in (item.partition("=") for item in config.get("Env") or [])}
 
 
 def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
@@ -125,4 +119,4 @@ def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, pla
         text = f"{place} is not for {', '.join(missing)}"
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
     config = configs[platforms[0] if platforms else known[0]].get("config") or {}
-    return _base(str(place), found.digest, known, config)
+    return Base(str(place), found.digest, _variables(config))

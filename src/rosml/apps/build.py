@@ -185,12 +185,12 @@ class App:
                 facts = None
             kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
         arguments = (inputs, self._names, self._services, [*self._environment], report, known, kept)
-        files.write(file, bake_file.render(*arguments))
         if facts:
             self._say(f"nothing to build: {self._values['cache']} has it")
             built.take(facts)
         else:
             shutil.rmtree(report, ignore_errors=True)
+            files.write(file, bake_file.render(*arguments))
             buildx.run(self._services, buildx.Bake(bake_file.PACKAGES, f"containerize-{self._state.name}", file))
             self._read(report, built)
             self._require_passed(built)

@@ -17,7 +17,7 @@ from typing import Any
 from rosml.apps import inputs, junit
 from rosml.apps.build import App
 from rosml.apps.inputs import Input
-from rosml.apps.names import has_registry, listed_platforms
+from rosml.apps.names import listed, listed_platforms
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
@@ -248,7 +248,6 @@ class Job:
             "image-tag": wanted["run"][0] + end,
             "dev-image-tag": wanted["dev"][0] + end,
             "enable-push-as-latest": "false",
-            "rosdep-index": str(folder / self._values["rosdep-index"]) if self._values["rosdep-index"] else "",
         }
         app = App(folder, values, self._environment, services, self._say)
         shutil.rmtree(app.report, ignore_errors=True)
@@ -280,12 +279,8 @@ class Job:
             return []
         found = [image for file in sorted(folder.rglob(FILE)) for image in _read(file)]
         made = []
-        for target in self._values["target"].split(","):
-            wanted = (
-                target.strip(),
-                self._names.get(target.strip(), ""),
-                tuple(tags(target, self._values, self._what)),
-            )
+        for target in listed(self._values["target"]):
+            wanted = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._what)))
             members = [image for image in found if (image.target, image.name, image.tags) == wanted]
             there = {name: image for image in members for name in image.platforms}
             if missing := [name for name in self._platforms if name not in there]:
@@ -300,7 +295,7 @@ class Job:
 def _complete(name: str) -> str:
     """A name of an image as registries know it; without one of them, it is Docker Hub's, as for docker."""
     name = name.lower()
-    return name if not name or has_registry(name) else f"{DOCKER_HUB}/{name}"
+    return name if not name or oci.has_registry(name) else f"{DOCKER_HUB}/{name}"
 
 
 def _keep(report: Path, out: Path) -> None:

@@ -44,7 +44,7 @@ class Names:
             tag = values["dev-image-tag"] or f"{tag}-dev"
         if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
             raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
-        local = f"{self._registry}/" if self._registry and not self.loads and not has_registry(name) else ""
+        local = f"{self._registry}/" if self._registry and not self.loads and not oci.has_registry(name) else ""
         return f"{local}{name}:{tag}"
 
     def tags(self, target: str) -> list[str]:
@@ -59,7 +59,7 @@ class Names:
         names = [self.reference(target).rpartition(":")[0] for target in self.targets]
         if self._values["push"] == "true":
             for name in names:
-                if not has_registry(name):
+                if not oci.has_registry(name):
                     raise RosmlError(f"{name} names no registry", "name one, such as ghcr.io/me/robot", exit_code=2)
         elif self.loads and len(self.platforms) > 1:
             raise RosmlError("Docker holds images of one platform", "name one platform, or add --push", exit_code=2)
@@ -70,8 +70,13 @@ class Names:
                     raise RosmlError(text, "add --push, or leave the registry out of the name", exit_code=2)
 
 
+def listed(text: str) -> list[str]:
+    """The words of a list with commas."""
+    return [word.strip() for word in text.split(",") if word.strip()]
+
+
 def _targets(text: str) -> tuple[str, ...]:
-    found = [word.strip() for word in text.split(",") if word.strip()]
+    found = listed(text)
     for word in found:
         if word not in TARGETS:
             raise RosmlError(f"{word!r} is no target", f"there are: {', '.join(TARGETS)}", exit_code=2)
@@ -82,19 +87,13 @@ def _targets(text: str) -> tuple[str, ...]:
 
 def listed_platforms(text: str) -> tuple[str, ...]:
     """Platforms as BuildKit names them; docker-ros' users write only the architecture."""
-    names = [word.strip() for word in text.split(",") if word.strip()] or [native_architecture()]
+    names = listed(text) or [native_architecture()]
     return tuple(dict.fromkeys(name if "/" in name else f"linux/{name}" for name in names))
-
-
-def has_registry(name: str) -> bool:
-    """Whether the name of an image begins with a registry."""
-    host = name.split("/")[0]
-    return "/" in name and (re.search(r"[.:]", host) is not None or host == "localhost")
 
 
 def _name(text: str) -> str:
     """A name of an image without its tag, as registries take it."""
-    host, path = text.split("/", 1) if has_registry(text) else ("localhost", text)
+    host, path = text.split("/", 1) if oci.has_registry(text) else ("localhost", text)
     if not oci.is_place(host, path):
         text = f"{text!r} is no name of an image"
         remedy = "add --image-name: small letters and digits, with single points, hyphens and slashes between them"

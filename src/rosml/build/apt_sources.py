@@ -197,10 +197,7 @@ def _read(services: Services, reference: str, architecture: str) -> Texts:
 
 def _places(services: Services, reference: str) -> list[oci.Reference]:
     """Where a base image is: the local registry first, where that is the builder's mirror of Docker Hub."""
-    first, slash, _ = reference.partition("/")
-    if not slash or not (re.search("[.:]", first) or first == "localhost"):  # as Docker completes it
-        reference = f"{DOCKER_HUB}/{reference}" if slash else f"{DOCKER_HUB}/library/{reference}"
-    place = oci.parse(reference)
+    place = oci.parse(oci.complete(reference))
     mirrored = place.host == DOCKER_HUB and services.bases and services.registry
     return [place._replace(host=services.registry), place] if mirrored else [place]
 

@@ -123,10 +123,23 @@ def parse(reference: str) -> Reference:
     """
     found = _REFERENCE.fullmatch(reference)
     host = found[1] if found else ""
-    if found is None or not is_place(host, found[2]) or not (re.search(r"[.:]", host) or host == "localhost"):
+    if found is None or not is_place(host, found[2]) or not has_registry(reference):
         text = f"{reference!r} is no reference with a registry, a repository and a tag or digest"
         raise RosmlError(text, "write it in full, such as ghcr.io/me/ros:jazzy-base", exit_code=2)
     return Reference(found[1], found[2], found[4] or found[3] or "latest")
+
+
+def has_registry(name: str) -> bool:
+    """Whether the name of an image begins with a registry; Docker tells it so from a path of Docker Hub's."""
+    host, slash, _ = name.partition("/")
+    return bool(slash) and (re.search(r"[.:]", host) is not None or host == "localhost")
+
+
+def complete(name: str) -> str:
+    """The name of an image with its registry: without one, it is Docker Hub's."""
+    if has_registry(name):
+        return name
+    return f"{DOCKER_HUB}/{name}" if "/" in name else f"{DOCKER_HUB}/library/{name}"
 
 
 def is_place(host: str, path: str) -> bool:
