@@ -24,7 +24,7 @@ become() {
 
 # give FOLDER: it becomes the user's, with all in it that is root's. Whatever is mounted keeps its owner.
 give() {
-  local folder point skipped=()
+  local errors folder point skipped=()
   folder=$(realpath --canonicalize-existing -- "$1") || return 0
   while read -r _ _ _ _ point _; do
     printf -v point %b "$point" # a space is \040 there
@@ -34,9 +34,12 @@ give() {
       skipped+=(-path "$point" -prune -o)
     fi
   done </proc/self/mountinfo
-  # Others may work there: docker exec comes here as well.
-  find "$folder" -ignore_readdir_race -xdev "${skipped[@]}" -user 0 -exec chown --no-dereference "$uid:$gid" {} + ||
+  errors=$(LC_ALL=C find "$folder" -ignore_readdir_race -xdev "${skipped[@]}" -user 0 \
+    -exec chown --no-dereference "$uid:$gid" {} + 2>&1) && return
+  # Others may work there, since docker exec comes here as well: what is gone by now needs no owner.
+  if grep --invert-match ': No such file or directory$' <<<"$errors" >&2; then
     fail "cannot give $folder to the user $user" "the line above says why" 71
+  fi
 }
 
 # give_workspace: the user owns it, and finds it as ~/ws.

@@ -350,7 +350,8 @@ def test_files_that_come_and_go_keep_nobody_out(container: Container) -> None:
     busy = "while :; do mkdir -p a/b; touch a/b/{1..200}; rm -rf a; done"
     user = "DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh"
     script = (
-        f"{user} bash -c '{busy}' & sleep 0.5; for _ in {{1..20}}; do {user} true || exit; done; kill $!; echo well"
+        f"bash -c '{busy}' & {user} bash -c '{busy.replace('a', 'b')}' & sleep 0.5; "
+        f"for _ in {{1..30}}; do {user} true || exit; done; kill %1 %2; echo well"
     )
     done = container.run("bash", "-c", script)
     assert (done.code, done.out) == (0, "well\n"), done
