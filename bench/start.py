@@ -28,7 +28,7 @@ ENGINE = """\
 echo "$*" >>"$0.calls"
 case $1 in
   info) echo '{"ServerVersion": "28.2.2"}' ;;
-  image) echo '"sha256:1" {"Env": ["DOCKER_UID="]}' ;;
+  image) echo '{"Id": "sha256:1", "Config": {"Env": ["DOCKER_UID="]}}' ;;
 esac
 """
 

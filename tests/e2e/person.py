@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
+import pty
+import select
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
+import termios
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -17,26 +23,28 @@ from tests.e2e import engine
 from tests.e2e.conftest import Run
 
 UID = 12345
+SIZE = (33, 101)
 
 
 @dataclass
 class Person:
-    """They may talk to the engine: nobody's uid where the tests started it, or else this user."""
+    """Who may talk to an engine.
 
-    engine: engine.Engine
+    Attributes:
+        become: the words before each command, which make the tests' user this person.
+    """
+
     folder: Path
     uid: int
+    become: list[str] = field(default_factory=list)
     environment: dict[str, str] = field(default_factory=dict)
 
     def start(self, *words: str) -> subprocess.Popen[str]:
-        """The command, while it runs."""
-        become = ["setpriv", f"--reuid={self.uid}", f"--regid={self.uid}", "--clear-groups"]
-        own = {"HOME": str(self.folder), "PYTHONPATH": str(ROOT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
-        host = {"DOCKER_HOST": self.engine.host} if self.engine.host else {}
+        """The command rosml, while it runs."""
         return subprocess.Popen(
-            [*(become if self.engine.host else []), sys.executable, "-m", "rosml", *words],
+            [*self.become, *_rosml(words)],
             cwd=self.folder,
-            env={**os.environ, **own, **host, **self.environment},
+            env=self._variables(),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -56,17 +64,99 @@ class Person:
         """`rosml run`, with a container that has no network."""
         return self.rosml("run", "--network", "none", *words, typed=typed)
 
+    def other(self, *command: str) -> Run:
+        """What another program says."""
+        done = subprocess.run(
+            [*self.become, *command],
+            cwd=self.folder,
+            env=self._variables(),
+            capture_output=True,
+            text=True,
+            timeout=600,
+            check=False,
+        )
+        return Run(done.returncode, done.stdout, done.stderr)
+
+    def resized(self, *words: str, seconds: float = 60.0) -> str:
+        """All that the command says on a terminal whose size becomes SIZE while it runs, and after that a key is pressed."""
+        child, terminal = pty.fork()
+        if not child:
+            os.chdir(self.folder)
+            command = [*self.become, *_rosml(words)]
+            os.execvpe(command[0], command, self._variables())
+        said, end, pressed = b"", time.monotonic() + seconds, False
+        try:
+            while time.monotonic() < end:
+                if b"ready" in said and not pressed:
+                    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", *SIZE, 0, 0))
+                    time.sleep(2)
+                    os.write(terminal, b"\n")
+                    pressed = True
+                if select.select([terminal], [], [], 0.2)[0]:
+                    with suppress(OSError):  # the other end was closed
+                        if data := os.read(terminal, 65536):
+                            said += data
+                            continue
+                    break
+        finally:
+            os.close(terminal)  # which hangs up
+            os.waitpid(child, 0)
+        return said.decode(errors="replace").replace("\r", "")
+
+    def _variables(self) -> dict[str, str]:
+        own = {"HOME": str(self.folder), "PYTHONPATH": str(ROOT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
+        return {**os.environ, **own, **self.environment}
+
+
+def _rosml(words: tuple[str, ...]) -> list[str]:
+    return [sys.executable, "-m", "rosml", *words]
+
+
+def starts(person: Person, image: str, name: str) -> None:
+    """Asserts that an image of ours starts as they work with it.
+
+    Args:
+        name: the engine's.
+    """
+    done = person.run("--mwd", image, "bash", "-c", "id -u; pwd; echo $ROS_DISTRO; touch made; exit 37")
+    assert (done.code, done.out.split()) == (37, [str(person.uid), str(person.folder), "Debian"]), done
+    assert (person.folder / "made").stat().st_uid == person.uid
+    assert person.run(image, "printf", "<%s>", "a  b", "", "$HOME", "*").out == "<a  b><><$HOME><*>"
+    assert person.run(image, "cat", typed="piped").out == "piped"
+    assert person.run(image, "bash", "-c", "kill -TERM $$").code == 143
+    assert [person.run(image, command).code for command in ("/etc/passwd", "/nothing")] == [126, 127]
+    seen = person.resized("run", "--network", "none", image, "bash", "-c", "echo ready; read; stty size")
+    assert " ".join(map(str, SIZE)) in seen, seen
+    left = person.other(name, "ps", "--all", "--quiet", "--filter", f"label=io.rosml.run.folder={person.folder}")
+    assert (left.code, left.out) == (0, ""), "nothing is left"
+
+
+def enters(person: Person, image: str, name: str) -> None:
+    """Asserts that they enter a container that they have started, by its name and by their folder."""
+    started = person.run("--name", "robot", "--detach", image, "sleep", "1000")
+    assert started.code == 0, started.err
+    try:
+        for where in ("robot", "."):
+            done = person.rosml("attach", where, "bash", "-c", "id -u; echo $ROS_DISTRO; exit 3")
+            assert (done.code, done.out) == (3, f"{person.uid}\nDebian\n"), done.err
+        taken = person.rosml("run", "--name", "robot", "--volume", ".:/x", image)
+        assert taken.code == 125 and "rosml attach robot" in taken.err
+    finally:
+        person.other(name, "rm", "--force", "robot")
+
 
 @contextmanager
 def somebody(docker: engine.Engine) -> Iterator[Person]:
-    """A person with a folder, who may talk to the engine."""
+    """A person with a folder, who may talk to the engine: nobody's uid where the tests started it, or else this user."""
     folder = Path(tempfile.mkdtemp(prefix="person-"))  # pytest's own are nobody else's
-    found = Person(docker, folder, os.geteuid())
+    found = Person(folder, os.geteuid())
     if docker.host:
         socket = Path(docker.host.removeprefix("unix://"))
         socket.chmod(0o666)
         socket.parent.chmod(0o755)
         found.uid = UID
+        found.become = ["setpriv", f"--reuid={UID}", f"--regid={UID}", "--clear-groups"]
+        found.environment["DOCKER_HOST"] = docker.host
         os.chown(folder, UID, UID)
     yield found
     shutil.rmtree(folder)

@@ -15,7 +15,7 @@ from rosml.machine.services import Services
 from tests.e2e import engine
 from tests.e2e.conftest import Run
 from tests.e2e.images import Publish
-from tests.e2e.person import Person, somebody
+from tests.e2e.person import Person, enters, somebody, starts
 
 TARGET = "ros1-bookworm-core"
 WORKSPACE = "/docker-ros/ws"
@@ -511,24 +511,8 @@ def person(container: Container) -> Iterator[Person]:
 
 
 def test_rosml_run_starts_an_image_as_the_person(container: Container, person: Person) -> None:
-    done = person.run("--mwd", container.image, "bash", "-c", "id -u; pwd; echo $ROS_DISTRO; touch made; exit 37")
-    assert (done.code, done.out.split()) == (37, [str(person.uid), str(person.folder), "Debian"])
-    assert (person.folder / "made").stat().st_uid == person.uid
-    assert person.run(container.image, "printf", "<%s>", "a  b", "", "$HOME", "*").out == "<a  b><><$HOME><*>"
-    assert person.run(container.image, "cat", typed="piped").out == "piped"
-    assert person.run(container.image, "bash", "-c", "kill -TERM $$").code == 143
-    label = f"label=io.rosml.run.folder={person.folder}"
-    assert container.docker.docker("ps", "--all", "--quiet", "--filter", label).out == "", "nothing is left"
+    starts(person, container.image, "docker")
 
 
 def test_rosml_attach_enters_the_container_of_the_folder(container: Container, person: Person) -> None:
-    started = person.run("--name", "robot", "--detach", container.image, "sleep", "1000")
-    assert started.code == 0, started.err
-    try:
-        for where in ("robot", "."):
-            done = person.rosml("attach", where, "bash", "-c", "id -u; echo $ROS_DISTRO; exit 3")
-            assert (done.code, done.out) == (3, f"{person.uid}\nDebian\n"), done.err
-        taken = person.rosml("run", "--name", "robot", "--volume", ".:/x", container.image)
-        assert taken.code != 0 and "rosml attach robot" in taken.err
-    finally:
-        container.docker.docker("rm", "--force", "robot")
+    enters(person, container.image, "docker")

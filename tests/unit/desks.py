@@ -33,7 +33,8 @@ if first == "info":
 if first == "image":
     if last not in says["images"]:
         sys.exit(says["complaint"] or f"Error: No such image: {{last}}")
-    print(json.dumps("sha256:" + last.removeprefix("sha256:")), json.dumps({{"Env": says["images"][last]}} | says["configs"].get(last, {{}})))
+    config = {{"Env": says["images"][last]}} | says["configs"].get(last, {{}})
+    print(json.dumps({{"Id": "sha256:" + last.removeprefix("sha256:"), "Config": config}}))
 if first == "container":
     for asked in sys.argv[5:]:
         if asked in says["containers"]:

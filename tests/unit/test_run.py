@@ -173,7 +173,8 @@ def test_signals_reach_the_engine(desk: Desk) -> None:
 def test_no_signal_is_ignored_that_was_not_before(desk: Desk) -> None:
     """Python ignores SIGPIPE and SIGXFSZ, which a program that it becomes would go on to do."""
     (desk.bin / "docker").write_text(
-        "#!/bin/sh\ncase $1 in run) exec /usr/bin/grep SigIgn /proc/self/status;; image) echo '\"x\" {}';; esac\n"
+        "#!/bin/sh\ncase $1 in run) exec /usr/bin/grep SigIgn /proc/self/status;; "
+        'image) echo \'{"Id": "x", "Config": {}}\';; esac\n'
     )
     ignored = int(desk.call("ubuntu").stdout.split()[1], 16)
     assert not ignored & (1 << signal.SIGPIPE - 1 | 1 << signal.SIGXFSZ - 1)
@@ -471,7 +472,7 @@ def test_an_engine_says_what_it_is(desk: Desk, info: Any, expected: tuple[bool, 
 
 @pytest.mark.parametrize(("name", "expected"), [("docker", (False, False)), ("podman", (True, UID != 0))])
 def test_an_engine_that_says_nothing_of_itself(desk: Desk, name: str, expected: tuple[bool, bool]) -> None:
-    (desk.bin / name).write_text("#!/bin/sh\n[ $1 != image ] || echo '\"sha256:x\" {}'\n")
+    (desk.bin / name).write_text('#!/bin/sh\n[ $1 != image ] || echo \'{"Id": "x", "Config": {}}\'\n')
     (desk.bin / name).chmod(0o755)
     found = engine.ask(str(desk.bin / name), "ours", "")
     assert (found.engine.podman, found.engine.rootless, found.image) == (*expected, Image("x"))
@@ -500,8 +501,10 @@ def test_an_engine_that_describes_itself_oddly(desk: Desk, info: Any) -> None:
 @pytest.mark.parametrize(
     "answer",
     [
-        *("nonsense", "", "null", '{"A": 1}', "[1, 2]", "5", '"x" 5', '"x" null', "5 {}", '"x" {} {}'),
-        *('"x" {"Env": 5}', '"x" {"Env": [5]}', '"x" {"Labels": [1]}', '"x" {"Cmd": 5}', '"x" {"Entrypoint": [5]}'),
+        *("nonsense", "", "null", "[]", "[1]", "[{}, {}]", "5", '{"Id": "x"}', '{"Config": {}}', '{"Id": 5, "Config": {}}'),
+        *(f'{{"Id": "x", "Config": {config}}}' for config in ("5", "null", '{"Env": 5}', '{"Env": [5]}')),
+        *(f'{{"Id": "x", "Config": {config}}}' for config in ('{"Labels": [1]}', '{"Cmd": 5}', '{"Entrypoint": [5]}')),
+        '{"Id": "x", "Config": {}} {}',
     ],
 )
 def test_an_image_that_is_described_oddly(desk: Desk, answer: str) -> None:
@@ -514,7 +517,7 @@ def test_an_image_that_is_described_oddly(desk: Desk, answer: str) -> None:
 
 
 def test_a_warning_before_the_answer(desk: Desk) -> None:
-    image = f'WARNING: x\n"sha256:x" {json.dumps({"Env": OURS})}'
+    image = f'WARNING: x\n{json.dumps({"Id": "sha256:x", "Config": {"Env": OURS}})}'
     desk.engine(answers={"image": image, "info": f"WARNING: y\n{json.dumps(DOCKER, indent=1)}"})
     assert desk.call("ours").returncode == 0 and f"DOCKER_UID={UID}" in desk.ran
 

@@ -66,8 +66,8 @@ ID = re.compile("[A-Za-z0-9][A-Za-z0-9_.-]*")
 CDI = ("/etc/cdi", "/var/run/cdi")
 """Where podman looks for CDI's files."""
 
-IMAGE = "{{json .Id}} {{json .Config}}"
-"""What is asked of an image."""
+IMAGE = "{{json .}}"
+"""What is asked of an image: all of it. docker and podman have two names for its id in a template, and one in JSON."""
 
 CONTAINER = (
     "{{json .Name}} {{json .State.Status}} {{json .Image}} {{json .Config}} {{json .Mounts}} {{json .HostConfig}}"
@@ -335,8 +335,11 @@ def _image(command: str, answer: _Answer, name: str) -> Image | None:
     if answer.code:
         return None
     with _understood(command, answer, "image", "inspect", name):
-        identity, config = _values(_answer(answer.text))
-        return Image(_bare(identity), *_described(_kind(dict, config)), _words(config.get("Cmd")))
+        (said,) = _values(_answer(answer.text))
+        (found,) = said if isinstance(said, list) else [said]  # podman writes a list
+        found = _kind(dict, found)
+        config = _kind(dict, found.get("Config"))
+        return Image(_bare(found.get("Id")), *_described(config), _words(config.get("Cmd")))
 
 
 def _containers(command: str, answer: _Answer, *names: str) -> list[Container]:

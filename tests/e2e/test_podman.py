@@ -1,0 +1,84 @@
+"""`rosml run` and `rosml attach` with podman, with root and without it; what docker does is in test_contract.py."""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+from tests.e2e.images import Publish
+from tests.e2e.person import UID, Person, enters, starts
+
+TARGET = "ros1-bookworm-core"
+
+BECOME = f"""\
+for file in passwd group subuid subgid; do mount --bind "$0/$file" "/etc/$file" || exit; done
+exec setpriv --reuid={UID} --regid={UID} --clear-groups "$@"
+"""
+"""Makes root a user with uids of their own, for this command alone."""
+
+
+@pytest.fixture(params=["root", "without root"])
+def person(request: pytest.FixtureRequest) -> Iterator[Person]:
+    """Who has podman, with storage that ends with the test."""
+    folder = Path(tempfile.mkdtemp(prefix="podman-"))  # short: sockets are in it
+    folder.chmod(0o755)
+    home, runtime = folder / "home", folder / "runtime"
+    home.mkdir()
+    runtime.mkdir(mode=0o700)
+    limits = {name: resource.getrlimit(kind)[1] for name, kind in LIMITS.items()}
+    wanted = [f"{name}={hard}:{hard}" for name, hard in ((name, min(hard, 4096)) for name, hard in limits.items())]
+    (folder / "containers.conf").write_text(
+        f'[containers]\ndefault_ulimits = {json.dumps(wanted)}\n[engine]\nruntime = "runc"\ncgroup_manager = "cgroupfs"\n'
+    )
+    (folder / "storage.conf").write_text(
+        f'[storage]\ndriver = "overlay"\ngraphroot = "{home}/storage"\nrunroot = "{runtime}/storage"\n'
+    )
+    found = Person(home, os.geteuid())
+    found.environment = {
+        "ROSML_ENGINE": "podman",
+        "CONTAINERS_CONF": str(folder / "containers.conf"),
+        "CONTAINERS_STORAGE_CONF": str(folder / "storage.conf"),
+        "XDG_RUNTIME_DIR": str(runtime),
+    }
+    if request.param != "root":
+        for path in (home, runtime):
+            os.chown(path, UID, UID)
+        for name in ("passwd", "group"):
+            shutil.copy(f"/etc/{name}", folder)
+            with (folder / name).open("a") as file:
+                file.write(f"somebody:x:{UID}:{UID}::{home}:/bin/sh\n" if name == "passwd" else f"somebody:x:{UID}:\n")
+        for name in ("subuid", "subgid"):
+            (folder / name).write_text("somebody:1000000:65536\n")
+        found.uid = UID
+        found.become = ["unshare", "--mount", "sh", "-c", BECOME, str(folder)]
+    yield found
+    found.other("podman", "rm", "--all", "--force")
+    for file in runtime.rglob("pause.pid"):
+        with suppress(ProcessLookupError):
+            os.kill(int(file.read_text()), 9)
+    for line in reversed(Path("/proc/self/mounts").read_text().splitlines()):
+        if (place := line.split()[1]).startswith(f"{folder}/"):
+            subprocess.run(["umount", place], check=False)
+    shutil.rmtree(folder)
+
+
+LIMITS = {"nofile": resource.RLIMIT_NOFILE, "nproc": resource.RLIMIT_NPROC}
+
+
+@pytest.mark.full(proof="podman")
+def test_an_image_starts_and_is_entered(person: Person, published: Publish) -> None:
+    """The image is pulled from the registry as it is there, and so with layers by zstd."""
+    image = published(TARGET).reference
+    pulled = person.other("podman", "pull", "--quiet", "--tls-verify=false", image)
+    assert pulled.code == 0, pulled.err
+    starts(person, image, "podman")
+    enters(person, image, "podman")
