@@ -18,6 +18,7 @@ from tests.e2e.images import Publish
 from tests.e2e.person import UID, Person, enters, starts
 
 TARGET = "ros1-bookworm-core"
+LIMITS = {"nofile": resource.RLIMIT_NOFILE, "nproc": resource.RLIMIT_NPROC}
 
 BECOME = f"""\
 for file in passwd group subuid subgid; do mount --bind "$0/$file" "/etc/$file" || exit; done
@@ -34,8 +35,8 @@ def person(request: pytest.FixtureRequest) -> Iterator[Person]:
     home, runtime = folder / "home", folder / "runtime"
     home.mkdir()
     runtime.mkdir(mode=0o700)
-    limits = {name: resource.getrlimit(kind)[1] for name, kind in LIMITS.items()}
-    wanted = [f"{name}={hard}:{hard}" for name, hard in ((name, min(hard, 4096)) for name, hard in limits.items())]
+    limits = {name: min(resource.getrlimit(kind)[1], 4096) for name, kind in LIMITS.items()}
+    wanted = [f"{name}={limit}:{limit}" for name, limit in limits.items()]
     (folder / "containers.conf").write_text(
         f'[containers]\ndefault_ulimits = {json.dumps(wanted)}\n[engine]\nruntime = "runc"\ncgroup_manager = "cgroupfs"\n'
     )
@@ -48,6 +49,7 @@ def person(request: pytest.FixtureRequest) -> Iterator[Person]:
         "CONTAINERS_CONF": str(folder / "containers.conf"),
         "CONTAINERS_STORAGE_CONF": str(folder / "storage.conf"),
         "XDG_RUNTIME_DIR": str(runtime),
+        "TMPDIR": str(home),
     }
     if request.param != "root":
         for path in (home, runtime):
@@ -62,19 +64,16 @@ def person(request: pytest.FixtureRequest) -> Iterator[Person]:
         found.become = ["unshare", "--mount", "sh", "-c", BECOME, str(folder)]
     yield found
     found.other("podman", "rm", "--all", "--force")
-    for file in runtime.rglob("pause.pid"):
+    for pause in runtime.rglob("pause.pid"):
         with suppress(ProcessLookupError):
-            os.kill(int(file.read_text()), 9)
+            os.kill(int(pause.read_text()), 9)
     for line in reversed(Path("/proc/self/mounts").read_text().splitlines()):
         if (place := line.split()[1]).startswith(f"{folder}/"):
             subprocess.run(["umount", place], check=False)
     shutil.rmtree(folder)
 
 
-LIMITS = {"nofile": resource.RLIMIT_NOFILE, "nproc": resource.RLIMIT_NPROC}
-
-
-@pytest.mark.full(proof="podman")
+@pytest.mark.full(proof="engines")
 def test_an_image_starts_and_is_entered(person: Person, published: Publish) -> None:
     """The image is pulled from the registry as it is there, and so with layers by zstd."""
     image = published(TARGET).reference

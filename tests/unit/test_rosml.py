@@ -254,7 +254,7 @@ def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
 
 def test_an_image_is_run(wheel: Path, tmp_path: Path) -> None:
     """The table of the engines' options is in the wheel. The engine is a local replacement."""
-    engine = '#!/bin/sh\ncase $1 in\n  run) printf "%s|" "$@"; exit 3 ;;\n  image) echo \'"sha256:1" {}\' ;;\n  *) echo "{}" ;;\nesac\n'
+    engine = '#!/bin/sh\ncase $1 in\n  run) printf "%s|" "$@"; exit 3 ;;\n  image) echo \'{"Id": "x", "Config": {}}\' ;;\n  *) echo "{}" ;;\nesac\n'
     (tmp_path / "docker").write_text(engine)
     (tmp_path / "docker").chmod(0o755)
     words = ("run", "--no-tz", "--no-user", "-eA=b c", "ubuntu", "echo", "a  b")
@@ -278,7 +278,8 @@ def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Pat
         argv = [sys.executable, "-S", str(program), *words]
         return subprocess.run(argv, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
 
-    (tmp_path / "docker").write_text("#!/bin/sh\ncase $1 in image) echo '\"sha256:1\" {}' ;; run) echo ran ;; esac\n")
+    engine = '#!/bin/sh\ncase $1 in image) echo \'{"Id": "x", "Config": {}}\' ;; run) echo ran ;; esac\n'
+    (tmp_path / "docker").write_text(engine)
     (tmp_path / "docker").chmod(0o755)
     assert (call("run", "ubuntu").stdout, call("--help").returncode) == ("ran\n", 0)
     assert call("run", "--export", "compose", "ubuntu").stdout.startswith("services:\n")

@@ -501,7 +501,18 @@ def test_an_engine_that_describes_itself_oddly(desk: Desk, info: Any) -> None:
 @pytest.mark.parametrize(
     "answer",
     [
-        *("nonsense", "", "null", "[]", "[1]", "[{}, {}]", "5", '{"Id": "x"}', '{"Config": {}}', '{"Id": 5, "Config": {}}'),
+        *(
+            "nonsense",
+            "",
+            "null",
+            "[]",
+            "[1]",
+            "[{}, {}]",
+            "5",
+            '{"Id": "x"}',
+            '{"Config": {}}',
+            '{"Id": 5, "Config": {}}',
+        ),
         *(f'{{"Id": "x", "Config": {config}}}' for config in ("5", "null", '{"Env": 5}', '{"Env": [5]}')),
         *(f'{{"Id": "x", "Config": {config}}}' for config in ('{"Labels": [1]}', '{"Cmd": 5}', '{"Entrypoint": [5]}')),
         '{"Id": "x", "Config": {}} {}',
@@ -517,7 +528,7 @@ def test_an_image_that_is_described_oddly(desk: Desk, answer: str) -> None:
 
 
 def test_a_warning_before_the_answer(desk: Desk) -> None:
-    image = f'WARNING: x\n{json.dumps({"Id": "sha256:x", "Config": {"Env": OURS}})}'
+    image = f"WARNING: x\n{json.dumps({'Id': 'sha256:x', 'Config': {'Env': OURS}})}"
     desk.engine(answers={"image": image, "info": f"WARNING: y\n{json.dumps(DOCKER, indent=1)}"})
     assert desk.call("ours").returncode == 0 and f"DOCKER_UID={UID}" in desk.ran
 
