@@ -16,7 +16,7 @@ export TARGET PLATFORM SHARD
 unexport PYTHONPATH PYTHONHOME PYTHONOPTIMIZE
 
 # A typo must not build something else: `make image TRAGET=x`, `make image jazzy-base`.
-COMMANDS := help image test test-all proofs lint unit page bench docs clean test-scanner test-signer
+COMMANDS := help image test test-all proofs lint unit page bench docs clean test-scanner test-signer test-packages
 VARIABLES := TARGET PLATFORM SHARD PROOF COVERAGE PATH SHELL ROSML_% ROS_% BUILDX_% OS_%
 UNKNOWN := $(filter-out $(VARIABLES),$(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))) $(filter-out $(COMMANDS),$(MAKECMDGOALS))
 $(if $(strip $(UNKNOWN)),$(error nothing was done: make has no command or variable $(strip $(UNKNOWN)); see make's words with: make, all others with: ./rosml --help))
@@ -29,7 +29,7 @@ SUITE := started=$$(date +%s); $(SETUP) suite; .venv/bin/python -m tests.suite -
 .PHONY: $(COMMANDS)
 
 help: ## this list
-	@awk -F ':.* ## ' '/^[a-z-]+:.* ## / { printf "  make %-12s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST)); echo "All other commands: ./rosml --help"
+	@awk -F ':.* ## ' '/^[a-z-]+:.* ## / { printf "  make %-13s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST)); echo "All other commands: ./rosml --help"
 
 image: ## set up, build, test and tag one image: make image TARGET=ros1-bookworm-base-torch-cu128 PLATFORM=linux/arm64
 	@./rosml image $(if $(PLATFORM),--platform "$$PLATFORM") -- "$$TARGET"
@@ -60,6 +60,9 @@ test-scanner: ## that trivy finds what it must, before a scan relies on it; buil
 
 test-signer: ## that cosign signs, before tags rely on it; building cosign takes a quarter of an hour, once
 	@$(SETUP) signer --tests; .venv/bin/python -m pytest tests/e2e/test_signer.py
+
+test-packages: ## installs what the proofs desktop and engines need, on Debian and Ubuntu
+	@sudo apt-get update && sudo apt-get install --yes --no-install-recommends xvfb xauth x11-utils weston podman runc uidmap
 
 docs: ## the documentation as a site in .state/docs/site, without a broken link
 	@$(SETUP) linters; .venv/bin/python scripts/docs.py

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosml.machine.services import Services
+from tests.e2e import images
 from tests.e2e.conftest import Run, run
 
 START_SECONDS = 60.0
@@ -88,15 +89,19 @@ class Engine:
             os.close(master)
         return said.decode(errors="replace").replace("\r", "")
 
-    def load(self, services: Services, reference: str, name: str, folder: Path) -> str:
-        """Loads an image of the registry into the engine; returns its name there. Debian's docker.io knows no zstd."""
-        archive, name = folder / "image.tar", f"rosml-contract:{name}"
-        (folder / "Dockerfile").write_text(f"FROM {reference}\n")
+    def load(self, services: Services, reference: str, name: str, folder: Path, *steps: str) -> str:
+        """Loads an image of the registry into the engine, with steps of `images.context` on top; returns its name there.
+        Debian's docker.io knows no zstd."""
+        archive, name, source = folder / "image.tar", f"rosml-contract:{name}", folder / "context"
+        source.mkdir()
+        images.context(reference, source, steps)
         output = f"type=docker,dest={archive},name={name},compression=uncompressed,force-compression=true"
-        built = run(*services.buildx, "build", "--output", output, str(folder), env=services.environment())
+        options = ["--output", output, *images.ca_secret(services)]
+        built = run(*services.buildx, "build", *options, str(source), env=services.environment())
         assert built.code == 0, built.err
         done = self.docker("load", "--input", str(archive), timeout=600.0)
         archive.unlink()
+        shutil.rmtree(source)
         assert done.code == 0, done.err
         return name
 

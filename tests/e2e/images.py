@@ -64,12 +64,11 @@ exec "$@"
 """
 
 
-def build_on(services: Services, image: Published, folder: Path, steps: Sequence[str], name: str = "") -> str:
-    """Builds on an image; returns what the builder said.
+def context(reference: str, folder: Path, steps: Sequence[str], name: str = "") -> None:
+    """Writes what a build on an image reads.
 
     Args:
-        services: what `rosml setup` started.
-        image: to build on.
+        reference: of the image.
         folder: an empty one.
         steps: commands; one may be `install-packages PACKAGE…`, from the image's own apt source, or `online COMMAND…`, which
             reaches what the builder reaches.
@@ -84,9 +83,14 @@ def build_on(services: Services, image: Published, folder: Path, steps: Sequence
         shutil.copytree(Path(__file__).parent / name, folder / name)
     mounts = "--mount=type=bind,source=network.sh,target=/run/network.sh --mount=type=secret,id=ca-bundle"
     mounts += "".join(f" --mount=type=bind,source={tool},target=/usr/local/bin/{tool}" for tool in tools)
-    lines = [f"FROM {image.result['reference']}", *([f"COPY {name} /{name}"] if name else [])]
+    lines = [f"FROM {reference}", *([f"COPY {name} /{name}"] if name else [])]
     lines += [f"RUN {mounts if step.split()[0] in tools else ''} {step}" for step in steps]
     (folder / "Dockerfile").write_text("\n".join(lines) + "\n")
+
+
+def build_on(services: Services, image: Published, folder: Path, steps: Sequence[str], name: str = "") -> str:
+    """Builds on an image, as `context` says; returns what the builder said."""
+    context(image.reference, folder, steps, name)
     return build(services, folder)
 
 

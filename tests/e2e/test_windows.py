@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import secrets
+import shutil
 import subprocess
 import time
 from collections.abc import Iterator
@@ -17,8 +18,27 @@ from tests.e2e import engine
 from tests.e2e.images import Publish
 from tests.e2e.person import Person, somebody
 
-TARGET = "ros1-bookworm-desktop"
 SECONDS = 120.0
+
+WINDOW = """\
+from PyQt5.QtCore import QTimer
+from PyQt5.QtWidgets import QApplication, QLabel
+
+def look():
+    if label.windowHandle().isExposed():
+        print(app.platformName(), flush=True)
+        app.quit()
+
+app = QApplication([])
+label = QLabel("A window by rosml run")
+label.resize(400, 200)
+label.show()
+timer = QTimer()
+timer.timeout.connect(look)
+timer.start(100)
+app.exec()
+"""
+"""Opens a window, and once it is seen says by which platform of Qt's."""
 
 
 @contextmanager
@@ -33,6 +53,26 @@ def display(folder: Path) -> Iterator[dict[str, str]]:
         process = subprocess.Popen(command, stdout=log, stderr=log)
         try:
             yield {"DISPLAY": name, "XAUTHORITY": str(authority)}
+        finally:
+            process.terminate()
+            process.wait()
+
+
+@contextmanager
+def compositor(who: Person, name: str) -> Iterator[None]:
+    """A Wayland session of the person's without a screen (package weston)."""
+    options = ["--backend=headless-backend.so", "--use-pixman", "--no-config", "--debug", f"--socket={name}"]
+    log = who.folder / "weston.log"
+    with log.open("w") as file:
+        process = subprocess.Popen(
+            [*who.become, "weston", *options], env={**os.environ, **who.environment}, stdout=file, stderr=file
+        )
+        try:
+            end = time.monotonic() + SECONDS
+            while not (who.folder / "runtime" / name).exists():
+                assert process.poll() is None and time.monotonic() < end, log.read_text()
+                time.sleep(0.2)
+            yield
         finally:
             process.terminate()
             process.wait()
@@ -54,26 +94,32 @@ def ended(process: subprocess.Popen[str]) -> str:
 
 
 @pytest.fixture
-def person(services: Services, published: Publish, tmp_path: Path) -> Iterator[tuple[Person, str]]:
+def person() -> Iterator[tuple[Person, engine.Engine]]:
+    """Who has a folder for the session, as a login makes it."""
     with engine.running() as docker, somebody(docker) as found:
-        yield found, docker.load(services, published(TARGET).reference, TARGET, tmp_path)
+        runtime = found.folder / "runtime"
+        runtime.mkdir(mode=0o700)
+        os.chown(runtime, found.uid, found.uid)
+        found.environment["XDG_RUNTIME_DIR"] = str(runtime)
+        yield found, docker
 
 
 @pytest.mark.full(proof="desktop")
-def test_rviz_opens_its_window(person: tuple[Person, str]) -> None:
+def test_rviz_opens_its_window(
+    person: tuple[Person, engine.Engine], services: Services, published: Publish, tmp_path: Path
+) -> None:
     """As docs/run.md says: the person types the command, and nothing about windows. Without the cookie nobody gets in."""
-    who, image = person
-    runtime = who.folder / "runtime"
-    runtime.mkdir(mode=0o700)
+    who, docker = person
+    target = "ros1-bookworm-desktop"
+    image = docker.load(services, published(target).reference, target, tmp_path)
     with display(who.folder) as environment:
-        for path in (runtime, Path(environment["XAUTHORITY"])):
-            os.chown(path, who.uid, who.uid)
+        os.chown(environment["XAUTHORITY"], who.uid, who.uid)
         end = time.monotonic() + SECONDS
         while "Root window id" not in windows(environment):
             assert time.monotonic() < end, (who.folder / "Xvfb.log").read_text()
             time.sleep(0.2)
         assert "unable to open display" in windows({**environment, "XAUTHORITY": "/dev/null"})
-        who.environment |= {**environment, "XDG_RUNTIME_DIR": str(runtime)}
+        who.environment |= environment
         script = "roscore >/dev/null & until rostopic list >/dev/null 2>&1; do sleep 0.2; done; exec rosrun rviz rviz"
         process = who.start("run", "--ros-network", "-e", "LIBGL_ALWAYS_SOFTWARE=1", image, "bash", "-c", script)
         end = time.monotonic() + SECONDS
@@ -84,5 +130,26 @@ def test_rviz_opens_its_window(person: tuple[Person, str]) -> None:
             subprocess.run(["import", "-window", "root", picture], env={**os.environ, **environment}, check=True)
         said = ended(process)
         assert "RViz" in seen, seen + said
-    left = [path for path in runtime.rglob("*") if path.is_file()]
+    left = [path for path in (who.folder / "runtime").rglob("*") if path.is_file()]
     assert [oct(path.stat().st_mode & 0o777) for path in left] == ["0o600"], "one file, for this person alone"
+
+
+@pytest.mark.full(proof="desktop")
+def test_a_window_by_wayland(
+    person: tuple[Person, engine.Engine], services: Services, published: Publish, tmp_path: Path
+) -> None:
+    """A session that has no X11 (package weston), and a program that takes what it finds. Its user has another uid than root."""
+    who, docker = person
+    target = "ros1-bookworm-core"
+    steps = ["install-packages --no-install-recommends python3-pyqt5 qtwayland5"]
+    image = docker.load(services, published(target).reference, f"{target}-qt", tmp_path, *steps)
+    who.environment |= {"DISPLAY": "", "WAYLAND_DISPLAY": "wayland-7"}
+    with compositor(who, "wayland-7"):
+        done = who.run(image, "python3", "-c", WINDOW)
+        if picture := os.environ.get("ROSML_SCREENSHOT"):
+            shown = who.start("run", "--network", "none", image, "python3", "-c", WINDOW.replace("app.quit()", "None"))
+            time.sleep(10)
+            who.other("weston-screenshooter")
+            shutil.copy(next(who.folder.glob("*.png")), picture)
+            ended(shown)
+    assert (done.code, done.out) == (0, "wayland\n"), done
