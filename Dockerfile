@@ -22,7 +22,7 @@ FROM scratch AS upstream
 # Steps mount just the files they use: a change elsewhere does not run them again. They do it below a tmpfs, for the
 # builder leaves the time of day on a folder where it made, and removed, the places of mounts.
 FROM os AS base
-ARG NUMPY SOURCE_DATE_EPOCH
+ARG NUMPY RUNTIME SOURCE_DATE_EPOCH
 RUN --mount=type=tmpfs,target=/run \
     --mount=type=bind,source=components/build,target=/run/components/build \
     --mount=type=bind,source=components/base/install.sh,target=/run/components/base/install.sh \
@@ -49,7 +49,7 @@ ENTRYPOINT ["/tini", "--", "/entrypoint.sh"]
 CMD ["bash"]
 
 FROM parent AS ros
-ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT ROS_CODENAME ROS_APT_SOURCE
+ARG ROS_PACKAGES ROS_TOOLS RUNTIME ROS_DISTRO ROS_VERSION ROS_CHANNEL ROS_SNAPSHOT ROS_CODENAME ROS_APT_SOURCE
 ARG ROS_LIVE_ADDRESS ROS_SNAPSHOT_ADDRESS ROS_ARCHIVE ROS_COMPONENTS ROS_SYNC_DATE SOURCE_DATE_EPOCH
 ARG ROS_SIGNED_BY=none.asc
 RUN --mount=type=tmpfs,target=/run \

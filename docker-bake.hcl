@@ -112,11 +112,11 @@ variable "NO_PROXY" {
 systems = {
   bookworm = {
     image = OS_BOOKWORM, python = "3.11", numpy = "<2", platforms = ["linux/amd64", "linux/arm64"]
-    tools = "rosbash catkin python3-rosdep2 vcstool colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
+    tools = "catkin python3-rosdep2 vcstool colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
   }
   trixie = {
     image = OS_TRIXIE, python = "3.13", numpy = ">=2.2,<2.3", platforms = ["linux/amd64", "linux/arm64"]
-    tools = "rosbash catkin python3-rosdep2 vcstool colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
+    tools = "catkin python3-rosdep2 vcstool colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
   }
   "ubuntu-20.04" = {
     image = OS_UBUNTU_20_04, python = "3.8", numpy = "<2", platforms = ["linux/amd64", "linux/arm64"]
@@ -144,6 +144,8 @@ components = {
   perception   = ["core", "base", "robot", "perception"]
   desktop      = ["core", "base", "robot", "perception", "desktop"]
   desktop-full = ["core", "base", "robot", "perception", "desktop", "desktop-full"]
+  core-run     = ["core-run"]
+  base-run     = ["core-run", "base-run"]
 }
 
 # Versions that go together. frameworks: those that can have them, the smallest first. beside: what goes with each release, in its part. gpu: what parts say of drivers and GPUs.
@@ -189,27 +191,32 @@ stacks = {
 # What is built once and joined to many images. brings: whose versions labels and the environment name.
 entries = {
   cuda = {
-    accelerator = "cuda", any_python = true, tested = true
+    accelerator = "cuda", any_python = true
+    tested = true, compiled = true
     slot = "", shows = ""
     release = "", brings = [{ name = "cuda", short = "cuda", title = "CUDA" }, { name = "cudnn", short = "", title = "" }]
   }
   common = {
-    accelerator = "", any_python = false, tested = false
+    accelerator = "", any_python = false
+    tested = false, compiled = false
     slot = "01", shows = "cuda"
     release = "", brings = []
   }
   torch = {
-    accelerator = "", any_python = false, tested = true
+    accelerator = "", any_python = false
+    tested = true, compiled = true
     slot = "02", shows = ""
     release = "torch", brings = [{ name = "torch", short = "torch", title = "PyTorch" }]
   }
   tensorflow-cc = {
-    accelerator = "", any_python = true, tested = false
+    accelerator = "", any_python = true
+    tested = false, compiled = false
     slot = "", shows = ""
     release = "tensorflow", brings = [{ name = "tensorflow", short = "", title = "" }]
   }
   tensorflow = {
-    accelerator = "", any_python = false, tested = true
+    accelerator = "", any_python = false
+    tested = true, compiled = true
     slot = "03", shows = ""
     release = "tensorflow", brings = [{ name = "tensorflow", short = "tf", title = "TensorFlow" }]
   }
@@ -250,15 +257,17 @@ assembler       = "bookworm"
 source          = null
 short_component = "base"
 releases        = ["torch", "tensorflow"]
+runtimes        = ["core-run", "base-run"]
 
-# short: the stack of a framework's short tags. aliases: names that it had. covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
+# runtime: components on which programs run that are built on another one. short: the stack of a framework's short tags. aliases: names that it had. covered: what skips the longest tests, as an image with more has them. unlocked: what has no lock yet, and why.
 distributions = {
   noetic = {
     os = "ubuntu-20.04", ros = "1", ros_distro = "noetic", platforms = ["linux/amd64", "linux/arm64"]
     tags = ["noetic"], aliases = [], experimental = false
     short = { cuda = "cu121", torch = "cu121" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-noetic-ros-core", base = "ros-noetic-ros-base", robot = "ros-noetic-robot", perception = "ros-noetic-perception", desktop = "ros-noetic-desktop", desktop-full = "ros-noetic-desktop-full" }
+    packages = { core = "ros-noetic-ros-core", base = "ros-noetic-ros-base", robot = "ros-noetic-robot", perception = "ros-noetic-perception", desktop = "ros-noetic-desktop", desktop-full = "ros-noetic-desktop-full", core-run = "ros-noetic-ros-core", base-run = "ros-noetic-ros-base" }
+    runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/noetic/{day}/ubuntu" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
     covered = []
@@ -269,7 +278,8 @@ distributions = {
     tags = ["foxy"], aliases = [], experimental = false
     short = { cuda = "cu121", torch = "cu121" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-foxy-ros-core", base = "ros-foxy-ros-base", desktop = "ros-foxy-desktop" }
+    packages = { core = "ros-foxy-ros-core", base = "ros-foxy-ros-base", desktop = "ros-foxy-desktop", core-run = "ros-foxy-ros-core", base-run = "ros-foxy-ros-base" }
+    runtime = { core = "core-run", base = "base-run", desktop = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "focal", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/foxy/{day}/ubuntu" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu121", "cpu38"], tensorflow = ["cpu38"] }
     covered = []
@@ -280,7 +290,8 @@ distributions = {
     tags = ["humble"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-humble-ros-core", base = "ros-humble-ros-base", perception = "ros-humble-perception", desktop = "ros-humble-desktop", desktop-full = "ros-humble-desktop-full" }
+    packages = { core = "ros-humble-ros-core", base = "ros-humble-ros-base", perception = "ros-humble-perception", desktop = "ros-humble-desktop", desktop-full = "ros-humble-desktop-full", core-run = "ros-humble-ros-core", base-run = "ros-humble-ros-base" }
+    runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/humble/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.jammy_all.deb@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
@@ -291,7 +302,8 @@ distributions = {
     tags = ["iron"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-iron-ros-core", base = "ros-iron-ros-base", perception = "ros-iron-perception", desktop = "ros-iron-desktop", desktop-full = "ros-iron-desktop-full" }
+    packages = { core = "ros-iron-ros-core", base = "ros-iron-ros-base", perception = "ros-iron-perception", desktop = "ros-iron-desktop", desktop-full = "ros-iron-desktop-full", core-run = "ros-iron-ros-core", base-run = "ros-iron-ros-base" }
+    runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "final", ROS_SNAPSHOT = "", ROS_CODENAME = "jammy", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/iron/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.jammy_all.deb@sha256:767884cf4ed03116b9d64438930a832ed854147ae435279a7924dfdf60f94433" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
@@ -302,7 +314,8 @@ distributions = {
     tags = ["jazzy", "latest"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-jazzy-ros-core", base = "ros-jazzy-ros-base", perception = "ros-jazzy-perception", desktop = "ros-jazzy-desktop", desktop-full = "ros-jazzy-desktop-full" }
+    packages = { core = "ros-jazzy-ros-core", base = "ros-jazzy-ros-base", perception = "ros-jazzy-perception", desktop = "ros-jazzy-desktop", desktop-full = "ros-jazzy-desktop-full", core-run = "ros-jazzy-ros-core", base-run = "ros-jazzy-ros-base" }
+    runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/jazzy/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.noble_all.deb@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
@@ -313,7 +326,8 @@ distributions = {
     tags = ["kilted"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-kilted-ros-core", base = "ros-kilted-ros-base", perception = "ros-kilted-perception", desktop = "ros-kilted-desktop", desktop-full = "ros-kilted-desktop-full" }
+    packages = { core = "ros-kilted-ros-core", base = "ros-kilted-ros-base", perception = "ros-kilted-perception", desktop = "ros-kilted-desktop", desktop-full = "ros-kilted-desktop-full", core-run = "ros-kilted-ros-core", base-run = "ros-kilted-ros-base" }
+    runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "noble", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/kilted/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.noble_all.deb@sha256:0804d9b13db770eb87019be414cd78378835228ad5fa801fc88758596dd8f7e5" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
@@ -324,7 +338,8 @@ distributions = {
     tags = ["lyrical"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-lyrical-ros-core", base = "ros-lyrical-ros-base", perception = "ros-lyrical-perception", desktop = "ros-lyrical-desktop", desktop-full = "ros-lyrical-desktop-full" }
+    packages = { core = "ros-lyrical-ros-core", base = "ros-lyrical-ros-base", perception = "ros-lyrical-perception", desktop = "ros-lyrical-desktop", desktop-full = "ros-lyrical-desktop-full", core-run = "ros-lyrical-ros-core", base-run = "ros-lyrical-ros-base" }
+    runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/lyrical/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
     covered = []
@@ -335,7 +350,8 @@ distributions = {
     tags = ["rolling"], aliases = [], experimental = false
     short = { cuda = "cu130", torch = "cu130" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-rolling-ros-core", base = "ros-rolling-ros-base", perception = "ros-rolling-perception", desktop = "ros-rolling-desktop", desktop-full = "ros-rolling-desktop-full" }
+    packages = { core = "ros-rolling-ros-core", base = "ros-rolling-ros-base", perception = "ros-rolling-perception", desktop = "ros-rolling-desktop", desktop-full = "ros-rolling-desktop-full", core-run = "ros-rolling-ros-core", base-run = "ros-rolling-ros-base" }
+    runtime = { core = "core-run", base = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = { ROS_CHANNEL = "live", ROS_SNAPSHOT = "", ROS_CODENAME = "resolute", ROS_LIVE_ADDRESS = "http://packages.ros.org/ros2/ubuntu", ROS_SNAPSHOT_ADDRESS = "http://snapshots.ros.org/rolling/{day}/ubuntu", ROS_APT_SOURCE = "https://github.com/ros-infrastructure/ros-apt-source/releases/download/1.2.0/ros2-apt-source_1.2.0.resolute_all.deb@sha256:a275b9b819874e745a928e83e39c429fa4d607159285c4ef3ebcf75afa732ee3" }
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"] }
     covered = []
@@ -346,7 +362,8 @@ distributions = {
     tags = ["ros1-bookworm", "bookworm"], aliases = ["bookworm"], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-core ros-core-dev ros-core-python-dev", base = "ros-base ros-base-dev ros-base-python-dev", robot = "ros-robot ros-robot-dev ros-robot-python-dev", perception = "ros-perception ros-perception-dev ros-perception-python-dev", desktop = "ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev" }
+    packages = { core = "rosbash ros-core ros-core-dev ros-core-python-dev", base = "rosbash ros-base ros-base-dev ros-base-python-dev", robot = "rosbash ros-robot ros-robot-dev ros-robot-python-dev", perception = "rosbash ros-perception ros-perception-dev ros-perception-python-dev", desktop = "rosbash ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "rosbash ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev", core-run = "rosbash ros-core ros-core-dev ros-core-python-dev", base-run = "rosbash ros-base ros-base-dev ros-base-python-dev" }
+    runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = null
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "tensorflow-cu128"]
@@ -357,7 +374,8 @@ distributions = {
     tags = ["ros1-trixie", "trixie"], aliases = ["trixie"], experimental = false
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "", tools = ""
-    packages = { core = "ros-core ros-core-dev ros-core-python-dev", base = "ros-base ros-base-dev ros-base-python-dev", robot = "ros-robot ros-robot-dev ros-robot-python-dev", perception = "ros-perception ros-perception-dev ros-perception-python-dev", desktop = "ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev" }
+    packages = { core = "rosbash ros-core ros-core-dev ros-core-python-dev", base = "rosbash ros-base ros-base-dev ros-base-python-dev", robot = "rosbash ros-robot ros-robot-dev ros-robot-python-dev", perception = "rosbash ros-perception ros-perception-dev ros-perception-python-dev", desktop = "rosbash ros-desktop ros-desktop-dev ros-desktop-python-dev", desktop-full = "rosbash ros-desktop-full ros-desktop-full-dev ros-desktop-full-python-dev", core-run = "rosbash ros-core ros-core-dev ros-core-python-dev", base-run = "rosbash ros-base ros-base-dev ros-base-python-dev" }
+    runtime = { core = "core-run", base = "base-run", robot = "base-run", perception = "base-run", desktop = "base-run", desktop-full = "base-run" }
     apt = null
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = ["torch-cu128", "torch-cpu", "tensorflow-cu128", "tensorflow-cpu"]
@@ -369,6 +387,7 @@ distributions = {
     short = { cuda = "cu130", torch = "cu130", tensorflow = "cu128", ml = "cu128" }
     rmw = "", wheels = "ros-jazzy-rclpy==7.1.6,ros-sensor-msgs==5.3.6,ros-std-msgs==5.3.6", tools = "python3-rosdep2 vcstool python3-numpy python3-empy colcon python3-colcon-argcomplete python3-colcon-bash python3-colcon-cmake python3-colcon-defaults python3-colcon-metadata python3-colcon-output python3-colcon-package-information python3-colcon-package-selection python3-colcon-parallel-executor python3-colcon-ros"
     packages = { core = "" }
+    runtime = {}
     apt = null
     stacks = { cuda = ["cu128", "cu130", "cu132", "cu121"], torch = ["cu128", "cu130", "cu132", "cpu"], tensorflow = ["cu128", "cpu"], ml = ["cu128", "cpu"] }
     covered = []
@@ -456,6 +475,8 @@ group "robot" { targets = having("component", "robot") }
 group "perception" { targets = having("component", "perception") }
 group "desktop" { targets = having("component", "desktop") }
 group "desktop-full" { targets = having("component", "desktop-full") }
+group "core-run" { targets = having("component", "core-run") }
+group "base-run" { targets = having("component", "base-run") }
 group "none" { targets = having("framework", "none") }
 group "cuda" { targets = having("framework", "cuda") }
 group "torch" { targets = having("framework", "torch") }
@@ -506,10 +527,10 @@ function "given" {
   result = value == "" ? null : value
 }
 
-# The target of an operating system; bake allows no points in names.
+# The target of an operating system, to build or only to run; bake allows no points in names.
 function "os_target" {
-  params = [os]
-  result = "_os-${replace(os, ".", "-")}"
+  params = [os, runtime]
+  result = "_os-${replace(os, ".", "-")}${runtime ? "-run" : ""}"
 }
 
 # A part's name: torch-cu128-py312, or cuda-cu128 where it is the same for every Python.
@@ -574,11 +595,12 @@ beneath = { for name, row in distributions : name => { for component, packages i
 ] } }
 
 # All images: of each kind one for every component. ros: the one without a framework; below: the one that this stands on,
-# if any; main: the tag that says what it is; spelled: the same with the versions of what it is for.
+# if any; runtime: whether it is only for programs that are built; main: the tag that says what it is; spelled: the same with the versions of what it is for.
 images = flatten([for kind in kinds : [for component, packages in kind.row.packages : merge(kind, {
   component = component
   chain     = concat(beneath[kind.distribution][component], [component])
   packages  = packages
+  runtime   = contains(runtimes, component)
   ros       = "${kind.distribution}-${component}"
   below     = try("${kind.distribution}-${reverselist(beneath[kind.distribution][component])[0]}", "")
   target    = kind.stack == "" ? "${kind.distribution}-${component}" : "${kind.distribution}-${component}-${kind.key}"
@@ -626,6 +648,7 @@ function "labels" {
     "io.rosml.ros"                         = image.row.ros
     "io.rosml.ros.sync"                    = image.row.apt == null ? null : try(sync_dates[image.distribution], null)
     "io.rosml.experimental"                = image.row.experimental ? "true" : null
+    "io.rosml.runtime"                     = try(image.row.runtime[image.component], null)
     }, {
     for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name)
     }, {
@@ -637,12 +660,13 @@ function "labels" {
 function "tests" {
   params = [image, ros]
   result = concat(
-    ["contract"],
-    image.row.wheels == "" ? concat([ros], [for component in image.chain : "${ros}-${component}"]) : ["${ros}-wheels"],
+    ["contract", image.runtime ? "runtime" : "tools", image.row.wheels == "" ? ros : "${ros}-wheels"],
+    [for component in image.chain : "${ros}-${component}" if image.row.wheels == "" && !image.runtime],
     [for part in image.parts : part.kind if entries[part.kind].tested],
+    [for part in image.parts : "${part.kind}-build" if entries[part.kind].compiled && !image.runtime],
     frameworks[image.framework].tests,
-    image.covered || image.row.wheels != "" ? [] : ["${ros}-workspace", "${ros}-components"],
-    image.covered ? [] : ["pip"]
+    image.covered || image.runtime || image.row.wheels != "" ? [] : ["${ros}-workspace", "${ros}-components"],
+    image.covered || image.runtime ? [] : ["pip"]
   )
 }
 
@@ -656,7 +680,7 @@ function "expected" {
     length(releases) == 0 ? [] : ["releases=${join(",", releases)}"],
     [for component in image.chain :
       "packages_${replace(component, "-", "_")}=${replace(row.packages[component], " ", ",")}"
-    if row.packages[component] != ""],
+    if row.packages[component] != "" && !image.runtime],
     [for item in image.versions : "${item.name}=${item.version}"],
     flatten([for item in image.versions : [
       for name, version in try(stacks[image.stack].beside[item.name], {}) : "${name}=${version}"
@@ -704,13 +728,13 @@ target "file-list" {
 
 # Operating systems with the essentials.
 target "_systems" {
-  matrix    = { os = distinct([for name, row in distributions : row.os]) }
-  name      = os_target(os)
+  matrix = { system = distinct([for image in images : { os = image.row.os, runtime = image.runtime }]) }
+  name      = os_target(system.os, system.runtime)
   inherits  = ["_common"]
   target    = "base"
-  platforms = platforms(systems[os].platforms)
-  contexts  = { os = systems[os].image }
-  args      = { NUMPY = systems[os].numpy }
+  platforms = platforms(systems[system.os].platforms)
+  contexts  = { os = systems[system.os].image }
+  args      = { NUMPY = systems[system.os].numpy, RUNTIME = system.runtime ? "true" : null }
 }
 
 # Images without a framework: each component on the one below it, the lowest on the operating system.
@@ -725,12 +749,17 @@ target "_ros" {
   labels      = labels(image)
   contexts = merge({
     parent = (
-      image.below == "" ? "target:${os_target(image.row.os)}" : dependency(image.below, image.repository, image.below)
+      image.below == "" ? "target:${os_target(image.row.os, image.runtime)}" :
+      dependency(image.below, image.repository, image.below)
     )
   }, image.row.wheels == "" ? {} : { os = image.system.image })
   args = merge(
     { ROS_DISTRO = image.row.ros_distro, ROS_VERSION = image.row.ros, ROS_PACKAGES = given(image.packages) },
-    image.below != "" ? {} : { ROS_TOOLS = overridable(image.system.tools, image.row.tools) },
+    image.below != "" ? {} : { ROS_TOOLS = given(join(" ", concat(
+      image.runtime ? [] : [overridable(image.system.tools, image.row.tools)],
+      [for rmw in compact(split(",", image.row.rmw)) : "ros-${image.row.ros_distro}-${replace(rmw, "_", "-")}"]
+    ))) },
+    image.runtime ? { RUNTIME = "true" } : {},
     image.row.wheels == "" ? {} : { ROS_ROW = image.distribution, PYTHON = image.system.python },
     image.row.apt == null ? {} : merge(image.row.apt, { ROS_SYNC_DATE = try(sync_dates[image.distribution], "") }),
     !can(image.row.apt.ROS_CHANNEL) ? {} : {

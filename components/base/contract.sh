@@ -37,7 +37,7 @@ mkdir -p "$share/versions.d"
   sed -n 's/^PRETTY_NAME="\(.*\)"/image-os \1/p' /etc/os-release
   echo "image-architecture $(dpkg --print-architecture)"
   python3 -c 'import platform; print("image-python", platform.python_version())'
-  cmake --version | sed -n 's/^cmake version /image-cmake /p'
+  if command -v cmake >/dev/null; then cmake --version; fi | sed -n 's/^cmake version /image-cmake /p'
 } >"$share/versions.d/image"
 
 "$here/../build/clean.sh"

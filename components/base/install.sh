@@ -1,36 +1,61 @@
 #!/usr/bin/env bash
 # Essentials that every image has, whatever its ROS distribution.
-#   NUMPY  range of numpy versions that ROS's packages work with, such as <2
+#   NUMPY    range of numpy versions that ROS's packages work with, such as <2
+#   RUNTIME  not empty: only what programs need that are built already, without compilers and headers
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source=components/build/network.sh
 source "$here/../build/network.sh"
 
-packages=(
-  # shell and editing
-  bash-completion less nano vim wget curl ca-certificates openssl gnupg xz-utils
-  # users, processes, locale and time zone
-  sudo gosu tini locales tzdata lsb-release procps
-  # build tools
-  build-essential cmake gdb git git-lfs pkg-config ninja-build
-  # Python; what PyTorch and TensorFlow need of setuptools, packaging, six and wheel is the distribution's own,
-  # so that ROS's tools keep the versions they were tested with (matrix.yaml: provides)
-  python3 python3-dev python3-pip python3-venv python-is-python3
-  python3-setuptools python3-packaging python3-six python3-wheel python3-yaml
-  # python3-nacl (of rospy's dependencies) declares it for pip, Debian does not install it: `pip check` would complain
-  python3-cffi
-  # a window for first experiments with X forwarding
-  x11-apps
-)
+if [[ -n ${RUNTIME:-} ]]; then
+  # dpkg leaves these out, also of what is installed later: packages with programs depend on some with headers, and on cmake.
+  excluded=(
+    '/usr/include/*' '/opt/ros/*/include/*' '/usr/lib/*.a' '/usr/lib/gcc/*' /usr/bin/{cmake,ctest,cpack} '/usr/share/cmake-*'
+    '/usr/share/doc/*' '/usr/share/man/*' '/usr/share/info/*'
+  )
+  {
+    printf 'path-exclude=%s\n' "${excluded[@]}"
+    echo 'path-include=/usr/share/doc/*/copyright'
+  } >/etc/dpkg/dpkg.cfg.d/rosml-runtime
+  packages=(
+    # users, processes, locale and time zone
+    sudo gosu tini locales tzdata lsb-release procps
+    # how more packages get in
+    curl ca-certificates gnupg
+    # Python, with what PyTorch and TensorFlow need of setuptools, packaging, six and wheel, and rospy of cffi
+    python3 python-is-python3 python3-setuptools python3-packaging python3-six python3-wheel python3-yaml python3-cffi
+    # what compilers link programs to, and no package depends on
+    libgomp1 libatomic1
+  )
+else
+  packages=(
+    # shell and editing
+    bash-completion less nano vim wget curl ca-certificates openssl gnupg xz-utils
+    # users, processes, locale and time zone
+    sudo gosu tini locales tzdata lsb-release procps
+    # build tools
+    build-essential cmake gdb git git-lfs pkg-config ninja-build
+    # Python; what PyTorch and TensorFlow need of setuptools, packaging, six and wheel is the distribution's own,
+    # so that ROS's tools keep the versions they were tested with (matrix.yaml: provides)
+    python3 python3-dev python3-pip python3-venv python-is-python3
+    python3-setuptools python3-packaging python3-six python3-wheel python3-yaml
+    # python3-nacl (of rospy's dependencies) declares it for pip, Debian does not install it: `pip check` would complain
+    python3-cffi
+    # a window for first experiments with X forwarding
+    x11-apps
+  )
+fi
 apt-get update
 # What was mended since the base image was made, whose digest moves with a pull request alone.
 apt-get upgrade --yes
 apt-get install --yes "${packages[@]}"
 
 # git-lfs writes its settings in an order of its own every time.
-settings=$(git config --system --list | sort)
-rm /etc/gitconfig
-while IFS='=' read -r name value; do git config --system "$name" "$value"; done <<<"$settings"
+if [[ -e /etc/gitconfig ]]; then
+  settings=$(git config --system --list | sort)
+  rm /etc/gitconfig
+  while IFS='=' read -r name value; do git config --system "$name" "$value"; done <<<"$settings"
+fi
 
 # What pip keeps to (pip.conf): newer ones break what the distribution's packages and ROS's tools were built with.
 # numpy: cv_bridge's ABI, vision_opencv#535; setuptools: colcon --symlink-install, colcon-core#696 (where the

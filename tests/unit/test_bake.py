@@ -89,7 +89,7 @@ def test_people_can_read_it() -> None:
     text = (ROOT / "docker-bake.hcl").read_text()
     assert len(text.splitlines()) < 1_000 and len(text.encode()) < 80_000
     eight, nine = (bake_file.render(parse(synthetic.matrix(count * synthetic.IMAGES))).splitlines() for count in (8, 9))
-    assert len(nine) - len(eight) <= 12, "its systems are there already"
+    assert len(nine) - len(eight) <= 13, "its systems are there already"
 
 
 def test_same_input_same_bytes() -> None:
@@ -381,9 +381,10 @@ def test_broken_digests_fail(small_bake: Path) -> None:
         printed("alpha-base", file=small_bake, DIGESTS='{"alpha-core": ')
 
 
-def test_an_excerpt_prints_as_the_whole(real: ImageSet, tmp_path: Path) -> None:
+@pytest.mark.parametrize("target", ["ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-run-torch-cu130"])
+def test_an_excerpt_prints_as_the_whole(real: ImageSet, tmp_path: Path, target: str) -> None:
     """With all that an image and its test stand on."""
-    image = real.image(real.matrix.default.targets[-1])
+    image = real.image(target)
     part = real.part_by_name[image.parts[0]].target
     file = tmp_path / "excerpt.hcl"
     file.write_text(bake_file.excerpt(real, (image.target, image.test_target, part)))

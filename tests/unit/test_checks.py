@@ -214,6 +214,12 @@ def built_for(root: Root) -> None:
     root.env["NVIDIA_REQUIRE_CUDA"] = "cuda>=12.0"
 
 
+def runtime(root: Root) -> None:
+    root.file("etc/dpkg/dpkg.cfg.d/rosml-runtime", "path-exclude=/usr/include/*\n")
+    root.file("usr/lib/python3/dist-packages/torch/lib/libfmt.a")
+    (root.folder / "usr/include/boost").mkdir(parents=True)
+
+
 GOOD: dict[str, Callable[[Root], None]] = {
     "cuda_copies.sh": cuda,
     "cuda_runtime.py": loader,
@@ -235,6 +241,7 @@ GOOD: dict[str, Callable[[Root], None]] = {
     "rosdep.sh": rosdep,
     "setuid.sh": rights,
     "tools.sh": tools,
+    "runtime.sh": runtime,
 }
 
 ELSEWHERE = {
@@ -440,6 +447,11 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     "a program with root's rights": ("setuid.sh", text("opt/tool", mode=0o4755), "not in setuid.txt:\n4755 /opt/tool"),
     "a program with more rights": ("setuid.sh", text("usr/bin/chage", mode=0o4755), "4755 /usr/bin/chage"),
     "a name that begins like a known one": ("setuid.sh", text("usr/bin/passwd2", mode=0o4755), "4755 /usr/bin/passwd2"),
+    "a compiler": ("runtime.sh", text("usr/bin/g++", ""), "usr/bin/g++"),
+    "a header": ("runtime.sh", text("usr/include/boost/any.hpp", ""), "usr/include/boost/any.hpp"),
+    "a header of ROS's": ("runtime.sh", text("opt/ros/jazzy/include/rcl/rcl.h", ""), "rcl/rcl.h"),
+    "a static library": ("runtime.sh", text("usr/lib/x86_64-linux-gnu/libz.a", ""), "a static library"),
+    "headers later": ("runtime.sh", text("etc/dpkg/dpkg.cfg.d/rosml-runtime", ""), "leaves no headers out"),
     "a tool": ("tools.sh", lambda root: (root.programs / "rosdep").unlink(), "missing: rosdep"),
     "time zones": (
         "tools.sh",

@@ -17,10 +17,12 @@ def test_every_axis(real: ImageSet) -> None:
     """The axes of the design, and as many images as it asks for."""
     ubuntu = ["noetic", "foxy", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling"]
     assert list(real.matrix.distributions) == [*ubuntu, "ros1-bookworm", "ros1-trixie", "jazzy-wheels"]
-    assert list(real.matrix.components) == ["core", "base", "robot", "perception", "desktop", "desktop-full"]
+    assert list(real.matrix.components) == [
+        *("core", "base", "robot", "perception", "desktop", "desktop-full", "core-run", "base-run")
+    ]
     assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
     assert list(real.matrix.stacks) == ["cu128", "cu130", "cu132", "cu121", "cpu", "cpu38"]
-    assert len(real.images) == 581
+    assert len(real.images) == 801
     both = [image for image in real.images if len(image.platforms) == 2]
     assert len([tag for image in both for tag in image.tags]) > 300
 
@@ -156,7 +158,7 @@ def test_every_framework_of_every_stack_has_a_budget(real: ImageSet) -> None:
 
 REAL_REASONS = {
     "lyrical-base-tensorflow-cpu": "no release of tensorflow has a wheel for Python 3.14, the Python of ubuntu-26.04",
-    "jazzy-robot": "jazzy (ROS 2) has no robot metapackage; it has core, base, perception, desktop and desktop-full",
+    "jazzy-robot": "jazzy (ROS 2) has no robot metapackage; it has core, base, perception, desktop, desktop-full, core-run and base-run",
     "ros1-bookworm-core-tensorflow-cu130": "stack cu130 has no release of tensorflow",
     "noetic-base-torch-cu128": "torch 2.10.0 has no wheel for Python 3.8, the Python of ubuntu-20.04 (2.4.1 has)",
     "noetic-base-ml-cpu38": "what framework ml needs of stack cpu38 does not go together (tensorflow 2.13.1 needs "
@@ -208,7 +210,10 @@ def test_a_workspace_is_built_with_every_framework_of_every_stack(real: ImageSet
     )
     long = {1: {"ros1-workspace", "ros1-components", "pip"}, 2: {"ros2-workspace", "ros2-components", "pip"}}
     for image in real.images:
-        if image.distribution == "jazzy-wheels":
+        if image.component.endswith("-run"):
+            assert "runtime" in image.tests and not [test for test in image.tests if test.endswith("-build")]
+            assert not {"tools", *long[image.ros]} & set(image.tests)
+        elif image.distribution == "jazzy-wheels":
             assert "pip" in image.tests and "ros2-workspace" not in image.tests
         elif not long[image.ros] <= set(image.tests):
             (both,) = [real.by_target[name] for name in image.covered]

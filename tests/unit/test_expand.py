@@ -52,6 +52,7 @@ def test_image_facts(small: ImageSet) -> None:
         ],
         "tests": [
             "contract",
+            "tools",
             "ros2",
             "ros2-core",
             "ros2-base",
@@ -108,6 +109,7 @@ def test_chain_skips_components_that_a_distribution_lacks(small: ImageSet) -> No
     assert image.parent == "alpha-base"
     assert image.tests == (
         "contract",
+        "tools",
         "ros2",
         "ros2-core",
         "ros2-base",

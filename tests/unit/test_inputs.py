@@ -323,12 +323,17 @@ def test_the_time_of_files_counts(project: Path, monkeypatch: pytest.MonkeyPatch
 STAGES: dict[str, tuple[str, str, bool, set[str]]] = {
     "comment": ("# ---- ROS ---", "\n# ---- ROS, a comment\n\n# ---", False, set()),
     "comment in a stage": (
-        "ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO",
-        "# why\n\nARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO",
+        "ARG ROS_PACKAGES ROS_TOOLS RUNTIME ROS_DISTRO",
+        "# why\n\nARG ROS_PACKAGES ROS_TOOLS RUNTIME ROS_DISTRO",
         False,
         set(),
     ),
-    "ros": ("ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO", "ARG ROS_PACKAGES ROS_TOOLS ROS_DISTRO X=1", True, set()),
+    "ros": (
+        "ARG ROS_PACKAGES ROS_TOOLS RUNTIME ROS_DISTRO",
+        "ARG ROS_PACKAGES ROS_TOOLS RUNTIME ROS_DISTRO X=1",
+        True,
+        set(),
+    ),
     "assembler": ("ENV PATH=/opt/uv/bin", "ENV X=1 PATH=/opt/uv/bin", False, PARTS),
     "part-assembler": ("FROM assembler AS part-assembler\n", "FROM assembler AS part-assembler\nARG X\n", False, PARTS),
     "test-run": ("ARG TESTS EXPECT", "ARG TESTS EXPECT X", False, set()),
@@ -467,7 +472,7 @@ def retested(project: Path, image_set: ImageSet, file: str) -> set[str]:
         ("torch.yaml", {"torch"}),
         ("programs/torch/main.cpp", {"torch"}),  # which a script beside it builds
         ("tensorflow.yaml", {"tensorflow"}),
-        ("checks/pip_check.py", {"torch", "tensorflow"}),
+        ("checks/part_files.py", {"torch", "tensorflow"}),
         ("programs/roscore.sh", set()),  # of ROS 1, which the small matrix has not
         ("programs/rclpy/talk.py", {""}),  # through checks/rmw.sh
         ("checks/setuid.txt", {""}),

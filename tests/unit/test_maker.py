@@ -23,7 +23,7 @@ from rosml.registry.oci import Manifest
 
 TARGET = "alpha-base"
 MANIFEST = "sha256:" + "a" * 64
-FILES = ["contract", "ros2", "ros2-core", "ros2-base", "ros2-workspace", "ros2-components", "pip", "metadata"]
+FILES = ["contract", "tools", "ros2", "ros2-core", "ros2-base", "ros2-workspace", "ros2-components", "pip", "metadata"]
 SYNC = "2026-11-20T21:14:09Z"
 
 BAKE = """

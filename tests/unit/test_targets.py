@@ -220,7 +220,7 @@ def test_no_variable_is_left_unsaid(name: str) -> None:
 
 
 UNKNOWN = {
-    "a fact": ("NUMPY = systems[os].numpy", 'NUMPY = "${systems[os].numpy},<3"'),
+    "a fact": ("NUMPY = systems[system.os].numpy", 'NUMPY = "${systems[system.os].numpy},<3"'),
     "a variable for a fact": ("ROS_VERSION = image.row.ros,", "ROS_VERSION = overridable(image.row.ros, REVISION),"),
     "a condition on a variable": ('ACCELERATOR  = stacks[', 'NEW = REVISION == "" ? null : "two"\n    ACCELERATOR  = stacks['),
     "an argument that may be left out": ("PART         = part.kind", "PART = part.kind\n    NEW = given(NO_PROXY)"),

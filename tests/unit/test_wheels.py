@@ -37,11 +37,11 @@ def test_images(wheels: ImageSet) -> None:
     image = wheels.image("sigma-core")
     assert (image.packages, image.wheels) == ("", ("ros-alpha-rclpy[fastrtps]==7.1.6", "ros-std-msgs==5.3.6"))
     assert (image.parent, image.ros_distro, image.locks) == ("_os-ubuntu-24-04", "alpha", (LOCK,))
-    assert image.tests == ("contract", "ros2-wheels", "pip")
+    assert image.tests == ("contract", "tools", "ros2-wheels", "pip")
     joined = wheels.image("sigma-core-ml-cu1")
     assert (joined.parent, joined.wheels, joined.locks[0]) == ("sigma-core", (), LOCK)
     assert joined.locks[1:] == wheels.image("alpha-core-ml-cu1").locks
-    assert joined.tests == ("contract", "ros2-wheels", "cuda", "torch", "tensorflow", "ml", "pip")
+    assert joined.tests == ("contract", "tools", "ros2-wheels", "cuda", "torch", "tensorflow", "ml", "pip")
 
 
 def test_it_never_gets_latest(wheels: ImageSet) -> None:

@@ -100,7 +100,8 @@ def _tables(image_set: ImageSet) -> Iterator[str]:
         + "\n"
     )
     about = (
-        "short: the stack of a framework's short tags. aliases: names that it had. covered: what skips the longest tests, as an image with more has them."
+        "runtime: components on which programs run that are built on another one."
+        " short: the stack of a framework's short tags. aliases: names that it had. covered: what skips the longest tests, as an image with more has them."
         " unlocked: what has no lock yet, and why."
     )
     yield _table("distributions", about, _tall(_distributions(image_set)))
@@ -198,13 +199,15 @@ def _words(matrix: Matrix) -> dict[str, object]:
         "source": matrix.source,
         "short_component": FLOATING,
         "releases": matrix.families,
+        "runtimes": [name for name, facts in matrix.components.items() if facts.runtime_of],
     }
 
 
 def _entry(matrix: Matrix, entry: PartEntry) -> Lines:
     brings = [{"name": item.name, "short": item.short, "title": item.title} for item in rules.brought_by(entry)]
     return [
-        {"accelerator": entry.accelerator or "", "any_python": entry.any_python, "tested": entry.tested},
+        {"accelerator": entry.accelerator or "", "any_python": entry.any_python},
+        {"tested": entry.tested, "compiled": entry.compiled},
         {"slot": f"{entry.slot:02}" if entry.slot else "", "shows": rules.shown(matrix, entry.name)},
         {"release": entry.release or "", "brings": brings},
     ]
@@ -223,6 +226,7 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
     facts = matrix.distributions[name]
     alone = [image for image in images if image.stack is None]
     kinds = {_key(image): image for image in images}
+    whole = {_key(image): image for image in images if not matrix.components[image.component].runtime_of}
     platforms = _platforms(matrix, rules.architectures(matrix, name, rules.plain(matrix), None))
     short = [
         tag.split(":")[1]
@@ -230,7 +234,7 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
         if image.component == FLOATING
         for tag in image.tags[1 + len(facts.aliases) :]
     ]
-    tools, long = targets.tools(matrix, name), set(long_tests(facts))
+    long = set(long_tests(facts))
     chosen = {framework: rules.default_stack(matrix, name, framework) for framework in matrix.frameworks}
     defaults = {framework: stack for framework, stack in chosen.items() if stack}
     stacks: dict[str, list[str]] = {}
@@ -244,12 +248,17 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
         {
             "rmw": ",".join(facts.rmw),
             "wheels": targets.wheels(facts.wheels),
-            "tools": "" if tools == matrix.operating_systems[facts.os].tools else tools,
+            "tools": facts.tools or "",
         },
         {"packages": {image.component: image.packages for image in alone}},
+        {
+            "runtime": {
+                image.component: found for image in alone if (found := rules.runtime(matrix, name, image.component))
+            }
+        },
         {"apt": targets.apt_arguments(matrix, name) or None},
         {"stacks": stacks},
-        {"covered": [kind for kind, image in kinds.items() if not long.issubset(image.tests)]},
+        {"covered": [kind for kind, image in whole.items() if not long.issubset(image.tests)]},
         {"unlocked": {kind: targets.unlocked(image) for kind, image in kinds.items() if not image.locked}},
     ]
 

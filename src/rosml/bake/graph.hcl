@@ -36,10 +36,10 @@ function "given" {
   result = value == "" ? null : value
 }
 
-# The target of an operating system; bake allows no points in names.
+# The target of an operating system, to build or only to run; bake allows no points in names.
 function "os_target" {
-  params = [os]
-  result = "_os-${replace(os, ".", "-")}"
+  params = [os, runtime]
+  result = "_os-${replace(os, ".", "-")}${runtime ? "-run" : ""}"
 }
 
 # A part's name: torch-cu128-py312, or cuda-cu128 where it is the same for every Python.
@@ -104,11 +104,12 @@ beneath = { for name, row in distributions : name => { for component, packages i
 ] } }
 
 # All images: of each kind one for every component. ros: the one without a framework; below: the one that this stands on,
-# if any; main: the tag that says what it is; spelled: the same with the versions of what it is for.
+# if any; runtime: whether it is only for programs that are built; main: the tag that says what it is; spelled: the same with the versions of what it is for.
 images = flatten([for kind in kinds : [for component, packages in kind.row.packages : merge(kind, {
   component = component
   chain     = concat(beneath[kind.distribution][component], [component])
   packages  = packages
+  runtime   = contains(runtimes, component)
   ros       = "${kind.distribution}-${component}"
   below     = try("${kind.distribution}-${reverselist(beneath[kind.distribution][component])[0]}", "")
   target    = kind.stack == "" ? "${kind.distribution}-${component}" : "${kind.distribution}-${component}-${kind.key}"
@@ -156,6 +157,7 @@ function "labels" {
     "io.rosml.ros"                         = image.row.ros
     "io.rosml.ros.sync"                    = image.row.apt == null ? null : try(sync_dates[image.distribution], null)
     "io.rosml.experimental"                = image.row.experimental ? "true" : null
+    "io.rosml.runtime"                     = try(image.row.runtime[image.component], null)
     }, {
     for item in image.versions : "io.rosml.${item.name}" => item.version if contains(counted, item.name)
     }, {
@@ -167,12 +169,13 @@ function "labels" {
 function "tests" {
   params = [image, ros]
   result = concat(
-    ["contract"],
-    image.row.wheels == "" ? concat([ros], [for component in image.chain : "${ros}-${component}"]) : ["${ros}-wheels"],
+    ["contract", image.runtime ? "runtime" : "tools", image.row.wheels == "" ? ros : "${ros}-wheels"],
+    [for component in image.chain : "${ros}-${component}" if image.row.wheels == "" && !image.runtime],
     [for part in image.parts : part.kind if entries[part.kind].tested],
+    [for part in image.parts : "${part.kind}-build" if entries[part.kind].compiled && !image.runtime],
     frameworks[image.framework].tests,
-    image.covered || image.row.wheels != "" ? [] : ["${ros}-workspace", "${ros}-components"],
-    image.covered ? [] : ["pip"]
+    image.covered || image.runtime || image.row.wheels != "" ? [] : ["${ros}-workspace", "${ros}-components"],
+    image.covered || image.runtime ? [] : ["pip"]
   )
 }
 
@@ -186,7 +189,7 @@ function "expected" {
     length(releases) == 0 ? [] : ["releases=${join(",", releases)}"],
     [for component in image.chain :
       "packages_${replace(component, "-", "_")}=${replace(row.packages[component], " ", ",")}"
-    if row.packages[component] != ""],
+    if row.packages[component] != "" && !image.runtime],
     [for item in image.versions : "${item.name}=${item.version}"],
     flatten([for item in image.versions : [
       for name, version in try(stacks[image.stack].beside[item.name], {}) : "${name}=${version}"
@@ -234,13 +237,13 @@ target "file-list" {
 
 # Operating systems with the essentials.
 target "_systems" {
-  matrix    = { os = distinct([for name, row in distributions : row.os]) }
-  name      = os_target(os)
+  matrix = { system = distinct([for image in images : { os = image.row.os, runtime = image.runtime }]) }
+  name      = os_target(system.os, system.runtime)
   inherits  = ["_common"]
   target    = "base"
-  platforms = platforms(systems[os].platforms)
-  contexts  = { os = systems[os].image }
-  args      = { NUMPY = systems[os].numpy }
+  platforms = platforms(systems[system.os].platforms)
+  contexts  = { os = systems[system.os].image }
+  args      = { NUMPY = systems[system.os].numpy, RUNTIME = system.runtime ? "true" : null }
 }
 
 # Images without a framework: each component on the one below it, the lowest on the operating system.
@@ -255,12 +258,17 @@ target "_ros" {
   labels      = labels(image)
   contexts = merge({
     parent = (
-      image.below == "" ? "target:${os_target(image.row.os)}" : dependency(image.below, image.repository, image.below)
+      image.below == "" ? "target:${os_target(image.row.os, image.runtime)}" :
+      dependency(image.below, image.repository, image.below)
     )
   }, image.row.wheels == "" ? {} : { os = image.system.image })
   args = merge(
     { ROS_DISTRO = image.row.ros_distro, ROS_VERSION = image.row.ros, ROS_PACKAGES = given(image.packages) },
-    image.below != "" ? {} : { ROS_TOOLS = overridable(image.system.tools, image.row.tools) },
+    image.below != "" ? {} : { ROS_TOOLS = given(join(" ", concat(
+      image.runtime ? [] : [overridable(image.system.tools, image.row.tools)],
+      [for rmw in compact(split(",", image.row.rmw)) : "ros-${image.row.ros_distro}-${replace(rmw, "_", "-")}"]
+    ))) },
+    image.runtime ? { RUNTIME = "true" } : {},
     image.row.wheels == "" ? {} : { ROS_ROW = image.distribution, PYTHON = image.system.python },
     image.row.apt == null ? {} : merge(image.row.apt, { ROS_SYNC_DATE = try(sync_dates[image.distribution], "") }),
     !can(image.row.apt.ROS_CHANNEL) ? {} : {

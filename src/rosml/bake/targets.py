@@ -129,6 +129,9 @@ def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
         platforms = tuple(matrix.architectures[name].platform for name in facts.architectures)
         arguments = {**_common(), "NUMPY": facts.numpy}
         yield names.os_target(os), Target("base", {"os": _system(matrix, os)}, arguments, platforms)
+        if any(matrix.components[image.component].runtime_of for image in image_set.images if image.os == os):
+            runtime = {**arguments, "RUNTIME": "true"}
+            yield names.os_target(os, True), Target("base", {"os": _system(matrix, os)}, runtime, platforms)
     for part in image_set.parts:
         yield from _part(matrix, part)
     for image in image_set.images:
@@ -167,8 +170,10 @@ def _ros(image_set: ImageSet, image: Image) -> Target:
     arguments: dict[str, Value] = {**_common(), "ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
     if image.packages:
         arguments["ROS_PACKAGES"] = image.packages
-    if parent is None:
-        arguments["ROS_TOOLS"] = tools(matrix, image.distribution)
+    if matrix.components[image.component].runtime_of:
+        arguments["RUNTIME"] = "true"
+    if parent is None and (first := tools(matrix, image)):
+        arguments["ROS_TOOLS"] = first
     if facts := apt_arguments(matrix, image.distribution):
         arguments |= {name: Overridable(name, fact) if name in CHANNEL else fact for name, fact in facts.items()}
         arguments["ROS_SYNC_DATE"] = NoInput("sync date", image.distribution)
@@ -206,12 +211,13 @@ def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
     return facts | ({"ROS_APT_SOURCE": source} if source else {})
 
 
-def tools(matrix: Matrix, name: str) -> str:
-    """The Debian packages that come with a distribution's lowest component: the developers' tools, and what else speaks
-    DDS beside ROS's default."""
-    distribution = matrix.distributions[name]
-    added = (f"ros-{distribution.ros_distro or name}-{rmw.replace('_', '-')}" for rmw in distribution.rmw)
-    return " ".join([distribution.tools or matrix.operating_systems[distribution.os].tools, *added])
+def tools(matrix: Matrix, image: Image) -> str:
+    """The Debian packages that come with a distribution's lowest component: the developers' tools, where it is not only for
+    programs that are built, and what else speaks DDS beside ROS's default."""
+    distribution = matrix.distributions[image.distribution]
+    own = distribution.tools or matrix.operating_systems[distribution.os].tools
+    added = [f"ros-{image.ros_distro}-{rmw.replace('_', '-')}" for rmw in distribution.rmw]
+    return " ".join(added if matrix.components[image.component].runtime_of else [own, *added])
 
 
 def unlocked(image: Image) -> str:
@@ -259,6 +265,8 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
             image.distribution, image.component, str(image.ros), image.framework, image.stack, image.brought
         ),
     }
+    if runtime := rules.runtime(matrix, image.distribution, image.component):
+        found[labels.RUNTIME] = runtime
     if matrix.source:
         found[labels.SOURCE] = matrix.source
     if image.stack:
@@ -305,7 +313,7 @@ def _expected(image_set: ImageSet, image: Image) -> str:
     packages: dict[str, str] = {}
     ros: Image | None = image
     while ros:
-        if ros.packages:
+        if ros.packages and not image_set.matrix.components[ros.component].runtime_of:
             packages[f"packages_{ros.component.replace('-', '_')}"] = ros.packages.replace(" ", ",")
         ros = image_set.by_target.get(ros.parent)
     facts = {"os": image.os, "python": image.python, "ros": str(image.ros), "ros_distro": image.ros_distro}

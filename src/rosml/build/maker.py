@@ -25,7 +25,6 @@ from rosml.images.image_set import Image, ImageSet, Part, repository_of
 from rosml.join.joiner import Joiner
 from rosml.machine import base_images, buildx
 from rosml.machine.services import Services
-from rosml.matrix import names
 from rosml.registry import repositories
 from rosml.registry.oci import Reference
 
@@ -149,7 +148,7 @@ class BuildKitMaker:
         given = self.variables(image, architecture, package_state.ros_date(moment)) | {"DIGESTS": json.dumps(parts)}
         sets = [f"{image.target}.tags="]
         # The first component brings the essentials, which are the operating system's own packages.
-        installing = [image.target] if parts else [names.os_target(image.os), image.target]
+        installing = [image.target] if parts else [image.parent, image.target]
         if self.force:
             sets += [f"{target}.no-cache=true" for target in installing]
         elif moment:  # packages that moved are installed anew: the builder cannot know that they did

@@ -30,7 +30,8 @@ def _names(image_set: ImageSet) -> Iterator[tuple[str, str, Place]]:
         for name in (part.name, part.target):
             yield name, f"the part {part.kind} of {part.stack} and Python {part.python}", ("stacks", part.stack)
     for os in image_set.matrix.operating_systems:
-        yield names.os_target(os), f"the operating system {os}", ("operating_systems", os)
+        for runtime in (False, True):
+            yield names.os_target(os, runtime), f"the operating system {os}", ("operating_systems", os)
     for axis in ("distributions", "components", "frameworks", "stacks"):
         for name in getattr(image_set.matrix, axis):
             yield name, f"the group {name}", (axis, name)

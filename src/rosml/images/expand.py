@@ -82,13 +82,17 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
 def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
     chain = _chain(matrix, distribution, component)
     ros_image = names.image_target(name, component)
-    below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os)
+    runtime = matrix.components[component].runtime_of is not None
+    below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os, runtime)
     target = names.image_target(name, component, kind.framework, kind.stack)
     groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]
-    ros = f"ros{distribution.ros}"
-    apt = [ros, *(f"{ros}-{link}" for link in chain)]
-    long = long_tests(distribution) if distribution.wheels or not kind.covering else ()
-    shared = [part.kind for part in kind.parts if matrix.part[part.kind].tested]
+    entries = [matrix.part[part.kind] for part in kind.parts]
+    tests = ["contract", "runtime" if runtime else "tools", *_ros_tests(distribution, () if runtime else chain)]
+    tests += [entry.name for entry in entries if entry.tested]
+    tests += [f"{entry.name}-build" for entry in entries if entry.compiled and not runtime]
+    tests += kind.facts.tests
+    if not runtime and (distribution.wheels or not kind.covering):
+        tests += long_tests(distribution)
     wheels = _wheels_of(matrix, name, kind.architectures)
     return Image(
         target=target,
@@ -112,19 +116,27 @@ def _image(matrix: Matrix, name: str, distribution: Distribution, component: str
         packages="" if kind.stack else _packages(matrix, name, distribution, component),
         wheels=() if kind.stack else distribution.wheels,
         parts=tuple(part.name for part in kind.parts),
-        tests=("contract", *([f"{ros}-wheels"] if distribution.wheels else apt), *shared, *kind.facts.tests, *long),
-        covered=tuple(names.image_target(name, component, other, kind.stack) for other in kind.covering),
+        tests=tuple(tests),
+        covered=()
+        if runtime
+        else tuple(names.image_target(name, component, other, kind.stack) for other in kind.covering),
         locks=(
             *(lock for item in wheels for lock in item.locks),
             *(lock for item in kind.parts for lock in item.locks),
         ),
         disk=Size.total(
-            matrix.disk.os,
+            rules.system_size(matrix, component),
             *(matrix.disk.components[link] for link in chain),
             *(part.disk for part in kind.parts),
         ),
         budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.framework),
     )
+
+
+def _ros_tests(distribution: Distribution, chain: tuple[str, ...]) -> list[str]:
+    """The tests of an image's ROS, and of components."""
+    ros = f"ros{distribution.ros}"
+    return [f"{ros}-wheels"] if distribution.wheels else [ros, *(f"{ros}-{link}" for link in chain)]
 
 
 def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[str, ...]:
@@ -133,6 +145,7 @@ def _chain(matrix: Matrix, distribution: Distribution, component: str) -> tuple[
 
 
 def _packages(matrix: Matrix, name: str, distribution: Distribution, component: str) -> str:
+    component = matrix.components[component].runtime_of or component
     metapackage = matrix.components[component].metapackage or component
     ros_distro = distribution.ros_distro or name
     return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)

@@ -29,6 +29,9 @@ BRINGS = f"{PREFIX}brings"
 GPU = f"{PREFIX}gpu."
 """Prefix of the labels that say which driver and which GPUs: `driver`, `torch.amd64`."""
 
+RUNTIME = f"{PREFIX}runtime"
+"""The label of an image that says on which component programs run that are built on it."""
+
 RELEASE = f"{PREFIX}release"
 """The label of a part that says what it is a release of."""
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import Image, ImageSet
+from rosml.matrix import rules
 
 RESERVE_MB = 2_000
 """Left free beside the forecast: logs, the builder's bookkeeping, everybody else's."""
@@ -40,7 +41,7 @@ def _ros_mb(image_set: ImageSet, image: Image, done: Set[str]) -> int:
     if image.target in done:
         return 0
     below = image_set.by_target.get(image.parent)
-    base = below.disk if below else image_set.matrix.disk.os
+    base = below.disk if below else rules.system_size(image_set.matrix, image.component)
     own = image.disk.unpacked - base.unpacked + 2 * (image.disk.compressed - base.compressed)
     if below:
         return own + _ros_mb(image_set, below, done)

@@ -194,6 +194,10 @@ class Component(Facts):
         default=None, description="the component below; where a distribution lacks it, the next one below that"
     )
     metapackage: Word | None = Field(default=None, description="name in package names; the component's own if left out")
+    runtime_of: Name | None = Field(
+        default=None,
+        description="the component whose packages it has without compilers and headers: for programs that are built",
+    )
 
 
 class PartEntry(Facts):
@@ -227,6 +231,9 @@ class PartEntry(Facts):
         default=(), description="packages of its release that it holds beside the part of the release's own name"
     )
     tested: bool = Field(default=True, description="whether tests/structure has tests of its own for it")
+    compiled: bool = Field(
+        default=False, description="whether it has more of them, in NAME-build, that need a compiler"
+    )
 
     @property
     def brings(self) -> tuple[str, ...]:
@@ -433,6 +440,9 @@ class Disk(Facts):
     """Forecast of sizes in MB, each without what it stands on."""
 
     os: Size = Field(description="operating system with the essentials")
+    runtime: Size | None = Field(
+        default=None, description="the same for components with runtime_of; that of 'os' if left out"
+    )
     components: dict[Name, Size] = Field(description="component -> size")
     parts: dict[Name, dict[Name, Size]] = Field(description="stack -> part -> size")
     budgets: dict[Name, dict[Name, Megabytes]] = Field(

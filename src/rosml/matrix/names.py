@@ -48,9 +48,9 @@ def os_slug(os: str) -> str:
     return os.replace(".", "-")
 
 
-def os_target(os: str) -> str:
-    """The target of an operating system with the essentials."""
-    return f"_os-{os_slug(os)}"
+def os_target(os: str, runtime: bool = False) -> str:
+    """The target of an operating system with the essentials: to build, or only to run what is built."""
+    return f"_os-{os_slug(os)}{'-run' if runtime else ''}"
 
 
 def os_variable(os: str) -> str:

@@ -110,6 +110,16 @@ def _components(matrix: Matrix) -> Iterator[Finding]:
     for name, component in matrix.components.items():
         if component.builds_on and component.builds_on not in matrix.components:
             yield ("components", name, "builds_on"), unknown("component", component.builds_on, matrix.components)
+        if facts := component.runtime_of:
+            if facts not in matrix.components:
+                yield ("components", name, "runtime_of"), unknown("component", facts, matrix.components)
+            elif matrix.components[facts].runtime_of:
+                text = f"{facts} is a runtime itself; name the component with the compilers"
+                yield ("components", name, "runtime_of"), text
+        lower = matrix.components.get(component.builds_on or "")
+        if lower and bool(lower.runtime_of) != bool(component.runtime_of):
+            text = "one of them has runtime_of, and the other has not: both must have it, or none"
+            yield ("components", name, "builds_on"), text
         chain: list[str] = []
         below: str | None = name
         while below in matrix.components and below not in chain:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from rosml.base.problems import listed
-from rosml.matrix.model import Framework, Matrix, PartEntry, RosArchive, Stack
+from rosml.matrix.model import Framework, Matrix, PartEntry, RosArchive, Size, Stack
 
 NVIDIA = ("cuda", "cudnn", "nccl")
 """A stack's facts of CUDA."""
@@ -229,6 +229,21 @@ def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
         links.insert(0, link)
         link = matrix.components[link].builds_on
     return tuple(links)
+
+
+def system_size(matrix: Matrix, component: str) -> Size:
+    """The size of the operating system that a component stands on."""
+    runtime = matrix.components[component].runtime_of is not None
+    return (runtime and matrix.disk.runtime) or matrix.disk.os
+
+
+def runtime(matrix: Matrix, distribution: str, component: str) -> str:
+    """The component on which programs run that are built on another one, or on the nearest below it; empty if there is none."""
+    present = matrix.distributions[distribution].present
+    smaller = {
+        facts.runtime_of: name for name, facts in matrix.components.items() if facts.runtime_of and name in present
+    }
+    return next((smaller[link] for link in reversed(chain(matrix, component)) if link in smaller), "")
 
 
 def _pairing(name: str, framework: Framework, stack: str | None) -> str | None:

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import Image, ImageSet
 from rosml.machine import disk
-from rosml.matrix import names
 from rosml.matrix.model import Size
 from rosml.publish.plan_file import Estimates, Shard
 
@@ -219,5 +218,5 @@ def _disk_mb(image_set: ImageSet, images: list[Image]) -> int:
     total, built = disk.RESERVE_MB, set[str]()
     for image in images:
         total += disk.needed_mb(image_set, image, built)
-        built.update((names.os_target(image.os), image.target, *image.parts))
+        built.update((image.parent, image.target, *image.parts))
     return total

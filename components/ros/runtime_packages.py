@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Names the Debian packages that programs need to run, of those that they are built with.
+
+    runtime_packages.py PACKAGE…
+
+A package with headers, such as libroscpp-dev, gives way to what it depends on: libroscpp4d, messages. A package that needs a
+compiler is left out. All others stay. apt's lists have to be there. Prints a name a line, sorted; those that apt does not
+know stay as they are, for apt says best what is wrong with them.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Iterable
+
+HEADERS = re.compile(r".*-dev")
+"""Packages with headers, and metapackages of such; those of the section libdevel are too."""
+
+COMPILERS = re.compile(
+    r"(gcc|g\+\+|cpp|libgcc|libstdc\+\+)(-\d+)?(-dev)?|build-essential|binutils|dpkg-dev|make|ninja-build|libc6-dev"
+    r"|linux-libc-dev"
+)
+"""Compilers and what comes with them; every image has the libraries that they link programs to."""
+
+
+class Archive:
+    """What apt knows of packages, by name: their sections and dependencies."""
+
+    def __init__(self) -> None:
+        said = subprocess.run(["apt-cache", "dumpavail"], capture_output=True, text=True, check=True).stdout
+        self._known: dict[str, tuple[str, list[str]]] = {}
+        for text in said.split("\n\n"):
+            fields = dict(re.findall(r"^(Package|Section|Pre-Depends|Depends): (.*)$", text, re.MULTILINE))
+            groups = f"{fields.get('Pre-Depends', '')},{fields.get('Depends', '')}".split(",")
+            # Of alternatives the first, as apt chooses.
+            wanted = [found[0] for group in groups if (found := re.match(r"[^\s:(|]+", group.strip()))]
+            self._known[fields.get("Package", "")] = fields.get("Section", "").rpartition("/")[2], wanted
+
+    def section(self, name: str) -> str:
+        """The section that a package is in; empty where apt does not know it."""
+        return self._known.get(name, ("", []))[0]
+
+    def needs(self, name: str) -> list[str]:
+        """What a package depends on, without what that depends on in turn."""
+        return self._known.get(name, ("", []))[1]
+
+    def compiles(self, name: str) -> bool:
+        """Whether a compiler comes with a package."""
+        seen, todo = {name}, [name]
+        while todo:
+            if any(COMPILERS.fullmatch(item) for item in todo):
+                return True
+            todo = sorted({need for item in todo for need in self.needs(item)} - seen)
+            seen.update(todo)
+        return False
+
+
+def needed(packages: Iterable[str], archive: Archive) -> list[str]:
+    """The packages that stay; a version, as in `name=1.2`, stays with its name."""
+    kept, seen, todo = set[str](), set[str](), list(packages)
+    while todo:
+        seen.update(todo)
+        found = []
+        for item in todo:
+            name = item.partition("=")[0]
+            section = archive.section(name)
+            if COMPILERS.fullmatch(name):
+                continue
+            if section == "libdevel" or HEADERS.fullmatch(name):
+                found += archive.needs(name)
+            elif section != "devel" or not archive.compiles(name):
+                kept.add(item)
+        todo = sorted(set(found) - seen)
+    return sorted(kept)
+
+
+if __name__ == "__main__":
+    print("\n".join(needed(sys.argv[1:], Archive())))
