@@ -174,12 +174,15 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path) -
     facts = {**packages(base, runtime, root), "outside": outside(environment, built)}
 
     install = "docker-ros/ws/install"
+    # Of a base image that is an app itself, what it has built stays there.
+    there = {os.path.join(install, path): stats for path, stats in entries(base / install).items()}
     for above, folders, names in os.walk(built / install):
         if "__pycache__" in folders:
             folders.remove("__pycache__")
         for name in [*folders, *names, "."]:
             path = os.path.normpath(os.path.relpath(os.path.join(above, name), built))
-            if not os.path.lexists(root / path):
+            known = path in there and same(path, base, built, there[path], os.lstat(built / path))
+            if not known and not os.path.lexists(root / path):
                 copy(built, path, root)
 
     # Compiled by the time of a source it would hold when it was built, and be stale now.

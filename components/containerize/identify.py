@@ -5,7 +5,7 @@
 
 Into OUT go `packages/KIND.KIND`, a sorted list for each kind of dependency (build, exec, test) and each way to install it
 (apt, pip), and `dependencies.json`, which says what each key of rosdep became and who asked for it. LEFT_OUT is a list of
-ROS packages that do not count.
+ROS packages that do not count. What the base image has built in its own workspaces is there already.
 
 Keys are looked up in the lists that the image has itself, or in INDEX, a folder such as a checkout of ros/rosdistro. Only
 if they do not know all keys, the network is asked.
@@ -46,6 +46,9 @@ EMPTY = "empty.yaml"
 DEBIAN = "10-debian.list"
 """Of Debian's rosdep: it calls Debian's own packages of ROS 1 by names that ROS 2 has as well."""
 
+WORKSPACES = (Path(os.environ.get("WORKSPACE", "/docker-ros/ws")), Path("/opt/ws_base_image"))
+"""Where a base image may have built packages."""
+
 Packages = dict[str, dict[str, set[str]]]
 """Keys of rosdep that packages ask for, by package and kind."""
 
@@ -78,6 +81,13 @@ def read(folder: Path, left_out: Path) -> Packages:
             if kind != "test" or path.parts[:1] != ("upstream",)  # tests of these do not run
         }
     return packages
+
+
+def provided() -> set[str]:
+    """ROS packages that are built in the base image."""
+    patterns = ("share/*/package.xml", "*/share/*/package.xml")  # merged, and each in a folder of its own
+    found = (path for place in WORKSPACES for pattern in patterns for path in (place / "install").glob(pattern))
+    return {path.parent.name for path in found}
 
 
 class Rosdep:
@@ -187,7 +197,7 @@ def answers(packages: Packages, skipped: set[str], rosdep: Rosdep) -> dict[str, 
 def main(folder: Path, left_out: Path, index: Path, scratch: Path, out: Path) -> None:
     packages = read(folder, left_out)
     skipped = set(os.environ.get("SKIP_KEYS", "").split())
-    found = answers(packages, skipped, Rosdep(index, scratch))
+    found = answers(packages, skipped | provided(), Rosdep(index, scratch))
     lists: defaultdict[str, set[str]] = defaultdict(set)
     for kinds in packages.values():
         for kind, keys in kinds.items():

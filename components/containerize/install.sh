@@ -42,8 +42,16 @@ if [[ " $* " == *" test "* && ${ROS_VERSION:-} == 1 ]]; then
   if [[ -n $(apt-cache search --names-only '^python3-nose$') ]]; then debs+=(python3-nose); fi
 fi
 
+# In an image for programs that are built: what they need, without packages with headers.
+if [[ -e /etc/dpkg/dpkg.cfg.d/rosml-runtime && ${#debs[@]} -gt 0 ]]; then
+  apt_update
+  needed=$("$here/../ros/runtime_packages.py" "${debs[@]}")
+  mapfile -t debs <<<"$needed"
+fi
+
 missing=()
 for name in "${debs[@]}"; do
+  [[ -n $name ]] || continue
   status=$(dpkg-query --show --showformat '${db:Status-Status}' "$name" 2>/dev/null || true)
   if [[ $status != installed ]]; then missing+=("$name"); fi
 done

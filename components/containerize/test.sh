@@ -2,7 +2,7 @@
 # Runs the tests of the packages in src/target, in the workspace that workspace.sh built. Their JUnit files and those of CTest
 # go into a folder for each package, with `failed`, a list of what failed, if something did: whoever reads it says so, after
 # the reports are out.
-#   test.sh OUT
+#   test.sh OUT [built]   built: their programs are there, and no compiler
 set -euo pipefail
 
 out=$1
@@ -14,7 +14,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 mapfile -t packages < <(colcon list --names-only --base-paths src/target)
 if [[ ${#packages[@]} -eq 0 ]]; then exit; fi
-if [[ ${ROS_VERSION:-} == 1 ]]; then # catkin builds tests by a target of their own
+if [[ ${ROS_VERSION:-} == 1 && -z ${2:-} ]]; then # catkin builds tests by a target of their own
   colcon build --base-paths src/target --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
     --cmake-target tests --cmake-target-skip-unavailable || echo "tests do not build" >>"$out/failed"
 fi

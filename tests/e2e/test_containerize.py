@@ -25,6 +25,7 @@ from tests.e2e.images import Publish
 from tests.e2e.images import build as build_folder
 
 BASE = "ros1-bookworm-core"
+RUNTIME = "ros1-bookworm-core-run"
 CANARY = "canary-9d1f"
 
 PACKAGE = """<package format="2"><name>{0}</name><version>1.0.0</version><description>{0}</description>
@@ -72,13 +73,14 @@ def config(services: Services, reference: str) -> dict[str, Any]:
 
 
 def test_the_example(published: Publish, services: Services, tmp_path: Path) -> None:
-    base = published(BASE)
+    base, runtime = published(BASE), published(RUNTIME)
     folder, name = tmp_path / "compass", f"{NAMESPACE}/compass"
     shutil.copytree(ROOT / "examples/ros1", folder)
     with (folder / ".env").open("a") as file:
         file.write(f"GIT_HTTPS_PASSWORD={CANARY}\n")
     commit(folder)
-    options = ("--base-image", base.result["reference"], "--image-name", name)
+    options = ["--base-image", base.reference, "--image-name", name]
+    options += ["--enable-slim", "--slim-base-image", runtime.reference]
 
     found = made(folder, *options)
     assert found["packages"] == ["compass"]
@@ -88,7 +90,13 @@ def test_the_example(published: Publish, services: Services, tmp_path: Path) -> 
     run_image, dev_image = found["run"]["reference"], found["dev"]["reference"]
     layers = [layer.digest for layer in regctl.layers(services, run_image)]
     assert layers[:-1] == base.layers, "the base image and one layer of the app"
-    for reference in (run_image, dev_image):
+    assert found["slim_tests"]["count"] == 2 and not found["slim_tests"]["failures"]
+    slim_image = found["slim"]["reference"]
+    slim = regctl.layers(services, slim_image)
+    assert [layer.digest for layer in slim][:-1] == runtime.layers
+    whole = sum(layer.size for layer in regctl.layers(services, run_image))
+    assert sum(layer.size for layer in slim) < 0.45 * whole
+    for reference in (run_image, dev_image, slim_image):
         assert CANARY not in json.dumps(config(services, reference))
     assert CANARY not in (services.state / f"log/containerize-{NAMESPACE}+compass@latest.log").read_text()
 
@@ -100,12 +108,18 @@ RUN bash -c '(timeout --signal=INT 20 /tini -s -- /entrypoint.sh bash -c "exec b
     sort -u /said && test "$(grep -c -E "east|north|west|south" /said)" -ge 4
 RUN test -e /var/lib/dpkg/status.d/python3-angles && ! grep -q libangles /var/lib/dpkg/status && \\
     test ! -e /docker-ros/ws/src && test ! -e /docker-ros/ws/build
+FROM {slim_image} AS slim
+RUN bash -c '(timeout --signal=INT 20 /tini -s -- /entrypoint.sh bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
+      until /entrypoint.sh timeout 5 rostopic echo -n 1 /direction; do :; done; wait) 2>&1' && \\
+    ! command -v g++ && ! find /usr/include -type f | grep . && test -e /var/lib/dpkg/status.d/python3-angles && \\
+    ! test -e /var/lib/dpkg/status.d/libangles-dev
 FROM {dev_image} AS dev
 RUN test -e /docker-ros/ws/src/target/src/compass/package.xml && ! grep -r {CANARY} /docker-ros && \\
     test -z "$(find /docker-ros -name .git -o -name .env)"
 RUN DOCKER_UID=1000 DOCKER_GID=1000 /entrypoint.sh bash -c 'cd ~/ws && colcon build && . install/setup.bash && rospack find compass'
 FROM scratch
 COPY --from=run /said /
+COPY --from=slim /tini /slim
 COPY --from=dev /tini /
 """
     )
@@ -149,6 +163,30 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
         folder, inputs.values(options | {"tests": "false"}, folder, {}), {}, fresh, said.append
     ).build()
     assert untested.tests.count == 0, "no result of the build before"
+
+
+def test_an_app_is_a_base_image_as_well(published: Publish, services: Services, tmp_path: Path) -> None:
+    """The second one's layer has what the second one has built, and finds the first one."""
+    images = [published(BASE).reference]
+    for number, needs in ((1, ""), (2, "<depend>level_1</depend>")):
+        folder = tmp_path / f"level_{number}"
+        folder.mkdir()
+        (folder / "package.xml").write_text(PACKAGE.format(folder.name, needs))
+        (folder / "CMakeLists.txt").write_text(CMAKE.format(folder.name))
+        name = f"{NAMESPACE}/level{number}"
+        options = ("--base-image", images[-1], "--image-name", name, "--command", "true", "--target", "run")
+        run_image = made(folder, *options)["run"]
+        images.append(f"{run_image['reference'].rpartition(':')[0]}@{run_image['digest']}")
+    base, first, second = ([layer.digest for layer in regctl.layers(services, image)] for image in images)
+    assert (first[:-1], second[:-1]) == (base, first)
+    (tmp_path / "chk").mkdir()
+    (tmp_path / "chk/Dockerfile").write_text(
+        f"""FROM {images[-1]}
+RUN /entrypoint.sh bash -c 'rospack find level_1 && rospack find level_2' && \\
+    test -e install/level_1/share/level_1/said -a -e install/level_2/share/level_2/said
+"""
+    )
+    build_folder(services, tmp_path / "chk")
 
 
 @pytest.mark.full(proof="wheels")

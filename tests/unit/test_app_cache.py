@@ -18,7 +18,7 @@ from rosml.apps.cache import FORMAT, Cache, Keys, keys
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
 
-KEYS = Keys("e", "u", "a")
+KEYS = Keys("e", "u", "a", False)
 
 REPORT = Built("base", packages=["robot"], keys={"roscpp": ["libroscpp-dev"]}, tests=junit.Tests(3, 1)).facts()
 
@@ -37,8 +37,11 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def made(folder: Path, base: str = "sha256:1", cmake: str = "", tests: str = "true", hooked: bool = False) -> Keys:
-    return keys({"base": base}, [folder / "needs"], folder / "upstream", folder / "target", cmake, tests, hooked)
+def made(
+    folder: Path, base: str = "sha256:1", cmake: str = "", tests: str = "true", hooked: bool = False, slim: str = ""
+) -> Keys:
+    given = {"base": base} | ({"slim": slim} if slim else {})
+    return keys(given, [folder / "needs"], folder / "upstream", folder / "target", cmake, tests, hooked)
 
 
 def differ(one: Keys, other: Keys) -> list[str]:
@@ -82,6 +85,12 @@ def test_values_decide_as_well(folder: Path) -> None:
     assert differ(before, made(folder, tests="false")) == ["app"]
 
 
+def test_a_slim_image_has_stages_of_its_own(folder: Path) -> None:
+    before, after = made(folder), made(folder, slim="sha256:3")
+    assert {*after.stages} - {*before.stages} == {"slim-runtime", "slim-app"}
+    assert differ(after, made(folder, slim="sha256:4")) == ["environment", "upstream", "app"]
+
+
 def test_sources_that_a_script_changes_decide_which_packages_are_needed(folder: Path) -> None:
     before = made(folder, hooked=True)
     write("target/src/file")(folder)
@@ -100,7 +109,7 @@ def test_a_report_is_found_again(registry: StandIn) -> None:
         assert (cache.found(KEYS), cache.report(KEYS)) == ({}, None)
         cache.keep(KEYS, REPORT)
         assert cache.report(KEYS) == REPORT
-        assert cache.report(Keys("e", "u", "other")) is None
+        assert cache.report(Keys("e", "u", "other", False)) is None
         assert cache.reference("app-a") == f"{registry.address}/me/robot-cache:app-a"
 
 

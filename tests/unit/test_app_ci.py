@@ -150,8 +150,8 @@ class App:
             raise RosmlError(self.failed, "correct them")
         built = Built("base")
         for target in self.values["target"].split(","):
-            tag = self.values["image-tag" if target == "run" else "dev-image-tag"]
-            name = self.values["image-name"] if target == "run" else self.values["dev-image-name"]
+            before = "" if target == "run" else f"{target}-"
+            tag, name = self.values[f"{before}image-tag"], self.values[f"{before}image-name"]
             digest = put(self.services, f"{name or self.values['image-name']}:{tag}")
             built.images.append(Made(target, f"{name}:{tag}", digest))
         return built
@@ -223,6 +223,18 @@ def test_an_index_has_every_platform_and_gets_all_tags(registry: StandIn, servic
     index = json.loads(registry.manifests["me/robot", made.digest][1])
     there = {entry["platform"]["architecture"]: entry["digest"] for entry in index["manifests"]}
     assert there == {"amd64": found["v1-amd64"], "arm64": found["v1-arm64"]}
+
+
+def test_a_slim_image_has_tags_and_an_index_as_others(registry: StandIn, services: Services, tmp_path: Path) -> None:
+    """Where there is one."""
+    for platform in ("amd64", "arm64"):
+        call = job(services, tmp_path, platform=platform, target="run,slim")
+        call.build(tmp_path, services, tmp_path / "made" / platform, True)
+    with oci.Registries() as registries:
+        made = job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
+    assert [image.target for image in made] == ["run", "slim"]
+    assert ci.outputs(made)["slim-image"] == f"{services.registry}/me/robot:latest-slim"
+    assert {"latest", "latest-slim"} <= tags(services, registry).keys()
 
 
 def test_a_build_takes_what_ci_makes_of_the_inputs(

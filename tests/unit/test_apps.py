@@ -8,7 +8,7 @@ import os
 import re
 import shutil
 import subprocess
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +38,9 @@ def services(registry: StandIn, tmp_path: Path) -> Services:
     return Services(state, registry.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
 
 
-def put(services: Services, name: str, *platforms: str, **variables: str) -> str:
+def put(
+    services: Services, name: str, *platforms: str, labels: Mapping[str, str] | None = None, **variables: str
+) -> str:
     """An image for some platforms; gives the digest of its index."""
     repository, _, tag = name.partition(":")
     with oci.Registry(services.registry) as client:
@@ -48,7 +50,7 @@ def put(services: Services, name: str, *platforms: str, **variables: str) -> str
             config = {
                 "os": system,
                 "architecture": architecture,
-                "config": {"Env": [f"{name}={value}" for name, value in variables.items()]},
+                "config": {"Env": [f"{name}={value}" for name, value in variables.items()], "Labels": labels},
             }
             blob = oci.encoded(config)
             client.put_blob(repository, blob)
@@ -87,6 +89,32 @@ def test_a_base_image_is_read_and_held_by_its_digest(services: Services) -> None
     with pytest.raises(RosmlError, match="there is no image") as caught:
         base.find(f"{services.registry}/rosml/ros:jazy", services, ("linux/amd64",))
     assert "rosml list" in caught.value.remedy
+
+
+OURS = {"io.rosml.distribution": "jazzy", "io.rosml.runtime": "base-run"}
+STACK = {**OURS, "io.rosml.stack": "cpu"}
+
+
+@pytest.mark.parametrize(
+    ("name", "labels", "runtime"),
+    [
+        ("ghcr.io/me/ros:jazzy", OURS, "ghcr.io/me/ros:jazzy-base-run"),
+        ("127.0.0.1:5000/ros-tf:jazzy-desktop-cpu", STACK, "127.0.0.1:5000/ros-tf:jazzy-base-run-cpu"),
+        ("ghcr.io/me/ros:jazzy-base-20261124", OURS, "ghcr.io/me/ros:jazzy-base-run-20261124"),
+        ("ghcr.io/me/ros:jazzy", {"io.rosml.distribution": "jazzy"}, ""),
+        ("ghcr.io/me/ros@sha256:0123", OURS, "ghcr.io/me/ros:jazzy-base-run"),
+        ("debian:bookworm", {}, ""),
+    ],
+)
+def test_a_base_image_says_which_one_has_no_compilers(name: str, labels: dict[str, str], runtime: str) -> None:
+    assert base.runtime(base.Base(name, "sha256:1", {}, labels)) == runtime
+
+
+@pytest.mark.parametrize(
+    "name", ["localhost:5000/ros:1", "localhost:5000/ros@sha256:0", "localhost:5000/ros:1@sha256:0"]
+)
+def test_a_base_image_is_named_by_its_digest_alone(name: str) -> None:
+    assert base.Base(name, "sha256:1", {}).reference == "localhost:5000/ros@sha256:1"
 
 
 def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -220,6 +248,7 @@ def test_no_file_is_one_that_is_named_empty(tmp_path: Path) -> None:
 
 
 APP: dict[str, list[str]] = {"packages": ["libfoo:all"], "changed": [], "replaced": [], "removed": [], "outside": []}
+SLIM = dict(APP)
 
 
 # ---- The build -------------------------------------------------------------------------------------------------------
@@ -247,6 +276,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
             report.mkdir(parents=True)
             (report / "dependencies.json").write_text(json.dumps({"packages": {"robot": {}}, "keys": {}}))
             (report / "app.json").write_text(json.dumps(APP))
+            (report / "slim.json").write_text(json.dumps(SLIM))
         return None, {"containerimage.digest": "sha256:1"}
 
     monkeypatch.setattr(buildx, "run", run)
@@ -291,6 +321,70 @@ def test_a_run_image_starts_from_its_packages_where_they_replace_some_of_the_bas
     built = app(repository, services, base_image="ros:jazzy", command="true").build()
     assert calls[1]["dockerfile-inline"].splitlines()[:2] == ["FROM runtime", "COPY --link --from=app / /"]
     assert "libbar:amd64" in dict(built.summary())[""]
+
+
+def test_a_slim_image_starts_from_the_base_image_without_compilers(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    platform = f"linux/{native_architecture()}"
+    put(services, "rosml/ros:jazzy", platform, labels=OURS, ROS_DISTRO="jazzy")
+    digest = put(services, "rosml/ros:jazzy-base-run", platform, ROS_DISTRO="jazzy")
+    given = {"base_image": "ros:jazzy", "command": "true", "target": "run", "enable_slim": "true"}
+    built = app(repository, services, **given).build()
+    assert [image.reference for image in built.images] == [f"{services.registry}/robot:{tag}" for tag in TAGS]
+    slim = calls[-1]
+    assert slim["contexts"]["slim"] == f"docker-image://{services.registry}/rosml/ros@{digest}"
+    assert slim["dockerfile-inline"].splitlines()[:2] == ["FROM slim", "COPY --link --from=slim-app / /"]
+    assert slim["args"]["APP_DEFAULT_CMD"] == "true" and slim["labels"][bake_file.BASE_DIGEST] == digest
+    assert calls[0]["target"] == "slim-report"
+
+    monkeypatch.setitem(SLIM, "removed", ["usr/bin/less"])
+    built = app(repository, services, **given, slim_image_name="small", slim_image_tag="1").build()
+    assert calls[-1]["dockerfile-inline"].splitlines()[0] == "FROM slim-runtime"
+    assert calls[-2]["dockerfile-inline"].splitlines()[0] == "FROM base"
+    assert calls[-1]["tags"] == [f"{services.registry}/small:1"]
+    assert "the slim one, of which its packages change 1 thing: usr/bin/less" in dict(built.summary())[""]
+
+
+TAGS = ("latest", "latest-slim")
+
+
+def test_no_slim_image_is_made_where_no_base_image_is_found(
+    repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    """It is said. Where somebody names one, it is an error."""
+    platform = f"linux/{native_architecture()}"
+    put(services, "rosml/ros:jazzy", platform, labels=OURS, ROS_DISTRO="jazzy")
+    put(services, "plain:1", platform, ROS_DISTRO="jazzy")
+    said: list[str] = []
+    local = services.registry
+    for name, why in (
+        ("ros:jazzy", f"there is no {local}/rosml/ros:jazzy-base-run"),
+        ("plain:1", f"{local}/plain:1 does not say which base image has no compilers"),
+    ):
+        given = {"base-image": name, "command": "true", "target": "run", "enable-slim": "true"}
+        build.App(repository, inputs.values(given, repository, {}), {}, services, said.append).build()
+        assert calls[-1]["name"] == "run"
+        assert f"no slim image: {why}; name one with --slim-base-image" in said
+    with pytest.raises(RosmlError, match="there is no image typo"):
+        app(
+            repository, services, base_image="ros:jazzy", command="x", enable_slim="true", slim_base_image="typo"
+        ).build()
+
+
+def test_tests_that_fail_in_the_slim_image_alone_are_named(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("rosml/ros:jazzy", "small:1"):
+        put(services, name, f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    failures = {"results": (), "slim": ("robot: a.bad: no libfoo.so.1",)}
+    monkeypatch.setattr(junit, "read", lambda folder: junit.Tests(3, 1, failures[folder.name]))
+    with pytest.raises(RosmlError, match=r"1 of 3 tests failed in the slim image.*no image was made") as caught:
+        app(
+            repository, services, base_image="ros:jazzy", command="x", enable_slim="true", slim_base_image="small:1"
+        ).build()
+    assert "robot: a.bad: no libfoo.so.1" in caught.value.message and "exec_depend" in caught.value.remedy
+    assert [call["name"] for call in calls] == ["packages"]
 
 
 def test_a_relative_index_of_rosdep_is_one_of_the_folder(

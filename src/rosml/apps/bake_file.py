@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -11,7 +11,7 @@ from typing import Any
 
 from rosml import ROOT
 from rosml.apps.base import Base
-from rosml.apps.names import Names
+from rosml.apps.names import SLIM, Names
 from rosml.build.push import COMPRESSION
 from rosml.images.labels import PREFIX, REVISION, TITLE
 from rosml.machine.services import Services
@@ -28,6 +28,9 @@ REPORT = "report"
 STAGES = ("app", "runtime", "workspace")
 """Stages that images are joined from."""
 
+SLIM_STAGES = ("slim-app", "slim-runtime")
+"""Those that a slim image is joined from."""
+
 PACKAGES = "packages"
 """The group of all that is built before the images."""
 
@@ -39,7 +42,7 @@ class Inputs:
     """What an app is built from.
 
     Attributes:
-        base: the base image. distribution: its ROS.
+        base: the base image. distribution: its ROS. slim: the base image of the slim image, if there is to be one.
         values: of the user's inputs.
         contexts: folders with sources, manifests and requests, by the names of the Dockerfile. empty: one without files.
         hooked: a script changes the sources before their dependencies are read.
@@ -54,6 +57,12 @@ class Inputs:
     hooked: bool
     commit: str
     time: int
+    slim: Base | None = None
+
+    @property
+    def stages(self) -> tuple[str, ...]:
+        """Stages that images are joined from."""
+        return STAGES + (SLIM_STAGES if self.slim else ())
 
 
 def render(
@@ -64,7 +73,7 @@ def render(
     report: Path,
     known: Mapping[str, str],
     kept: Mapping[str, str],
-    linked: bool = True,
+    unlinked: Container[str] = (),
 ) -> str:
     """The bake file.
 
@@ -72,13 +81,15 @@ def render(
         environment: variables that are set.
         report: folder for the report.
         known: stages that are in a registry, with their references. kept: where others go, by stage.
-        linked: the run image is the base image and the app; otherwise it starts from the stage that has the app's packages.
+        unlinked: images that are not their base image and the app: they start from the stage that has the app's packages.
     """
     values = inputs.values
     secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
     if services.ca_bundle:
         secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
     base = {"base": f"docker-image://{inputs.base.reference}"}
+    if inputs.slim:
+        base["slim"] = f"docker-image://{inputs.slim.reference}"
     contexts = {name: str(path) for name, path in inputs.contexts.items()}
     stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
     common: dict[str, Any] = {
@@ -95,9 +106,11 @@ def render(
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
         },
     }
-    stage = REPORT if values["tests"] == "true" else f"{REPORT}-untested"
+    stage = f"slim-{REPORT}" if inputs.slim else REPORT
+    if values["tests"] != "true":
+        stage += "-untested"
     targets: dict[str, Any] = {REPORT: {**common, "target": stage, "output": [f"type=local,dest={report}"]}}
-    for stage in STAGES:
+    for stage in inputs.stages:
         targets[stage] = {**common, "target": stage}
     for stage, reference in kept.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
@@ -105,9 +118,9 @@ def render(
     for target in names.targets:
         targets[target] = {
             "context": str(inputs.empty),
-            "dockerfile-inline": _dockerfile(target, _variables(target, inputs), linked),
+            "dockerfile-inline": _dockerfile(target, _variables(target, inputs), target not in unlinked),
             "platforms": list(names.platforms),
-            "contexts": base | {name: stages.get(name, f"target:{name}") for name in STAGES},
+            "contexts": base | {name: stages.get(name, f"target:{name}") for name in inputs.stages},
             "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
             "labels": _labels(inputs, names.app, target),
             "tags": names.tags(target),
@@ -134,17 +147,18 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
         found["ROS_DISTRO"] = inputs.distribution
     if values["rmw-implementation"]:
         found["RMW_IMPLEMENTATION"] = values["rmw-implementation"]
-    if target == "run":
+    if target != "dev":
         found["DEFAULT_CMD"] = values["command"]
     return {f"APP_{name}": value for name, value in found.items()}
 
 
 def _dockerfile(target: str, variables: Iterable[str], linked: bool) -> str:
     """How an image is joined: nothing runs. Values come as arguments, since a value of several lines cannot stand here."""
-    base = "base" if linked else "runtime"
-    lines = [f"FROM {base}", "COPY --link --from=app / /"] if target == "run" else ["FROM workspace"]
-    command = ["bash"]
-    if target == "run":
+    lines, command = ["FROM workspace"], ["bash"]
+    if target != "dev":
+        before = "slim-" if target == SLIM else ""
+        base = (target if before else "base") if linked else f"{before}runtime"
+        lines = [f"FROM {base}", f"COPY --link --from={before}app / /"]
         # bash becomes a simple command, so that this gets the signals.
         command = ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"']
     for name in variables:
@@ -153,10 +167,11 @@ def _dockerfile(target: str, variables: Iterable[str], linked: bool) -> str:
 
 
 def _labels(inputs: Inputs, name: str, target: str) -> dict[str, str]:
+    base = inputs.slim if target == SLIM and inputs.slim else inputs.base
     return {
         TITLE: name if target == "run" else f"{name} ({target})",
-        BASE_NAME: inputs.base.name,
-        BASE_DIGEST: inputs.base.digest,
+        BASE_NAME: base.name,
+        BASE_DIGEST: base.digest,
         REVISION: inputs.commit,
         f"{PREFIX}app": target,
     }

@@ -6,11 +6,13 @@ import json
 import re
 import subprocess
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from rosml.base.errors import RosmlError
+from rosml.images.labels import PREFIX, RUNTIME
 from rosml.machine.services import NAMESPACE, Services
+from rosml.matrix.names import DATED, main_tag
 from rosml.registry import oci
 from rosml.registry.credentials import DOCKER_HUB
 
@@ -21,13 +23,14 @@ class Base:
 
     Attributes:
         name: as people write it, with its registry and tag. digest: of its index, or of its manifest.
-        environment: its variables, of the first platform that was asked for.
+        environment: its variables, of the first platform that was asked for. labels: those of its configuration.
         local: whether it is in the user's Docker, and in no registry that answers.
     """
 
     name: str
     digest: str
     environment: Mapping[str, str]
+    labels: Mapping[str, str] = field(default_factory=dict)
     local: bool = False
 
     @property
@@ -35,7 +38,12 @@ class Base:
         """What the builder takes, whatever becomes of the tag; Docker finds its own images by their names alone."""
         if self.local:
             return self.name
-        return f"{re.sub(r':[^:/]+$', '', self.name)}@{self.digest}"
+        return f"{self.repository}@{self.digest}"
+
+    @property
+    def repository(self) -> str:
+        """Its name without a tag or digest."""
+        return re.sub(r":[^:/]+$", "", self.name.partition("@")[0])
 
 
 def candidates(text: str, services: Services) -> tuple[str, ...]:
@@ -79,6 +87,20 @@ def find(text: str, services: Services, platforms: tuple[str, ...]) -> Base:
     )
 
 
+def runtime(base: Base) -> str:
+    """The name of the image without compilers that belongs to one of ours; empty if it says of none.
+
+    Programs that were built on one run on the other. It is in the same repository, and of the same day if the tag says one.
+    """
+    labels = base.labels
+    component, distribution = labels.get(RUNTIME, ""), labels.get(f"{PREFIX}distribution", "")
+    if not component or not distribution:
+        return ""
+    day = DATED.search(base.name)
+    tag = main_tag(distribution, component, labels.get(f"{PREFIX}stack"))
+    return f"{base.repository}:{tag}{day[0] if day else ''}"
+
+
 def _in_docker(text: str) -> Base | None:
     """An image that the user's Docker has."""
     try:
@@ -87,7 +109,8 @@ def _in_docker(text: str) -> Base | None:
         [facts] = json.loads(done.stdout)
     except (OSError, ValueError):
         return None
-    return Base(text, facts["Id"], _variables(facts.get("Config") or {}), local=True)
+    config = facts.get("Config") or {}
+    return Base(text, facts["Id"], _variables(config), config.get("Labels") or {}, local=True)
 
 
 def _variables(config: Mapping[str, Any]) -> dict[str, str]:
@@ -119,4 +142,4 @@ def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, pla
         text = f"{place} is not for {', '.join(missing)}"
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
     config = configs[platforms[0] if platforms else known[0]].get("config") or {}
-    return Base(str(place), found.digest, _variables(config))
+    return Base(str(place), found.digest, _variables(config), config.get("Labels") or {})

@@ -7,7 +7,7 @@ import json
 import shutil
 import subprocess
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,7 @@ from rosml.apps import bake_file, junit, sources, workspace
 from rosml.apps import base as bases
 from rosml.apps import cache as caches
 from rosml.apps.git import Access
-from rosml.apps.names import Names
+from rosml.apps.names import SLIM, Names
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
@@ -49,9 +49,11 @@ class Built:
         changed: files of the base image that these packages change.
         replaced: packages and files of the base image that they replace or remove; if there are some, the run image does not
             share its layers with the base image alone.
+        slim_replaced: the same of the slim image and its base; None if there is no slim image.
         outside: what the packages installed outside of the install space, which is in no image.
         upstream: repositories that were imported.
-        tests: of the packages. reports: folder of their JUnit files; empty where an earlier build passed them.
+        tests: of the packages. slim_tests: the same, as they ran in the slim image.
+        reports: folder of their JUnit files; empty where an earlier build passed them.
         seconds: what it took.
     """
 
@@ -62,9 +64,11 @@ class Built:
     installed: list[str] = field(default_factory=list)
     changed: list[str] = field(default_factory=list)
     replaced: list[str] = field(default_factory=list)
+    slim_replaced: list[str] | None = None
     outside: list[str] = field(default_factory=list)
     upstream: list[sources.Repository] = field(default_factory=list)
     tests: junit.Tests = field(default_factory=junit.Tests)
+    slim_tests: junit.Tests = field(default_factory=junit.Tests)
     reports: str = ""
     seconds: float = 0.0
 
@@ -74,16 +78,16 @@ class Built:
 
     def facts(self) -> dict[str, Any]:
         """What another build from the same would come to, for `take`."""
-        found = {
-            name: getattr(self, name) for name in ("packages", "keys", "installed", "changed", "replaced", "outside")
-        }
+        names = ("packages", "keys", "installed", "changed", "replaced", "outside", "slim_replaced")
+        found = {name: getattr(self, name) for name in names}
         return found | {"tests": [self.tests.count, self.tests.skipped]}
 
     def take(self, facts: Mapping[str, Any]) -> None:
         """Takes what an earlier build from the same came to."""
         self.packages, self.keys = facts["packages"], facts["keys"]
         self.installed, self.changed, self.replaced = facts["installed"], facts["changed"], facts["replaced"]
-        self.outside, self.tests = facts["outside"], junit.Tests(*facts["tests"])
+        self.outside, self.slim_replaced = facts["outside"], facts["slim_replaced"]
+        self.tests = junit.Tests(*facts["tests"])
 
     def summary(self) -> Iterator[tuple[str, str]]:
         """What people are told at the end: what about, and a sentence."""
@@ -91,12 +95,16 @@ class Built:
             "app",
             f"{_count(len(self.packages), 'ROS package')}, {_count(len(self.installed), 'package')} of apt added",
         )
-        if self.replaced:
-            names = ", ".join(self.replaced[:3]) + (" …" if len(self.replaced) > 3 else "")
-            yield (
-                "",
-                f"not joined to the base image, of which its packages change {_count(len(self.replaced), 'thing')}: {names}",
-            )
+        for which, replaced in (
+            ("the base image", self.replaced),
+            ("the base image of the slim one", self.slim_replaced),
+        ):
+            if replaced:
+                names = ", ".join(replaced[:3]) + (" …" if len(replaced) > 3 else "")
+                yield (
+                    "",
+                    f"not joined to {which}, of which its packages change {_count(len(replaced), 'thing')}: {names}",
+                )
         if self.outside:
             names = ", ".join(f"/{name}" for name in self.outside[:3]) + (" …" if len(self.outside) > 3 else "")
             yield "", f"installed outside of the install space, and in no image: {names}"
@@ -104,6 +112,9 @@ class Built:
         where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
         passed = f"{tests.count - tests.skipped} passed, {tests.skipped} skipped; {where}"
         yield "tests", passed if tests.count else "none ran"
+        if self.slim_tests.count:
+            tests = self.slim_tests
+            yield "", f"in the slim image: {tests.count - tests.skipped} passed, {tests.skipped} skipped"
         yield "time", duration(self.seconds)
 
 
@@ -163,7 +174,7 @@ class App:
         self._say(f"base image {base.name}")
         built = Built(base.reference)
         built.upstream = self._import()
-        inputs = self._inputs(base)
+        inputs = self._inputs(base, self._slim(base))
         with contextlib.ExitStack() as stack:
             cache = None
             if self._values["cache"]:
@@ -181,7 +192,7 @@ class App:
         if cache:
             keys = self._keys(inputs)
             known, facts = cache.found(keys), cache.report(keys)
-            if {*bake_file.STAGES} - known.keys():
+            if {*inputs.stages} - known.keys():
                 facts = None
             kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
         arguments = (inputs, self._names, self._services, [*self._environment], report, known, kept)
@@ -192,16 +203,34 @@ class App:
             shutil.rmtree(report, ignore_errors=True)
             files.write(file, bake_file.render(*arguments))
             buildx.run(self._services, buildx.Bake(bake_file.PACKAGES, f"containerize-{self._state.name}", file))
-            self._read(report, built)
+            self._read(report, built, slim=inputs.slim is not None)
             self._require_passed(built)
             if cache:
                 cache.keep(keys, built.facts())
-        files.write(file, bake_file.render(*arguments, linked=not built.replaced))
+        unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
+        files.write(file, bake_file.render(*arguments, unlinked=unlinked))
         for target in self._names.targets:
             call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
             _progress, metadata = buildx.run(self._services, call)
             digest = metadata.get("containerimage.digest", "")
             built.images.append(Made(target, self._names.reference(target), digest))
+
+    def _slim(self, base: bases.Base) -> bases.Base | None:
+        """The base image of the slim image; None if there is to be no slim image, or if none belongs to the base image."""
+        if SLIM not in self._names.targets:
+            return None
+        named = self._values["slim-base-image"]
+        name = named or bases.runtime(base)
+        reason = f"there is no {name}" if name else f"{base.name} does not say which base image has no compilers"
+        if name:
+            try:
+                return bases.find(name, self._services, self._names.platforms)
+            except RosmlError as error:
+                if named or error.exit_code != 2:  # it was not found
+                    raise
+        self._names.targets = tuple(target for target in self._names.targets if target != SLIM)
+        self._say(f"no slim image: {reason}; name one with --slim-base-image")
+        return None
 
     def _import(self) -> list[sources.Repository]:
         """Fetches the upstream sources."""
@@ -223,7 +252,7 @@ class App:
             say=self._say,
         )
 
-    def _inputs(self, base: bases.Base) -> bake_file.Inputs:
+    def _inputs(self, base: bases.Base, slim: bases.Base | None) -> bake_file.Inputs:
         """What the build reads, written down for it."""
         values, folder, state = self._values, self._folder, self._state
         distribution = base.environment.get("ROS_DISTRO") or values["ros-distro"]
@@ -254,13 +283,15 @@ class App:
         hooked = (requests / "identification.sh").stat().st_size > 0
         moment = int(self._git("log", "-1", "--format=%ct") or TIME)
         commit = self._git("rev-parse", "HEAD")
-        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit, moment)
+        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit, moment, slim)
 
     def _keys(self, inputs: bake_file.Inputs) -> caches.Keys:
         """What the stages of the build are made from."""
         values, contexts = self._values, inputs.contexts
         names = ("manifests", "requests", "additional", "rosdep")
         given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
+        if inputs.slim:
+            given["slim"] = inputs.slim.digest
         return caches.keys(
             given | {"skip-keys": values["skip-keys"]},
             [
@@ -284,21 +315,24 @@ class App:
             return ""
         return done.stdout.strip() if done.returncode == 0 else ""
 
-    def _read(self, report: Path, built: Built) -> None:
-        """Reads what the build says of the app, and of its tests on all platforms."""
+    def _read(self, report: Path, built: Built, slim: bool) -> None:
+        """Reads what the build says of the app, and of its tests on all platforms. `slim`: also of the slim image."""
         platforms = self._names.platforms
         folders = [report] if len(platforms) == 1 else [report / name.replace("/", "_") for name in platforms]
         try:
             dependencies = json.loads((folders[0] / "dependencies.json").read_text())
             apps = [json.loads((folder / "app.json").read_text()) for folder in folders]
+            slim_apps = [json.loads((folder / "slim.json").read_text()) for folder in folders] if slim else []
         except (OSError, ValueError) as error:
             raise RosmlError(f"the build left no report: {error}", "run it again") from None
         built.packages, built.keys = list(dependencies["packages"]), dependencies["keys"]
         built.installed, built.changed = apps[0]["packages"], apps[0]["changed"]
         built.outside = apps[0]["outside"]
-        built.replaced = sorted({name for app in apps for name in (*app["replaced"], *app["removed"])})
+        built.replaced = _replaced(apps)
+        built.slim_replaced = _replaced(slim_apps) if slim else None
         for folder in folders:
             built.tests = junit.add(built.tests, junit.read(folder / "results"))
+            built.slim_tests = junit.add(built.slim_tests, junit.read(folder / "slim"))
         built.reports = str(report / "results" if len(folders) == 1 else report)
 
     def _require_passed(self, built: Built) -> None:
@@ -315,6 +349,19 @@ class App:
                 f"\n  reports: {built.reports}",
                 "correct the packages or their tests; --no-tests makes the images without asking them",
             )
+        tests = built.slim_tests
+        if tests.failures:
+            shown = "".join(f"\n    {line}" for line in tests.failures)
+            raise RosmlError(
+                f"{len(tests.failures)} of {tests.count} tests failed in the slim image, and passed where the packages were"
+                f" built; no image was made{shown}\n  reports: {self.report}",
+                "name what they need to run in package.xml, as exec_depend; or leave the slim image out: --no-enable-slim",
+            )
+
+
+def _replaced(apps: Iterable[Mapping[str, list[str]]]) -> list[str]:
+    """What the packages of an app replace or remove of its base image, on any platform."""
+    return sorted({name for app in apps for name in (*app["replaced"], *app["removed"])})
 
 
 def _count(number: int, what: str) -> str:

@@ -24,7 +24,7 @@ from rosml.registry import oci
 REPORT = "report"
 """The tag of what a build came to begins with this."""
 
-FORMAT = 1
+FORMAT = 2
 """Of reports. Another number makes those that are in registries no reports: change it with their fields."""
 
 _TYPE = "application/vnd.rosml.app.report.v1+json"
@@ -38,20 +38,22 @@ class Keys:
 
     Attributes:
         environment: of the installed dependencies. upstream: of the upstream packages, built. app: of all.
+        slim: there are the stages of a slim image.
     """
 
     environment: str
     upstream: str
     app: str
+    slim: bool
 
     @property
     def stages(self) -> Mapping[str, str]:
         """The tag of each stage, by its name in the Dockerfile."""
-        environment = ("identified", "environment", "runtime")
+        environment = ("identified", "environment", "runtime", *(["slim-runtime"] if self.slim else []))
         return {
             **{name: f"{name}-{self.environment}" for name in environment},
             "upstream-built": f"upstream-{self.upstream}",
-            **{name: f"{name}-{self.app}" for name in ("app", "workspace")},
+            **{name: f"{name}-{self.app}" for name in ("app", "workspace", *(["slim-app"] if self.slim else []))},
         }
 
 
@@ -76,7 +78,7 @@ def keys(
     sources = [tree(folder, _LEFT_OUT) for folder in (upstream, target)]
     environment = _digest(given, [tree(folder) for folder in dependencies], sources if hooked else [])
     built = _digest(environment, sources[0], cmake, sources[1] if hooked else "")
-    return Keys(environment, built, _digest(built, sources[1], tests))
+    return Keys(environment, built, _digest(built, sources[1], tests), bool(given.get("slim")))
 
 
 def tree(folder: Path, without: Container[str] = ()) -> str:
@@ -125,6 +127,7 @@ class _Report(BaseModel):
     replaced: list[str]
     outside: list[str]
     tests: list[int] = Field(min_length=2, max_length=2)
+    slim_replaced: list[str] | None
 
 
 class Cache:

@@ -17,7 +17,7 @@ from typing import Any
 from rosml.apps import inputs, junit
 from rosml.apps.build import App
 from rosml.apps.inputs import Input
-from rosml.apps.names import listed, listed_platforms
+from rosml.apps.names import SLIM, listed, listed_platforms
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
@@ -64,6 +64,7 @@ OWN = (
 _DEFAULTS: dict[str, tuple[Any, ...]] = {
     "target": ("run", "run"),
     "platform": ("", "amd64"),
+    "enable-slim": ("true", "true"),
     "image-name": ("ghcr.io/${{ github.repository }}", "$CI_REGISTRY_IMAGE"),
     "push": ("true", "true"),
     "git-https-server": ("github.com", "$CI_SERVER_HOST"),
@@ -162,10 +163,10 @@ def tags(target: str, values: Mapping[str, str], what: Commit) -> list[str]:
     """The tags of an image. Nothing but the default branch moves the tag that the inputs name.
 
     Args:
-        target: run or dev. values: of all inputs. what: is built.
+        target: run, dev or slim. values: of all inputs. what: is built.
     """
-    end = "" if target == "run" else "-dev"
-    own = values["image-tag"] if target == "run" else values["dev-image-tag"] or f"{values['image-tag']}-dev"
+    end = "" if target == "run" else f"-{target}"
+    own = values["image-tag"] if target == "run" else values[f"{target}-image-tag"] or f"{values['image-tag']}{end}"
     latest = values["enable-push-as-latest"] == "true"
     if what.tag:
         release = _TAG.sub("-", what.tag)
@@ -184,7 +185,7 @@ class Image:
     """An image that is in its registry.
 
     Attributes:
-        target: run or dev. name: without a tag. tags: that the commit's images get. end: of its own tags, such as `-arm64`.
+        target: run, dev or slim. name: without a tag. tags: that the commit's images get. end: of its own tags, such as `-arm64`.
         platforms: that it is for. digest: its digest.
     """
 
@@ -210,9 +211,9 @@ class Job:
     """
 
     def __init__(self, values: Mapping[str, str], environment: Mapping[str, str], what: Commit, say: Say) -> None:
-        run, dev = (_complete(values[name]) for name in ("image-name", "dev-image-name"))
-        self._values = {**values, "image-name": run, "dev-image-name": dev}
-        self._names = {"run": run, "dev": dev or run}
+        run, dev, slim = (_complete(values[name]) for name in ("image-name", "dev-image-name", "slim-image-name"))
+        self._values = {**values, "image-name": run, "dev-image-name": dev, "slim-image-name": slim}
+        self._names = {"run": run, "dev": dev or run, "slim": slim or run}
         self._environment, self._what, self._say = environment, what, say
         self._platforms = listed_platforms(values["platform"])
 
@@ -247,6 +248,7 @@ class Job:
             "platform": ",".join(platforms),
             "image-tag": wanted["run"][0] + end,
             "dev-image-tag": wanted["dev"][0] + end,
+            "slim-image-tag": wanted["slim"][0] + end,
             "enable-push-as-latest": "false",
         }
         app = App(folder, values, self._environment, services, self._say)
@@ -279,9 +281,11 @@ class Job:
             return []
         found = [image for file in sorted(folder.rglob(FILE)) for image in _read(file)]
         made = []
-        for target in listed(self._values["target"]):
+        for target in [*listed(self._values["target"]), SLIM]:
             wanted = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._what)))
             members = [image for image in found if (image.target, image.name, image.tags) == wanted]
+            if target == SLIM and not members:  # it is made where the base image has one without compilers
+                continue
             there = {name: image for image in members for name in image.platforms}
             if missing := [name for name in self._platforms if name not in there]:
                 text = f"there is no {wanted[0]} image {wanted[1]}:{wanted[2][0]} for {', '.join(missing)}"
@@ -299,11 +303,12 @@ def _complete(name: str) -> str:
 
 
 def _keep(report: Path, out: Path) -> None:
-    """Copies JUnit files; those of each platform into a folder of its own."""
+    """Copies JUnit files; those of each platform into a folder of its own, and those of slim images beside them."""
     alone = (report / "results").is_dir()
     for folder in [report] if alone else sorted(report.glob("*")):
-        if (folder / "results").is_dir():
-            shutil.copytree(folder / "results", out / folder.name)
+        for name, end in (("results", ""), ("slim", "-slim")):
+            if (folder / name).is_dir():
+                shutil.copytree(folder / name, out / f"{folder.name}{end}")
 
 
 def _join(members: list[Image], registries: oci.Registries) -> Image:

@@ -14,6 +14,9 @@ from rosml.registry import oci
 TARGETS = ("run", "dev")
 """Images that an app can have: to run it, and to work on it."""
 
+SLIM = "slim"
+"""The image to run it on a base image without compilers; it comes with the one to run it."""
+
 
 class Names:
     """The images that the values of inputs ask for.
@@ -30,6 +33,8 @@ class Names:
         self._values, self._registry = values, services.registry
         self.app = _name(values["image-name"] or folder.lower())
         self.targets = _targets(values["target"])
+        if values["enable-slim"] == "true" and "run" in self.targets:
+            self.targets += (SLIM,)
         self.platforms = listed_platforms(values["platform"])
         has_docker = services.builder_kind != "buildkitd" and shutil.which("docker") is not None
         self.loads = values["push"] == "false" and (has_docker or not services.registry)
@@ -39,9 +44,9 @@ class Names:
         """The full name of an image, with its tag."""
         values = self._values
         name, tag = self.app, values["image-tag"]
-        if target == "dev":
-            name = _name(values["dev-image-name"]) if values["dev-image-name"] else name
-            tag = values["dev-image-tag"] or f"{tag}-dev"
+        if target != "run":
+            name = _name(values[f"{target}-image-name"]) if values[f"{target}-image-name"] else name
+            tag = values[f"{target}-image-tag"] or f"{tag}-{target}"
         if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
             raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
         local = f"{self._registry}/" if self._registry and not self.loads and not oci.has_registry(name) else ""
@@ -51,7 +56,7 @@ class Names:
         """All full names that an image gets."""
         found = [self.reference(target)]
         if self._values["enable-push-as-latest"] == "true":
-            latest = "latest" if target == "run" else "latest-dev"
+            latest = "latest" if target == "run" else f"latest-{target}"
             found.append(f"{found[0].rpartition(':')[0]}:{latest}")
         return list(dict.fromkeys(found))
 

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Installs what runs the tests of an app in its slim image: what these need, without packages with headers, and the tools of
+# /run/environment that call them. No image is made from here.
+set -euo pipefail
+here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=components/build/network.sh
+source "$here/../build/network.sh"
+# shellcheck source=components/ros/apt.sh
+source "$here/../ros/apt.sh"
+
+use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
+apt_update
+packages=()
+# Many manifests name what tests are written with as what they are built with.
+frameworks='(^|-)(lib)?(rostest|gtest|gmock|googletest|nose|pytest|launch-testing)'
+mapfile -t tests < <({ cat /run/needed/test.apt; grep -E "$frameworks" /run/needed/build.apt || true; } | sort -u)
+if [[ ${#tests[@]} -gt 0 ]]; then
+  needed=$("$here/../ros/runtime_packages.py" "${tests[@]}")
+  mapfile -t packages < <(grep . <<<"$needed")
+fi
+# Without its compilers, cmake runs tests; what the slim image has of it is empty.
+rm -f /etc/dpkg/dpkg.cfg.d/rosml-runtime
+mapfile -t tools < <(dpkg-query --admindir=/run/environment/var/lib/dpkg --show --showformat '${db:Status-Status} ${Package}\n' \
+  'cmake*' 'colcon' 'python3-colcon-*' 'python3-pytest*' 'python3-nose' 2>/dev/null | sed -n 's/^installed //p')
+apt_install --reinstall "${tools[@]}" "${packages[@]}"
+if [[ -s /run/needed/test.pip ]]; then
+  if ! python3 -m pip --version >/dev/null 2>&1; then apt_install python3-pip; fi
+  mapfile -t requirements < <(sort -u /run/needed/test.pip)
+  PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore python3 -m pip install "${requirements[@]}"
+fi
