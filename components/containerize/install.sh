@@ -12,6 +12,13 @@ source "$here/../ros/apt.sh"
 
 listed() { for kind in "${kinds[@]}"; do cat "/run/needed/$kind.$1"; done | sort -u; }
 
+# update_once: apt's lists, if this step has none yet.
+updated=
+update_once() {
+  if [[ -z $updated ]]; then apt_update; fi
+  updated=true
+}
+
 # script FILE NAME: runs a script of the repository.
 script() {
   [[ -s /run/requests/$1 ]] || return 0
@@ -26,8 +33,9 @@ if [[ -n $(ls -A /run/additional) ]]; then
   mkdir -p /docker-ros/additional-files
   cp -R --preserve=mode,links /run/additional/. /docker-ros/additional-files
 fi
-if [[ -s /run/requests/before.sh || -s /run/requests/after.sh ]]; then apt_update; fi # what these scripts expect
+if [[ -s /run/requests/before.sh || -s /run/requests/after.sh ]]; then update_once; fi # what these scripts expect
 script before.sh before
+if [[ -s /run/requests/before.sh ]]; then updated=; fi # it may have added a source
 mapfile -t debs < <(listed apt; cat /run/requests/apt)
 mapfile -t requirements < <(listed pip)
 if [[ " $* " == *" build "* ]]; then
@@ -38,13 +46,13 @@ if [[ ${#requirements[@]} -gt 0 || -s /run/requests/pip ]] && ! python3 -m pip -
 
 # catkin leaves Python tests out where it is missing, and manifests seldom name it.
 if [[ " $* " == *" test "* && ${ROS_VERSION:-} == 1 ]]; then
-  apt_update
+  update_once
   if [[ -n $(apt-cache search --names-only '^python3-nose$') ]]; then debs+=(python3-nose); fi
 fi
 
 # In an image for programs that are built: what they need, without packages with headers.
 if [[ -e /etc/dpkg/dpkg.cfg.d/rosml-runtime && ${#debs[@]} -gt 0 ]]; then
-  apt_update
+  update_once
   needed=$("$here/../ros/runtime_packages.py" "${debs[@]}")
   mapfile -t debs <<<"$needed"
 fi
@@ -56,7 +64,7 @@ for name in "${debs[@]}"; do
   if [[ $status != installed ]]; then missing+=("$name"); fi
 done
 if [[ ${#missing[@]} -gt 0 ]]; then
-  apt_update
+  update_once
   apt_install "${missing[@]}"
 fi
 export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore

@@ -208,7 +208,8 @@ def test_all_components_of_a_row(distro: str, row: Callable[[str], Row]) -> None
     assert done.code == 0, done.err
     assert made.image.run("getent", "passwd", "1000").code == 2
     assert "ubuntu" not in made.image.read("etc/group") and not (made.image.upper / "home/ubuntu").exists()
-    components = [image for image in CATALOGUE.images if image.distribution == distro and image.stack is None]
+    alone = [image for image in CATALOGUE.images if image.distribution == distro and image.stack is None]
+    components = [image for image in alone if "runtime" not in image.tests]
     assert len(components) > 2
     for image in components:
         done = made.build(image.component)
@@ -236,11 +237,28 @@ def test_all_components_of_a_row(distro: str, row: Callable[[str], Row]) -> None
         assert "ros2-mine.list" in made.image.run("bash", "-c", STRUCTURE_TEST.read_text()).err
 
 
+@pytest.mark.parametrize("distro", ["jazzy", "noetic"])
+def test_a_row_that_only_runs(distro: str, row: Callable[[str], Row]) -> None:
+    """It has the apt source and ROS's packages, and nothing to build with."""
+    made = row(distro)
+    for component in ("core-run", "base-run"):
+        done = made.build(component)
+        assert done.code == 0, done.out + done.err
+    names = [f"ros-{distro}-{name}" for name in ("ros-core", "ros-base", "demo-nodes-py")]
+    states = made.image.run("dpkg-query", "--show", "--showformat", "${db:Status-Status} ", *names[:2])
+    assert states.out == "installed installed ", states.err
+    assert made.image.read("usr/local/share/rosml/versions.d/ros").startswith(f"ros-distro {distro}\n")
+    assert not (made.image.upper / "etc/ros/rosdep").exists()
+    done = made.image.run(
+        "bash", "-c", f"apt-get update && apt-get install --yes {names[2]}", env={"http_proxy": made.server.url}
+    )
+    assert done.code == 0, done.out + done.err
+
+
 OF_REAL_ROS = ("ros1", "ros1-components", "ros1-workspace", "ros2-components", "ros2-workspace")
 """Structure tests that are programs of ROS, all of them."""
 
 OF_A_WHOLE_IMAGE = (
-    "the tools that builders rely on are there",
     "the Python is the one that the tag promises",
     "the banner and the recorded versions are what the tag promises",
     "no index address, proxy or certificate of the builder is left",
