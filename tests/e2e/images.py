@@ -72,7 +72,7 @@ def context(reference: str, folder: Path, steps: Sequence[str], name: str = "") 
         folder: an empty one.
         steps: commands; one may be `install-packages PACKAGE…`, from the image's own apt source, or `online COMMAND…`, which
             reaches what the builder reaches.
-        name: of a folder beside this file, which becomes /NAME.
+        name: path of a folder from here, which becomes /NAME by the last part of it.
     """
     shutil.copy(ROOT / "components/build/network.sh", folder)
     tools = {"install-packages": INSTALL, "online": ONLINE}
@@ -80,10 +80,10 @@ def context(reference: str, folder: Path, steps: Sequence[str], name: str = "") 
         (folder / tool).write_text(text)
         (folder / tool).chmod(0o755)
     if name:
-        shutil.copytree(Path(__file__).parent / name, folder / name)
+        shutil.copytree(Path(__file__).parent / name, folder / Path(name).name)
     mounts = "--mount=type=bind,source=network.sh,target=/run/network.sh --mount=type=secret,id=ca-bundle"
     mounts += "".join(f" --mount=type=bind,source={tool},target=/usr/local/bin/{tool}" for tool in tools)
-    lines = [f"FROM {reference}", *([f"COPY {name} /{name}"] if name else [])]
+    lines = [f"FROM {reference}", *([f"COPY {Path(name).name} /{Path(name).name}"] if name else [])]
     lines += [f"RUN {mounts if step.split()[0] in tools else ''} {step}" for step in steps]
     (folder / "Dockerfile").write_text("\n".join(lines) + "\n")
 
