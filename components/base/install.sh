@@ -10,7 +10,7 @@ source "$here/../build/network.sh"
 if [[ -n ${RUNTIME:-} ]]; then
   # dpkg leaves these out, also of what is installed later: packages with programs depend on some with headers, and on cmake.
   excluded=(
-    '/usr/include/*' '/opt/ros/*/include/*' '/usr/lib/*.a' '/usr/lib/gcc/*' /usr/bin/{cmake,ctest,cpack} '/usr/share/cmake-*'
+    '/usr/include/*' '/opt/ros/*/include/*' '/usr/lib/*.a' '/usr/lib/gcc/*' '/usr/libexec/gcc/*' /usr/bin/{cmake,ctest,cpack} '/usr/share/cmake-*'
     '/usr/share/doc/*' '/usr/share/man/*' '/usr/share/info/*'
   )
   {

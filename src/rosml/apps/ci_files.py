@@ -38,6 +38,8 @@ _INDEX = (
     "image-tag",
     "dev-image-name",
     "dev-image-tag",
+    "slim-image-name",
+    "slim-image-tag",
     "push",
     "enable-push-as-latest",
     "registry",

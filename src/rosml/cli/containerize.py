@@ -58,13 +58,14 @@ def main(folder: Path, as_json: bool, **given: str | bool | None) -> None:
     \b
     NAME:TAG      the base image with your packages built, and what they need to run; starts --command
     NAME:TAG-dev  the base image with all dependencies and your sources
+    NAME:TAG-slim with --enable-slim: the first one without compilers and headers
 
     Each option can be a variable instead, such as BASE_IMAGE, in the environment or in a file .env in FOLDER. Passwords and
     keys can only be variables: GIT_HTTPS_PASSWORD, GIT_SSH_PRIVATE_KEY.
 
     \b
     Example:
-      rosml containerize --base-image ros-torch:jazzy-base --command "ros2 launch my_package all.launch.py"
+      rosml containerize --base-image ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
     """
     from rosml.apps import build
 

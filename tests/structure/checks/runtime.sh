@@ -13,7 +13,7 @@ for tool in gcc g++ cc c++ cpp clang make ninja cmake ctest git gdb colcon; do
     [[ ! -e $path ]] || fail "a compiler, or a tool to build with: $path"
   done
 done
-for folder in "$root"/{usr/include,opt/ros/*/include,usr/lib/gcc}; do
+for folder in "$root"/{usr/include,opt/ros/*/include,usr/lib/gcc,usr/libexec/gcc}; do
   if [[ -d $folder ]]; then
     left=$(find "$folder" -type f -print -quit)
     [[ -z $left ]] || fail "a header, or a compiler's file: $left"
