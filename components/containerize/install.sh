@@ -10,6 +10,10 @@ source "$here/../build/network.sh"
 # shellcheck source=components/ros/apt.sh
 source "$here/../ros/apt.sh"
 
+if [[ " $* " == *" build "* && -e /etc/dpkg/dpkg.cfg.d/rosml-runtime ]]; then
+  fail "the base image is only for programs that are built" "name the one without -run"
+fi
+
 listed() { for kind in "${kinds[@]}"; do cat "/run/needed/$kind.$1"; done | sort -u; }
 
 # update_once: apt's lists, if this step has none yet.

@@ -10,6 +10,7 @@ source "$here/../ros/apt.sh"
 
 use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
 apt_update
+if ! command -v python3 >/dev/null; then apt_install python3; fi
 packages=()
 # Many manifests name what tests are written with as what they are built with.
 frameworks='(^|-)(lib)?(rostest|gtest|gmock|googletest|nose|pytest|launch-testing)'
@@ -28,3 +29,5 @@ if [[ -s /run/needed/test.pip ]]; then
   mapfile -t requirements < <(sort -u /run/needed/test.pip)
   PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore python3 -m pip install "${requirements[@]}"
 fi
+command -v colcon >/dev/null || fail "the base image has colcon, and no package of it that the slim image could have for its tests" \
+  "install colcon by apt in the base image, or leave the slim image out: --no-enable-slim"

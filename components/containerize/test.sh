@@ -12,8 +12,9 @@ export WORKSPACE=${WORKSPACE:-/docker-ros/ws} COLCON_LOG_PATH=$scratch/log ROS_H
 # shellcheck source=components/containerize/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-mapfile -t packages < <(colcon list --names-only --base-paths src/target)
-if [[ ${#packages[@]} -eq 0 ]]; then exit; fi
+listed=$(colcon list --names-only --base-paths src/target)
+if [[ -z $listed ]]; then exit; fi
+mapfile -t packages <<<"$listed"
 if [[ ${ROS_VERSION:-} == 1 && -z ${2:-} ]]; then # catkin builds tests by a target of their own
   colcon build --base-paths src/target --packages-select "${packages[@]}" --event-handlers console_cohesion+ \
     --cmake-target tests --cmake-target-skip-unavailable || echo "tests do not build" >>"$out/failed"

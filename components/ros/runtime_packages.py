@@ -4,8 +4,8 @@
     runtime_packages.py PACKAGE…
 
 A package with headers, such as libroscpp-dev, gives way to what it depends on: libroscpp4d, messages. A package that needs a
-compiler is left out. All others stay. apt's lists have to be there. Prints a name a line, sorted; those that apt does not
-know stay as they are, for apt says best what is wrong with them.
+compiler is left out. All others stay, and so does what is named with a version or an architecture. apt's lists have to be
+there. Prints a name a line, sorted; those that apt does not know stay as they are, for apt says best what is wrong with them.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import sys
 from collections.abc import Iterable
 
 HEADERS = re.compile(r".*-dev")
-"""Packages with headers, and metapackages of such; those of the section libdevel are too."""
+"""Packages with headers, and metapackages of such; those of the section libdevel are too, but for Python's."""
 
 COMPILERS = re.compile(
     r"(gcc|g\+\+|cpp|libgcc|libstdc\+\+)(-\d+)?(-dev)?|build-essential|binutils|dpkg-dev|make|ninja-build|libc6-dev"
@@ -31,12 +31,19 @@ class Archive:
     def __init__(self) -> None:
         said = subprocess.run(["apt-cache", "dumpavail"], capture_output=True, text=True, check=True).stdout
         self._known: dict[str, tuple[str, list[str]]] = {}
+        self._providers: dict[str, str] = {}
         for text in said.split("\n\n"):
-            fields = dict(re.findall(r"^(Package|Section|Pre-Depends|Depends): (.*)$", text, re.MULTILINE))
+            fields = dict(re.findall(r"^(Package|Section|Pre-Depends|Depends|Provides): (.*)$", text, re.MULTILINE))
             groups = f"{fields.get('Pre-Depends', '')},{fields.get('Depends', '')}".split(",")
             # Of alternatives the first, as apt chooses.
             wanted = [found[0] for group in groups if (found := re.match(r"[^\s:(|]+", group.strip()))]
             self._known[fields.get("Package", "")] = fields.get("Section", "").rpartition("/")[2], wanted
+            for virtual in re.findall(r"[^\s,(]+(?=[^,]*)", re.sub(r"\([^)]*\)", "", fields.get("Provides", ""))):
+                self._providers.setdefault(virtual, fields.get("Package", ""))
+
+    def real(self, name: str) -> str:
+        """The package that is installed for a name: itself, or the first that provides it; empty where apt knows neither."""
+        return name if name in self._known else self._providers.get(name, "")
 
     def section(self, name: str) -> str:
         """The section that a package is in; empty where apt does not know it."""
@@ -58,17 +65,19 @@ class Archive:
 
 
 def needed(packages: Iterable[str], archive: Archive) -> list[str]:
-    """The packages that stay; a version, as in `name=1.2`, stays with its name."""
+    """The packages that stay."""
     kept, seen, todo = set[str](), set[str](), list(packages)
     while todo:
         seen.update(todo)
         found = []
         for item in todo:
-            name = item.partition("=")[0]
+            name = archive.real(item)
             section = archive.section(name)
-            if COMPILERS.fullmatch(name):
+            if COMPILERS.fullmatch(item):
                 continue
-            if section == "libdevel" or HEADERS.fullmatch(name):
+            if not name:
+                kept.add(item)
+            elif HEADERS.fullmatch(name) or (section == "libdevel" and not name.startswith("python3-")):
                 found += archive.needs(name)
             elif section != "devel" or not archive.compiles(name):
                 kept.add(item)

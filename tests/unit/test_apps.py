@@ -93,6 +93,7 @@ def test_a_base_image_is_read_and_held_by_its_digest(services: Services) -> None
 
 OURS = {"io.rosml.distribution": "jazzy", "io.rosml.runtime": "base-run"}
 STACK = {**OURS, "io.rosml.stack": "cpu"}
+SPELLED = {**STACK, "io.rosml.component": "base", "org.opencontainers.image.version": "jazzy-base-cpu-tf2.20.0"}
 
 
 @pytest.mark.parametrize(
@@ -102,6 +103,8 @@ STACK = {**OURS, "io.rosml.stack": "cpu"}
         ("127.0.0.1:5000/ros-tf:jazzy-desktop-cpu", STACK, "127.0.0.1:5000/ros-tf:jazzy-base-run-cpu"),
         ("ghcr.io/me/ros:jazzy-base-20261124", OURS, "ghcr.io/me/ros:jazzy-base-run-20261124"),
         ("ghcr.io/me/ros:jazzy", {"io.rosml.distribution": "jazzy"}, ""),
+        ("ghcr.io/me/ros-tf:jazzy-base-cpu-tf2.20.0", SPELLED, "ghcr.io/me/ros-tf:jazzy-base-run-cpu-tf2.20.0"),
+        ("ghcr.io/me/ros-tf:jazzy-base-cpu", SPELLED, "ghcr.io/me/ros-tf:jazzy-base-run-cpu"),
         ("ghcr.io/me/ros@sha256:0123", OURS, "ghcr.io/me/ros:jazzy-base-run"),
         ("debian:bookworm", {}, ""),
     ],
@@ -113,6 +116,17 @@ def test_a_base_image_says_which_one_has_no_compilers(name: str, labels: dict[st
 @pytest.mark.parametrize(
     "name", ["localhost:5000/ros:1", "localhost:5000/ros@sha256:0", "localhost:5000/ros:1@sha256:0"]
 )
+def test_a_slim_image_is_of_the_same_versions() -> None:
+    labels = {
+        "io.rosml.component": "base",
+        "io.rosml.runtime": "base-run",
+        "io.rosml.torch": "2.10.0",
+        "io.rosml.os": "x",
+    }
+    other = {"io.rosml.component": "base-run", "io.rosml.torch": "2.11.0", "io.rosml.os": "x", "io.rosml.cuda": "12"}
+    assert base.differing(base.Base("a", "", {}, labels), base.Base("b", "", {}, other)) == ["cuda", "torch"]
+
+
 def test_a_base_image_is_named_by_its_digest_alone(name: str) -> None:
     assert base.Base(name, "sha256:1", {}).reference == "localhost:5000/ros@sha256:1"
 
@@ -328,7 +342,8 @@ def test_a_slim_image_starts_from_the_base_image_without_compilers(
 ) -> None:
     platform = f"linux/{native_architecture()}"
     put(services, "rosml/ros:jazzy", platform, labels=OURS, ROS_DISTRO="jazzy")
-    digest = put(services, "rosml/ros:jazzy-base-run", platform, ROS_DISTRO="jazzy")
+    labels = {"io.rosml.distribution": "jazzy", "io.rosml.component": "base-run"}
+    digest = put(services, "rosml/ros:jazzy-base-run", platform, labels=labels, ROS_DISTRO="jazzy")
     given = {"base_image": "ros:jazzy", "command": "true", "target": "run", "enable_slim": "true"}
     built = app(repository, services, **given).build()
     assert [image.reference for image in built.images] == [f"{services.registry}/robot:{tag}" for tag in TAGS]

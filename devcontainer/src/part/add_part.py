@@ -40,22 +40,21 @@ class Repository:
 
     def __init__(self, host: str, name: str) -> None:
         local = re.fullmatch(r"(localhost|127\.[\d.]+)(:\d+)?", host)
-        self._base = f"{'http' if local else 'https'}://{host}/v2/{name}"
+        server = "registry-1.docker.io" if host == "docker.io" else host
+        self._base = f"{'http' if local else 'https'}://{server}/v2/{name}"
         self.name, self._token = f"{host}/{name}", ""
 
     def open(self, path: str, accept: str = "*/*") -> BinaryIO:
         """What the registry has at a path; ends the program where it has nothing."""
-        for _ in range(2):
-            headers = {"Accept": accept}
-            if self._token:
-                headers["Authorization"] = f"Bearer {self._token}"
+        for attempt in range(2):
+            request = urllib.request.Request(f"{self._base}/{path}", headers={"Accept": accept})
+            if self._token:  # for the registry alone, and not for the storage that it sends us to
+                request.add_unredirected_header("Authorization", f"Bearer {self._token}")
             try:
-                return urllib.request.urlopen(
-                    urllib.request.Request(f"{self._base}/{path}", headers=headers), timeout=TIMEOUT
-                )
+                return urllib.request.urlopen(request, timeout=TIMEOUT)
             except urllib.error.HTTPError as error:
                 asks = error.headers.get("WWW-Authenticate", "")
-                if error.code == 401 and not self._token and asks.lower().startswith("bearer "):
+                if error.code == 401 and attempt == 0 and asks.lower().startswith("bearer "):
                     self._token = self._new_token(asks)
                     continue
                 why = {401: "it wants a password", 403: "it wants a password", 404: "there is none"}
@@ -131,9 +130,12 @@ class Part:
             print(f"{self.name}: {layer['size'] / 1e6:.1f} MB", flush=True)
             with tempfile.NamedTemporaryFile() as file, self._repository.open(f"blobs/{digest}") as answer:
                 seen = hashlib.sha256()
-                while block := answer.read(1 << 20):
-                    seen.update(block)
-                    file.write(block)
+                try:
+                    while block := answer.read(1 << 20):
+                        seen.update(block)
+                        file.write(block)
+                except OSError as error:
+                    fail(f"{self.name} did not arrive: {error}", "try again")
                 file.flush()
                 if f"sha256:{seen.hexdigest()}" != digest:
                     fail(f"{self.name} did not arrive whole", "try again")
@@ -143,6 +145,7 @@ class Part:
                     "--extract",
                     *unpack,
                     "--no-overwrite-dir",
+                    "--keep-directory-symlink",
                     "--file",
                     file.name,
                     "--directory",

@@ -8,10 +8,13 @@ fail() {
 
 [[ -n ${PART:-} ]] || fail "no part is named" 'name one: "part": "ghcr.io/me/rosml/part:torch-cu130-py312"'
 missing=()
-for program in python3 tar zstd; do command -v "$program" >/dev/null || missing+=("$program"); done
+for program in tar zstd; do command -v "$program" >/dev/null || missing+=("$program"); done
+# The system's own, which alone reads where parts are.
+python=/usr/bin/python3
+[[ -e $python ]] || missing+=(python3)
 # What parts need of the system's own Python: docs/parts.md.
 for module in packaging setuptools six wheel; do
-  python3 -c "import $module" 2>/dev/null || missing+=("python3-$module")
+  "$python" -c "import $module" 2>/dev/null || missing+=("python3-$module")
 done
 if [[ ! -e /etc/ssl/certs/ca-certificates.crt ]]; then missing+=(ca-certificates); fi
 if [[ ${#missing[@]} -gt 0 ]]; then
@@ -20,4 +23,4 @@ if [[ ${#missing[@]} -gt 0 ]]; then
   DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "${missing[@]}"
   rm -rf /var/lib/apt/lists/*
 fi
-exec python3 "$(dirname "$0")/add_part.py" "$PART" /
+exec "$python" "$(dirname "$0")/add_part.py" "$PART" /

@@ -143,7 +143,8 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
     """The environment of an image, beside its base image's."""
     values = inputs.values
     found = {"WORKSPACE": "/docker-ros/ws"}
-    if inputs.distribution != inputs.base.environment.get("ROS_DISTRO"):
+    base = inputs.slim if target == SLIM and inputs.slim else inputs.base
+    if inputs.distribution != base.environment.get("ROS_DISTRO"):
         found["ROS_DISTRO"] = inputs.distribution
     if values["rmw-implementation"]:
         found["RMW_IMPLEMENTATION"] = values["rmw-implementation"]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.images.labels import PREFIX, RUNTIME
+from rosml.images.labels import PREFIX, RUNTIME, VERSION
 from rosml.machine.services import NAMESPACE, Services
 from rosml.matrix.names import DATED, main_tag
 from rosml.registry import oci
@@ -90,15 +90,24 @@ def find(text: str, services: Services, platforms: tuple[str, ...]) -> Base:
 def runtime(base: Base) -> str:
     """The name of the image without compilers that belongs to one of ours; empty if it says of none.
 
-    Programs that were built on one run on the other. It is in the same repository, and of the same day if the tag says one.
+    Programs that were built on one run on the other. It is in the same repository, and of the same day and the same versions if
+    the tag says them.
     """
     labels = base.labels
     component, distribution = labels.get(RUNTIME, ""), labels.get(f"{PREFIX}distribution", "")
     if not component or not distribution:
         return ""
-    day = DATED.search(base.name)
-    tag = main_tag(distribution, component, labels.get(f"{PREFIX}stack"))
-    return f"{base.repository}:{tag}{day[0] if day else ''}"
+    stack, day = labels.get(f"{PREFIX}stack"), DATED.search(base.name)
+    own, spelled = main_tag(distribution, labels.get(f"{PREFIX}component", ""), stack), labels.get(VERSION, "")
+    versions = spelled.removeprefix(own) if f":{spelled}" in base.name else ""
+    return f"{base.repository}:{main_tag(distribution, component, stack)}{versions}{day[0] if day else ''}"
+
+
+def differing(base: Base, other: Base) -> list[str]:
+    """What labels of one of our images say otherwise than those of another one: versions, systems, days."""
+    own = {f"{PREFIX}{name}" for name in ("component", "runtime", "app")}
+    names = {name for labels in (base.labels, other.labels) for name in labels if name.startswith(PREFIX)} - own
+    return sorted(name.removeprefix(PREFIX) for name in names if base.labels.get(name) != other.labels.get(name))
 
 
 def _in_docker(text: str) -> Base | None:

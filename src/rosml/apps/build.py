@@ -224,10 +224,15 @@ class App:
         reason = f"there is no {name}" if name else f"{base.name} does not say which base image has no compilers"
         if name:
             try:
-                return bases.find(name, self._services, self._names.platforms)
+                found = bases.find(name, self._services, self._names.platforms)
             except RosmlError as error:
-                if named or error.exit_code != 2:  # it was not found
+                if named or not (error.exit_code == 2 or base.local):  # it was not found
                     raise
+            else:
+                others = [] if named else bases.differing(base, found)
+                if not others:
+                    return found
+                reason = f"{name} is of another {', '.join(others)}"
         self._names.targets = tuple(target for target in self._names.targets if target != SLIM)
         self._say(f"no slim image: {reason}; name one with --slim-base-image")
         return None
@@ -350,6 +355,9 @@ class App:
                 "correct the packages or their tests; --no-tests makes the images without asking them",
             )
         tests = built.slim_tests
+        if built.slim_replaced is not None and built.tests.count and not tests.count:
+            text = f"none of {built.tests.count} tests ran in the slim image; no image was made"
+            raise RosmlError(text, "leave the slim image out, --no-enable-slim, or report this")
         if tests.failures:
             shown = "".join(f"\n    {line}" for line in tests.failures)
             raise RosmlError(

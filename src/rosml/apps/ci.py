@@ -287,7 +287,11 @@ class Job:
             if target == SLIM and not members:  # it is made where the base image has one without compilers
                 continue
             there = {name: image for image in members for name in image.platforms}
-            if missing := [name for name in self._platforms if name not in there]:
+            missing = [name for name in self._platforms if name not in there]
+            if missing and target == SLIM and not self._values["slim-base-image"]:
+                self._say(f"no slim image: there is none for {', '.join(missing)}")
+                continue
+            if missing:
                 text = f"there is no {wanted[0]} image {wanted[1]}:{wanted[2][0]} for {', '.join(missing)}"
                 raise RosmlError(f"{text}; no tag was moved", "look at the jobs that build for these platforms")
             made.append(_join([there[name] for name in self._platforms], registries))

@@ -226,7 +226,7 @@ def _distribution(matrix: Matrix, name: str, images: Sequence[Image]) -> Lines:
     facts = matrix.distributions[name]
     alone = [image for image in images if image.stack is None]
     kinds = {_key(image): image for image in images}
-    whole = {_key(image): image for image in images if not matrix.components[image.component].runtime_of}
+    whole = {_key(image): image for image in images if not rules.only_runs(matrix, image.component)}
     platforms = _platforms(matrix, rules.architectures(matrix, name, rules.plain(matrix), None))
     short = [
         tag.split(":")[1]

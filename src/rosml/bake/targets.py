@@ -128,10 +128,11 @@ def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
         facts = matrix.operating_systems[os]
         platforms = tuple(matrix.architectures[name].platform for name in facts.architectures)
         arguments = {**_common(), "NUMPY": facts.numpy}
-        yield names.os_target(os), Target("base", {"os": _system(matrix, os)}, arguments, platforms)
-        if any(matrix.components[image.component].runtime_of for image in image_set.images if image.os == os):
-            runtime = {**arguments, "RUNTIME": "true"}
-            yield names.os_target(os, True), Target("base", {"os": _system(matrix, os)}, runtime, platforms)
+        for runtime in sorted(
+            {rules.only_runs(matrix, image.component) for image in image_set.images if image.os == os}
+        ):
+            own = {**arguments, "RUNTIME": "true"} if runtime else arguments
+            yield names.os_target(os, runtime), Target("base", {"os": _system(matrix, os)}, own, platforms)
     for part in image_set.parts:
         yield from _part(matrix, part)
     for image in image_set.images:
@@ -170,7 +171,7 @@ def _ros(image_set: ImageSet, image: Image) -> Target:
     arguments: dict[str, Value] = {**_common(), "ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
     if image.packages:
         arguments["ROS_PACKAGES"] = image.packages
-    if matrix.components[image.component].runtime_of:
+    if rules.only_runs(matrix, image.component):
         arguments["RUNTIME"] = "true"
     if parent is None and (first := tools(matrix, image)):
         arguments["ROS_TOOLS"] = first
@@ -217,7 +218,7 @@ def tools(matrix: Matrix, image: Image) -> str:
     distribution = matrix.distributions[image.distribution]
     own = distribution.tools or matrix.operating_systems[distribution.os].tools
     added = [f"ros-{image.ros_distro}-{rmw.replace('_', '-')}" for rmw in distribution.rmw]
-    return " ".join(added if matrix.components[image.component].runtime_of else [own, *added])
+    return " ".join(added if rules.only_runs(matrix, image.component) else [own, *added])
 
 
 def unlocked(image: Image) -> str:
@@ -313,7 +314,7 @@ def _expected(image_set: ImageSet, image: Image) -> str:
     packages: dict[str, str] = {}
     ros: Image | None = image
     while ros:
-        if ros.packages and not image_set.matrix.components[ros.component].runtime_of:
+        if ros.packages and not rules.only_runs(image_set.matrix, ros.component):
             packages[f"packages_{ros.component.replace('-', '_')}"] = ros.packages.replace(" ", ",")
         ros = image_set.by_target.get(ros.parent)
     facts = {"os": image.os, "python": image.python, "ros": str(image.ros), "ros_distro": image.ros_distro}

@@ -82,7 +82,7 @@ def _kind(matrix: Matrix, name: str, distribution: Distribution, framework: str,
 def _image(matrix: Matrix, name: str, distribution: Distribution, component: str, kind: _Kind, latest: bool) -> Image:
     chain = _chain(matrix, distribution, component)
     ros_image = names.image_target(name, component)
-    runtime = matrix.components[component].runtime_of is not None
+    runtime = rules.only_runs(matrix, component)
     below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os, runtime)
     target = names.image_target(name, component, kind.framework, kind.stack)
     groups = [name, component, kind.framework, *([kind.stack] if kind.stack else []), "all"]

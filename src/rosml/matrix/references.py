@@ -116,6 +116,9 @@ def _components(matrix: Matrix) -> Iterator[Finding]:
             elif matrix.components[facts].runtime_of:
                 text = f"{facts} is a runtime itself; name the component with the compilers"
                 yield ("components", name, "runtime_of"), text
+            others = [other for other, it in matrix.components.items() if it.runtime_of == facts]
+            if others[0] != name:
+                yield ("components", name, "runtime_of"), f"{others[0]} is that of {facts} already; remove one of them"
         lower = matrix.components.get(component.builds_on or "")
         if lower and bool(lower.runtime_of) != bool(component.runtime_of):
             text = "one of them has runtime_of, and the other has not: both must have it, or none"

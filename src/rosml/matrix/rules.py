@@ -231,10 +231,14 @@ def chain(matrix: Matrix, component: str) -> tuple[str, ...]:
     return tuple(links)
 
 
+def only_runs(matrix: Matrix, component: str) -> bool:
+    """Whether a component is only for programs that are built."""
+    return matrix.components[component].runtime_of is not None
+
+
 def system_size(matrix: Matrix, component: str) -> Size:
     """The size of the operating system that a component stands on."""
-    runtime = matrix.components[component].runtime_of is not None
-    return (runtime and matrix.disk.runtime) or matrix.disk.os
+    return (only_runs(matrix, component) and matrix.disk.runtime) or matrix.disk.os
 
 
 def runtime(matrix: Matrix, distribution: str, component: str) -> str:
