@@ -113,9 +113,6 @@ def test_a_base_image_says_which_one_has_no_compilers(name: str, labels: dict[st
     assert base.runtime(base.Base(name, "sha256:1", {}, labels)) == runtime
 
 
-@pytest.mark.parametrize(
-    "name", ["localhost:5000/ros:1", "localhost:5000/ros@sha256:0", "localhost:5000/ros:1@sha256:0"]
-)
 def test_a_slim_image_is_of_the_same_versions() -> None:
     labels = {
         "io.rosml.component": "base",
@@ -127,6 +124,9 @@ def test_a_slim_image_is_of_the_same_versions() -> None:
     assert base.differing(base.Base("a", "", {}, labels), base.Base("b", "", {}, other)) == ["cuda", "torch"]
 
 
+@pytest.mark.parametrize(
+    "name", ["localhost:5000/ros:1", "localhost:5000/ros@sha256:0", "localhost:5000/ros:1@sha256:0"]
+)
 def test_a_base_image_is_named_by_its_digest_alone(name: str) -> None:
     assert base.Base(name, "sha256:1", {}).reference == "localhost:5000/ros@sha256:1"
 
