@@ -61,8 +61,9 @@ test-scanner: ## that trivy finds what it must, before a scan relies on it; buil
 test-signer: ## that cosign signs, before tags rely on it; building cosign takes a quarter of an hour, once
 	@$(SETUP) signer --tests; .venv/bin/python -m pytest tests/e2e/test_signer.py
 
+# Docker brings a runc of its own, and Debian's package would take its place, and Docker's with it.
 test-packages: ## installs what the proofs desktop and engines need, on Debian and Ubuntu
-	@sudo apt-get update && sudo apt-get install --yes --no-install-recommends xvfb xauth x11-utils weston podman runc uidmap
+	@sudo apt-get update && sudo apt-get install --yes --no-install-recommends xvfb xauth x11-utils weston podman uidmap $$(command -v runc >/dev/null || echo runc)
 
 docs: ## the documentation as a site in .state/docs/site, without a broken link
 	@$(SETUP) linters; .venv/bin/python scripts/docs.py
