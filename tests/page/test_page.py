@@ -127,7 +127,7 @@ def test_a_published_image_has_the_platforms_of_its_index(browser: Any, publishe
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("TRIXIE torch cu128 base", {"ros1-trixie-base-torch-cu128", "ros1-trixie-base-ml-cu128"}),
+        ("TRIXIE torch cu128 base-run", {"ros1-trixie-base-run-torch-cu128", "ros1-trixie-base-run-ml-cu128"}),
         ("ros-ml:ros1-bookworm-desktop-cu128", {"ros1-bookworm-desktop-ml-cu128"}),
         ("numpy 1.26.4 ros-tf:ros1-bookworm-core-cpu", {"ros1-bookworm-core-tensorflow-cpu"}),
         ("nothing-has-this-name", set()),
