@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """What an app adds to its base image: the files that its packages bring, and its install space.
 
-    app_files.py BASE RUNTIME ENVIRONMENT BUILT OUT
+    app_files.py BASE RUNTIME ENVIRONMENT BUILT OUT LOCKED…
 
 BASE is the base image, RUNTIME the same with the packages that the app needs to run. ENVIRONMENT is where the app was built, and
 BUILT the same after it: it holds the install space. OUT/root gets
 the files, OUT/app.json what is to be known of them. If the packages take away or replace what the base image has, OUT/root gets
 the install space alone: the run image then starts from RUNTIME. Times and owners do not depend on when and where it was built.
+LOCKED are folders whose packages beyond BASE belong into a lock file, with their versions.
 
 The app has no copy of dpkg's database: it would be that of one base. Its packages are in `/var/lib/dpkg/status.d`, where
 scanners look for them.
@@ -25,11 +26,12 @@ import stat
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any, Sequence
 
 LEFT_OUT = re.compile(
     r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
     r"|var/lib/dpkg/(?!status\.d).*|var/lib/apt/.*|var/cache/(apt|debconf|ldconfig|man)(/.*)?|(var/)?tmp/.*"
-    r"|(run|proc|sys|dev)/.*"
+    r"|(run|proc|sys|dev)/.*|usr/local/share/rosml/pip\.lock"
 )
 """What differs and belongs to no app: the state of dpkg and apt, caches, backups, a machine's identity."""
 
@@ -41,6 +43,9 @@ FOUND_ALONE = re.compile(r"/(usr/)?lib(32|64|x32)?/[^/]+|/(usr/)?lib/[^/]+-linux
 
 WORKING = re.compile(r"docker-ros/ws(/.*)?|root/\.(ros|colcon|cache|ccache)(/.*)?|.*/__pycache__(/.*)?|.*\.pyc")
 """What building a workspace leaves, and no package installs."""
+
+STATUS = "var/lib/dpkg/status"
+"""dpkg's database."""
 
 CAPABILITY = "security.capability"
 """What lets a program do without root, such as ping."""
@@ -91,12 +96,36 @@ def libraries(root: Path) -> set[str]:
 def status(root: Path) -> dict[str, str]:
     """dpkg's entries, by package and architecture."""
     entries = {}
-    path = root / "var/lib/dpkg/status"
+    path = root / STATUS
     for text in path.read_text().split("\n\n") if path.exists() else []:
         fields = dict(re.findall(r"^(Package|Architecture|Status): (.*)$", text, re.MULTILINE))
         if fields.get("Status") == "install ok installed":
             entries[f"{fields['Package']}:{fields['Architecture']}"] = text.strip() + "\n"
     return entries
+
+
+def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:
+    """What is to be locked: packages of apt with their versions, and requirements of pip as install.sh left them."""
+    native = re.search(
+        r"^Package: dpkg$.*?^Architecture: (\S+)$", (base / STATUS).read_text(), re.MULTILINE | re.DOTALL
+    )
+    architecture = native[1] if native else ""
+    known = _versions(base)
+    apt: dict[str, str] = {}
+    pip: set[str] = set()
+    for root in roots:
+        for key, version in _versions(root).items():
+            name, _, of = key.partition(":")
+            if known.get(key) != version:
+                apt.setdefault(name if of in ("all", architecture) else key, version)
+        file = root / "usr/local/share/rosml/pip.lock"
+        pip.update(file.read_text().splitlines() if file.exists() else [])
+    return {"architecture": architecture, "apt": apt, "pip": sorted(pip)}
+
+
+def _versions(root: Path) -> dict[str, str]:
+    found = {key: re.search(r"^Version: (.*)$", text, re.MULTILINE) for key, text in status(root).items()}
+    return {key: version[1] for key, version in found.items() if version}
 
 
 def put(source: Path, target: Path) -> None:
@@ -150,8 +179,8 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
             copy(runtime, path, root)
     if facts["packages"]:
         folder = root / "var/lib/dpkg/status.d"
-        copy(runtime, "var/lib/dpkg/status", root)
-        (root / "var/lib/dpkg/status").unlink()
+        copy(runtime, STATUS, root)
+        (root / STATUS).unlink()
         folder.mkdir()
         for name in facts["packages"]:
             (folder / name.partition(":")[0]).write_text(installed[name])
@@ -168,10 +197,10 @@ def outside(environment: Path, built: Path) -> list[str]:
     ]
 
 
-def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path) -> None:
+def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *locked: Path) -> None:
     root = out / "root"
     root.mkdir(parents=True)
-    facts = {**packages(base, runtime, root), "outside": outside(environment, built)}
+    facts = {**packages(base, runtime, root), "outside": outside(environment, built), **versions(base, locked)}
 
     install = "docker-ros/ws/install"
     # Of a base image that is an app itself, what it has built stays there.

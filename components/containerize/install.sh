@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the lists in /run/needed say, of the kinds that are named: build, exec, test. With build, also the tools that
 # build a workspace, if the base image lacks them. Besides, what the repository asks for itself, in /run/requests: packages of
-# apt and pip, and scripts before and after.
+# apt and pip, and scripts before and after. If it has a lock file, apt and pip install what that has.
 #   install.sh KIND…
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -23,6 +23,27 @@ update_once() {
   updated=true
 }
 
+# follow_lock: apt takes the versions of the lock file, older ones as well.
+lock=/run/requests/lock/$(dpkg --print-architecture)
+pip_lock=/usr/local/share/rosml/pip.lock
+follow_lock() {
+  [[ -e $lock/apt ]] || return 0
+  {
+    if [[ -e /etc/apt/preferences ]]; then cat /etc/apt/preferences && echo; fi
+    awk '{ printf "Package: %s\nPin: version %s\nPin-Priority: 1001\n\n", $1, $2 }' "$lock/apt"
+  } >"$scratch/preferences"
+  echo "Dir::Etc::Preferences \"$scratch/preferences\";" >>"$APT_CONFIG"
+}
+
+# require_locked PACKAGE…: apt would install what the lock file has, and nothing else.
+require_locked() {
+  local others
+  [[ -e $lock/apt ]] || return 0
+  others=$(apt-get install --simulate "$@" | sed -n -E 's/^Inst (\S+) (\[\S+\] )?\((\S+) .*/\1 \3/p' | grep -v -x -F -f "$lock/apt" || true)
+  [[ -z $others ]] || fail "the lock file does not have what apt would install: ${others//$'\n'/, }" \
+    "the archive has other versions now, or your packages need others: write the lock file anew with --lock"
+}
+
 # script FILE NAME: runs a script of the repository.
 script() {
   [[ -s /run/requests/$1 ]] || return 0
@@ -31,6 +52,8 @@ script() {
 }
 
 use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
+follow_lock
+rm -f "$pip_lock"
 export SOURCE_DATE_EPOCH=1767225600 # as the files of all parts: nothing here depends on the commit
 kinds=("$@")
 if [[ -n $(ls -A /run/additional) ]]; then
@@ -69,11 +92,13 @@ for name in "${debs[@]}"; do
 done
 if [[ ${#missing[@]} -gt 0 ]]; then
   update_once
+  require_locked "${missing[@]}"
   apt_install "${missing[@]}"
 fi
-export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore
-if [[ ${#requirements[@]} -gt 0 ]]; then python3 -m pip install "${requirements[@]}"; fi
-if [[ -s /run/requests/pip ]]; then python3 -m pip install --requirement /run/requests/pip; fi
+export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_CACHE_DIR=$scratch/pip PIP_ROOT_USER_ACTION=ignore PIP_DISABLE_PIP_VERSION_CHECK=1
+if [[ ${#requirements[@]} -gt 0 || -s /run/requests/pip ]]; then
+  "$here/pip_install.py" "$pip_lock" "$lock/pip" /run/requests/pip "${requirements[@]}"
+fi
 script after.sh after
 
 # What clean.sh takes away, and a package or a script made: folders for logs and caches, and what programs downloaded for root.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts the sources into the workspace: the repository into src/target, upstream sources into src/upstream. Runs the repository's
+# Puts the sources into the workspace, and leaves nothing else there: the repository into src/target, upstream sources into src/upstream. Runs the repository's
 # script that may change them, and takes packages out that are to be left out.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -20,5 +20,8 @@ if [[ -s /run/requests/identification.sh ]]; then
   fi
 fi
 if [[ -s /run/requests/blacklist ]]; then "$here/manifests.py" src /run/requests/blacklist; fi
+# The rest is the base image's, and stays there.
+find /docker-ros -mindepth 1 -maxdepth 1 ! -name ws -exec rm -rf {} +
+find $workspace -mindepth 1 -maxdepth 1 ! -name src -exec rm -rf {} +
 # Of no moment: the same sources make the same layer of the dev image. The time is that of all parts.
 find $workspace -exec touch --no-dereference --date=@1767225600 {} +

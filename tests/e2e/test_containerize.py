@@ -191,6 +191,54 @@ RUN /entrypoint.sh bash -c 'rospack find level_1 && rospack find level_2' && \\
     build_folder(services, tmp_path / "chk")
 
 
+def test_a_lock_file_holds_what_an_image_is_built_from(published: Publish, tmp_path: Path) -> None:
+    upstream, folder = tmp_path / "upstream", tmp_path / "robot"
+    for place in (upstream, folder):
+        place.mkdir()
+        (place / "package.xml").write_text(PACKAGE.format(place.name, ""))
+        (place / "CMakeLists.txt").write_text(CMAKE.format(place.name))
+    subprocess.run(["git", "init", "--quiet", "--initial-branch=master", str(upstream)], check=True)
+    commit(upstream)
+    (folder / ".repos").write_text(f"repositories: {{up: {{type: git, url: 'file://{upstream}', version: master}}}}\n")
+    (folder / "docker").mkdir()
+    (folder / "docker/additional-debs.txt").write_text("tree\n")
+    (folder / "docker/additional-pip-requirements.txt").write_text("toolz\n")
+    options = ("--base-image", published(BASE).reference, "--image-name", f"{NAMESPACE}/locked", "--command", "true")
+
+    first, file = made(folder, *options, "--lock"), folder / "containerize.lock"
+    lock = json.loads(file.read_text())
+    [(architecture, debs)] = lock["apt"].items()
+    [toolz] = lock["pip"][architecture]
+    assert "tree" in debs and re.fullmatch(r"toolz==\S+ --hash=sha256:[0-9a-f]{64}", toolz)
+
+    (upstream / "new").touch()
+    subprocess.run(["git", "-C", str(upstream), "add", "new"], check=True)
+    subprocess.run(
+        ["git", "-C", str(upstream), "-c", "user.name=n", "-c", "user.email=n@example.org", "commit", "-qm", "New"],
+        check=True,
+    )
+    again = made(folder, *options)
+    assert [image["digest"] for image in again["images"]] == [image["digest"] for image in first["images"]]
+    label = config(Services.load(ROOT), again["run"]["reference"])["config"]["Labels"]["io.rosml.lock"]
+    assert json.loads(label) == lock, "whoever has the image has its lock file"
+
+    debs["tree"] = "0.1-1"
+    file.write_text(json.dumps(lock))
+    (folder / "docker/additional-debs.txt").write_text("tree\nsl\n")
+    said = json.loads(containerize(folder, *options).out)["error"]
+    assert (
+        re.search("the lock file does not have what apt would install: .*sl .*, tree |tree .*, sl ", said)
+        and "--lock" in said
+    )
+
+    debs["tree"] = first["lock"]["apt"][architecture]["tree"]
+    lock["pip"][architecture] = [re.sub("sha256:.*", f"sha256:{'0' * 64}", toolz)]
+    file.write_text(json.dumps(lock))
+    (folder / "docker/additional-debs.txt").write_text("tree\n")
+    outcome = containerize(folder, *options)
+    assert outcome.code == 1 and "toolz" in outcome.out
+
+
 @pytest.mark.full(proof="wheels")
 def test_the_example_of_ros_2(published: Publish, services: Services, tmp_path: Path) -> None:
     """On ROS 2 from wheels, of which rosdep knows nothing on Debian, and which has no command ros2."""

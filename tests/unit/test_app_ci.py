@@ -249,9 +249,9 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
             report = Path(targets["report"]["output"][0].partition("dest=")[2])
             (report / "results").mkdir(parents=True)
             (report / "dependencies.json").write_text('{"packages": {}, "keys": {}}')
-            (report / "app.json").write_text(
-                '{"packages": [], "changed": [], "replaced": [], "removed": [], "outside": []}'
-            )
+            names = ("packages", "changed", "replaced", "removed", "outside", "pip")
+            app = {**{name: [] for name in names}, "architecture": "arm64", "apt": {"tree": "2.1"}}
+            (report / "app.json").write_text(json.dumps(app))
         return None, {"containerimage.digest": "sha256:1"}
 
     monkeypatch.setattr(buildx, "run", run)
@@ -266,6 +266,8 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
     name = f"{services.registry}/me/robot"
     assert seen["run"] == [f"{name}:latest_x_ci-arm64"] == [made[0].reference]
     assert seen["dev"] == [f"{name}:latest-dev_x_ci-arm64"] == [made[1].reference]
+    kept = json.loads((tmp_path / "out/containerize-arm64.lock").read_text())
+    assert kept["apt"] == {"arm64": {"tree": "2.1"}}, "whoever wants to build it again has what it was built from"
 
 
 def test_a_name_without_a_registry_is_docker_hubs(services: Services, tmp_path: Path) -> None:

@@ -21,7 +21,7 @@ from pathlib import Path
 import pytest
 import trustme
 
-from rosml.apps.sources import Access, Repository, fetch
+from rosml.apps.sources import Access, Pin, Repository, fetch
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 
@@ -182,6 +182,19 @@ def test_what_versions_mean(place: Place) -> None:
     assert {item.version: (item.commit, item.moving) for item in found} == meant
     assert (place.out / "p3/f").read_text() == "1" and (place.out / "p7/f").read_text() == "1"
     assert [text for text in place.said if "the tag counts" in text and "both is a tag and a branch" in text]
+
+
+def test_a_lock_file_names_the_commits(place: Place) -> None:
+    url = place.root / "a"
+    first = commit(url, {"a": "1"})
+    commit(url, {"a": "2"})
+    place.put(repos(a=(url, "main")))
+    [found] = place.fetch(pins={"a": Pin(str(url), "main", first)})
+    assert (found.commit, found.moving, listing(place.out)["a/a"][1]) == (first, False, "1")
+    assert "does not have it" in place.refused(pins={}).message
+    for other in (Pin(str(url), "v1", first), Pin("/elsewhere", "main", first)):
+        error = place.refused(pins={"a": other})
+        assert "another url or version" in error.message and "--lock" in error.remedy
 
 
 def test_a_version_that_is_not_there(place: Place) -> None:

@@ -131,6 +131,15 @@ def test_a_base_image_is_named_by_its_digest_alone(name: str) -> None:
     assert base.Base(name, "sha256:1", {}).reference == "localhost:5000/ros@sha256:1"
 
 
+def test_a_base_image_of_a_lock_file_is_found_wherever_its_tag_is(services: Services) -> None:
+    platform = f"linux/{native_architecture()}"
+    first = put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy", DAY="1")
+    newer = put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy", DAY="2")
+    assert base.find("ros:jazzy", services, ()).digest == newer
+    found = base.find("ros:jazzy", services, (), first)
+    assert (found.digest, found.environment["DAY"], found.name) == (first, "1", f"{services.registry}/rosml/ros:jazzy")
+
+
 def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Where Docker builds; another builder could not have it."""
     facts = {"Id": "sha256:7", "Os": "linux", "Architecture": "amd64", "Config": {"Env": ["ROS_DISTRO=jazzy"]}}
@@ -261,7 +270,16 @@ def test_no_file_is_one_that_is_named_empty(tmp_path: Path) -> None:
     assert requests(tmp_path / "robot", {"after-dependency-installation-script": ""}, {})["after.sh"] == ""
 
 
-APP: dict[str, list[str]] = {"packages": ["libfoo:all"], "changed": [], "replaced": [], "removed": [], "outside": []}
+APP: dict[str, Any] = {
+    "packages": ["libfoo:all"],
+    "changed": [],
+    "replaced": [],
+    "removed": [],
+    "outside": [],
+    "architecture": "amd64",
+    "apt": {"libfoo": "1.0"},
+    "pip": [],
+}
 SLIM = dict(APP)
 
 
@@ -400,6 +418,35 @@ def test_tests_that_fail_in_the_slim_image_alone_are_named(
         ).build()
     assert "robot: a.bad: no libfoo.so.1" in caught.value.message and "exec_depend" in caught.value.remedy
     assert [call["name"] for call in calls] == ["packages"]
+
+
+def test_a_lock_file_is_written_then_followed(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(APP, "apt", {"tree": "2.1"})
+    platform = f"linux/{native_architecture()}"
+    digest = put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy")
+    options = {"base_image": "ros:jazzy", "command": "true"}
+    values = inputs.values({name.replace("_", "-"): value for name, value in options.items()}, repository, {})
+    said: list[str] = []
+
+    built = build.App(repository, values, {}, services, said.append, renew=True).build()
+    file = repository / "containerize.lock"
+    assert dict(built.summary())["lock"] == str(file)
+    label = calls[1]["labels"][bake_file.LOCK]
+    put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy", NEWER="1")
+    calls.clear()
+    again = build.App(repository, values, {}, services, said.append).build()
+    report, run, _ = calls
+    assert report["contexts"]["base"].endswith(f"@{digest}") and run["labels"][bake_file.LOCK] == label
+    requests = Path(report["contexts"]["requests"])
+    assert (requests / "lock/amd64/apt").read_text() == "tree 2.1\n"
+    assert not (Path(report["contexts"]["target"]) / "target/containerize.lock").exists(), "it is no source"
+    assert again.locked == ""
+
+    values["base-image"] = "ros:other"
+    with pytest.raises(RosmlError, match="of the base image ros:jazzy, and not of ros:other"):
+        build.App(repository, values, {}, services, said.append).build()
 
 
 def test_a_relative_index_of_rosdep_is_one_of_the_folder(

@@ -22,6 +22,9 @@ SCRIPTS = ROOT / "components"
 BASE_NAME = "org.opencontainers.image.base.name"
 BASE_DIGEST = "org.opencontainers.image.base.digest"
 
+LOCK = f"{PREFIX}lock"
+"""The label that says what an image was built from, as the lock file does."""
+
 REPORT = "report"
 """The target that leaves a folder with what is to be known of the app."""
 
@@ -74,6 +77,7 @@ def render(
     known: Mapping[str, str],
     kept: Mapping[str, str],
     unlinked: Container[str] = (),
+    lock: str = "",
 ) -> str:
     """The bake file.
 
@@ -82,6 +86,7 @@ def render(
         report: folder for the report.
         known: stages that are in a registry, with their references. kept: where others go, by stage.
         unlinked: images that are not their base image and the app: they start from the stage that has the app's packages.
+        lock: what the images are built from, for a label.
     """
     values = inputs.values
     secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
@@ -122,7 +127,7 @@ def render(
             "platforms": list(names.platforms),
             "contexts": base | {name: stages.get(name, f"target:{name}") for name in inputs.stages},
             "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
-            "labels": _labels(inputs, names.app, target),
+            "labels": {**_labels(inputs, names.app, target), LOCK: lock},
             "tags": names.tags(target),
             "output": ["type=docker" if names.loads else f"type=image,push=true,{COMPRESSION}"],
         }

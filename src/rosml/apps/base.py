@@ -55,8 +55,11 @@ def candidates(text: str, services: Services) -> tuple[str, ...]:
     return (*local, oci.complete(text))
 
 
-def find(text: str, services: Services, platforms: tuple[str, ...]) -> Base:
+def find(text: str, services: Services, platforms: tuple[str, ...], digest: str = "") -> Base:
     """The base image of that name: in a registry, or else in the user's Docker if that builds.
+
+    Args:
+        digest: if it is to be that one, wherever its tag is now.
 
     Raises:
         RosmlError: there is none, or it is for other platforms.
@@ -68,18 +71,25 @@ def find(text: str, services: Services, platforms: tuple[str, ...]) -> Base:
             place = oci.parse(name)
             registry = registries(place.host)
             try:
-                manifest = registry.manifest(place.repository, place.reference)
+                manifest = registry.manifest(place.repository, digest or place.reference)
             except RosmlError as error:  # it does not answer, or wants to know who asks
                 refused = error
                 continue
             if manifest is not None:
                 return _read(registry, place, manifest, platforms)
     if services.builder_kind != "buildkitd" and (found := _in_docker(text)):
-        return found
+        if digest in ("", found.digest):
+            return found
+        raise RosmlError(
+            f"{text} in Docker is not the image of the lock file", "write the lock file anew with --lock", exit_code=2
+        )
     if refused:
         if len(names) == 1:
             raise refused
         raise RosmlError(f"there is no image {text} in the local registry, and {refused.message}", refused.remedy)
+    if digest:
+        text = f"there is no image {text} with the digest {digest} of the lock file (looked for {', '.join(names)})"
+        raise RosmlError(text, "write the lock file anew with --lock", exit_code=2)
     raise RosmlError(
         f"there is no image {text} (looked for {', '.join(names)})",
         "check its name with 'rosml list'; 'rosml image TARGET' builds one of ours; 'docker login' for a private one",

@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosml.apps import bake_file, junit, sources, workspace
+from rosml.apps import bake_file, junit, lock, sources, workspace
 from rosml.apps import base as bases
 from rosml.apps import cache as caches
 from rosml.apps.git import Access
@@ -52,6 +52,8 @@ class Built:
         slim_replaced: the same of the slim image and its base; None if there is no slim image.
         outside: what the packages installed outside of the install space, which is in no image.
         upstream: repositories that were imported.
+        added: the packages of apt and pip that were added, with their versions, as `lock.Packages` has them.
+        lock: what the images were built from, as a lock file says it. locked: the lock file, if it was written.
         tests: of the packages. slim_tests: the same, as they ran in the slim image.
         reports: folder of their JUnit files; empty where an earlier build passed them.
         seconds: what it took.
@@ -67,6 +69,9 @@ class Built:
     slim_replaced: list[str] | None = None
     outside: list[str] = field(default_factory=list)
     upstream: list[sources.Repository] = field(default_factory=list)
+    added: dict[str, Any] = field(default_factory=dict)
+    lock: lock.Lock | None = None
+    locked: str = ""
     tests: junit.Tests = field(default_factory=junit.Tests)
     slim_tests: junit.Tests = field(default_factory=junit.Tests)
     reports: str = ""
@@ -74,11 +79,11 @@ class Built:
 
     def to_json(self) -> dict[str, Any]:
         """For `--json`."""
-        return asdict(self)
+        return asdict(self) | {"lock": self.lock.model_dump() if self.lock else None}
 
     def facts(self) -> dict[str, Any]:
         """What another build from the same would come to, for `take`."""
-        names = ("packages", "keys", "installed", "changed", "replaced", "outside", "slim_replaced")
+        names = ("packages", "keys", "installed", "changed", "replaced", "outside", "slim_replaced", "added")
         found = {name: getattr(self, name) for name in names}
         return found | {"tests": [self.tests.count, self.tests.skipped]}
 
@@ -86,7 +91,7 @@ class Built:
         """Takes what an earlier build from the same came to."""
         self.packages, self.keys = facts["packages"], facts["keys"]
         self.installed, self.changed, self.replaced = facts["installed"], facts["changed"], facts["replaced"]
-        self.outside, self.slim_replaced = facts["outside"], facts["slim_replaced"]
+        self.outside, self.slim_replaced, self.added = facts["outside"], facts["slim_replaced"], facts["added"]
         self.tests = junit.Tests(*facts["tests"])
 
     def summary(self) -> Iterator[tuple[str, str]]:
@@ -115,6 +120,8 @@ class Built:
         if self.slim_tests.count:
             tests = self.slim_tests
             yield "", f"in the slim image: {tests.count - tests.skipped} passed, {tests.skipped} skipped"
+        if self.locked:
+            yield "lock", self.locked
         yield "time", duration(self.seconds)
 
 
@@ -127,6 +134,7 @@ class App:
         environment: of the process.
         services: builder and registry of this machine.
         say: tells people what begins now.
+        renew: takes what is newest and writes the lock file, in the place of following it.
 
     Raises:
         RosmlError: a value is wrong (exit code 2).
@@ -139,9 +147,11 @@ class App:
         environment: Mapping[str, str],
         services: Services,
         say: Callable[[str], None],
+        renew: bool = False,
     ) -> None:
         self._folder, self._values, self._environment = folder, values, environment
-        self._services, self._say = services, say
+        self._services, self._say, self._renew = services, say, renew
+        self._lock_file = folder / values["lock-file"]
         self._names = Names(values, folder.name, services)
         if "run" in self._names.targets and not values["command"]:
             raise RosmlError(
@@ -170,16 +180,29 @@ class App:
 
     def _build(self) -> Built:
         started = time.monotonic()
-        base = bases.find(self._values["base-image"], self._services, self._names.platforms)
+        there = lock.read(self._lock_file, self._folder)
+        locked = None if self._renew else there
+        named = self._values["base-image"]
+        digest = locked.base_image.of(named) if locked else ""
+        base = bases.find(named, self._services, self._names.platforms, digest)
         self._say(f"base image {base.name}")
+        if locked:
+            self._say(f"{self._lock_file} says which versions")
+            if missing := locked.lacks(self._names.platforms):
+                self._say(f"it has no packages for {', '.join(missing)}: they are the newest; {lock.RENEW}")
         built = Built(base.reference)
-        built.upstream = self._import()
-        inputs = self._inputs(base, self._slim(base))
+        built.upstream = self._import(locked)
+        slim = self._slim(base, locked)
+        inputs = self._inputs(base, slim, locked)
         with contextlib.ExitStack() as stack:
             cache = None
             if self._values["cache"]:
                 cache = stack.enter_context(caches.Cache(self._values["cache"], self._services.ca_bundle))
             self._make(inputs, built, cache)
+        if self._renew and built.lock:
+            made = built.lock.with_other_architectures(there) if there else built.lock
+            files.write(self._lock_file, made.text())
+            built.locked = str(self._lock_file)
         built.seconds = time.monotonic() - started
         return built
 
@@ -208,25 +231,41 @@ class App:
             if cache:
                 cache.keep(keys, built.facts())
         unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
-        files.write(file, bake_file.render(*arguments, unlinked=unlinked))
+        built.lock = self._locked(inputs, built)
+        files.write(file, bake_file.render(*arguments, unlinked=unlinked, lock=built.lock.line()))
         for target in self._names.targets:
             call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
             _progress, metadata = buildx.run(self._services, call)
             digest = metadata.get("containerimage.digest", "")
             built.images.append(Made(target, self._names.reference(target), digest))
 
-    def _slim(self, base: bases.Base) -> bases.Base | None:
+    def _locked(self, inputs: bake_file.Inputs, built: Built) -> lock.Lock:
+        """What the images are built from."""
+        slim = inputs.slim and lock.Image(name=self._values["slim-base-image"], digest=inputs.slim.digest)
+        return lock.Lock(
+            base_image=lock.Image(name=self._values["base-image"], digest=inputs.base.digest),
+            slim_base_image=slim,
+            repositories={item.path: sources.Pin(item.url, item.version, item.commit) for item in built.upstream},
+            **built.added,
+        )
+
+    def _slim(self, base: bases.Base, locked: lock.Lock | None) -> bases.Base | None:
         """The base image of the slim image; None if there is to be no slim image, or if none belongs to the base image."""
         if SLIM not in self._names.targets:
             return None
         named = self._values["slim-base-image"]
         name = named or bases.runtime(base)
         reason = f"there is no {name}" if name else f"{base.name} does not say which base image has no compilers"
+        digest = ""
+        if locked and locked.slim_base_image:
+            digest = locked.slim_base_image.of(named)
+        elif locked:
+            name, reason = "", "the lock file has no base image for it"
         if name:
             try:
-                found = bases.find(name, self._services, self._names.platforms)
+                found = bases.find(name, self._services, self._names.platforms, digest)
             except RosmlError as error:
-                if named or not (error.exit_code == 2 or base.local):  # it was not found
+                if named or digest or not (error.exit_code == 2 or base.local):  # it was not found
                     raise
             else:
                 others = [] if named else bases.differing(base, found)
@@ -234,10 +273,11 @@ class App:
                     return found
                 reason = f"{name} is of another {', '.join(others)}"
         self._names.targets = tuple(target for target in self._names.targets if target != SLIM)
-        self._say(f"no slim image: {reason}; name one with --slim-base-image")
+        remedy = lock.RENEW if locked else "name one with --slim-base-image"
+        self._say(f"no slim image: {reason}; {remedy}")
         return None
 
-    def _import(self) -> list[sources.Repository]:
+    def _import(self, locked: lock.Lock | None) -> list[sources.Repository]:
         """Fetches the upstream sources."""
         values = self._values
         access = Access(
@@ -254,10 +294,11 @@ class App:
             access,
             recursive=values["enable-recursive-vcs-import"] == "true",
             file=values["vcs-import-file"],
+            pins=locked.repositories if locked else None,
             say=self._say,
         )
 
-    def _inputs(self, base: bases.Base, slim: bases.Base | None) -> bake_file.Inputs:
+    def _inputs(self, base: bases.Base, slim: bases.Base | None, locked: lock.Lock | None) -> bake_file.Inputs:
         """What the build reads, written down for it."""
         values, folder, state = self._values, self._folder, self._state
         distribution = base.environment.get("ROS_DISTRO") or values["ros-distro"]
@@ -267,10 +308,12 @@ class App:
             text = f"{base.name} does not say which ROS it has"
             raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
         upstream, manifests, requests, empty = (state / name for name in ("upstream", "manifests", "requests", "empty"))
-        workspace.stage(folder, state / "staged" / "target")
+        workspace.stage(folder, state / "staged" / "target", without=self._lock_file)
         empty.mkdir(parents=True, exist_ok=True)
         count = workspace.write_manifests({"target": folder, "upstream": upstream}, manifests)
         workspace.write_requests({**values, "ros-distro": distribution}, folder, upstream, base.environment, requests)
+        if locked:
+            locked.write_requests(requests)
         self._say(f"{_count(count, 'package')} for {', '.join(self._names.platforms)}")
         additional = workspace.additional_files(values["additional-files-dir"], folder)
         index = folder / Path(values["rosdep-index"]).expanduser() if values["rosdep-index"] else empty
@@ -335,6 +378,7 @@ class App:
         built.outside = apps[0]["outside"]
         built.replaced = _replaced(apps)
         built.slim_replaced = _replaced(slim_apps) if slim else None
+        built.added = lock.added([*apps, *slim_apps]).model_dump()
         for folder in folders:
             built.tests = junit.add(built.tests, junit.read(folder / "results"))
             built.slim_tests = junit.add(built.slim_tests, junit.read(folder / "slim"))

@@ -24,7 +24,7 @@ from rosml.registry import oci
 REPORT = "report"
 """The tag of what a build came to begins with this."""
 
-FORMAT = 2
+FORMAT = 3
 """Of reports. Another number makes those that are in registries no reports: change it with their fields."""
 
 _TYPE = "application/vnd.rosml.app.report.v1+json"
@@ -128,6 +128,7 @@ class _Report(BaseModel):
     outside: list[str]
     tests: list[int] = Field(min_length=2, max_length=2)
     slim_replaced: list[str] | None
+    added: dict[str, Any]
 
 
 class Cache:

@@ -257,6 +257,8 @@ class Job:
             built = app.build()
         finally:
             _keep(app.report, out / f"reports{end}")
+        if built.lock:
+            files.write(out / f"containerize{end}.lock", built.lock.text())
         made = [
             Image(image.target, self._names[image.target], wanted[image.target], end, platforms, image.digest)
             for image in built.images

@@ -80,6 +80,7 @@ TABLE = (
     ),
     Input("skip-keys", "keys of rosdep that are left out, separated by blanks"),
     Input("rosdep-index", "a checkout of ros/rosdistro, in the place of rosdep's lists on the network"),
+    Input("lock-file", "what the images are built from, if it is there; --lock writes it", "containerize.lock"),
     Input("additional-debs-file", "packages for apt, one a line", "docker/additional-debs.txt"),
     Input("enable-recursive-additional-debs", _RECURSIVE, "false", flag=True),
     Input("additional-pip-file", "requirements for pip, one a line", "docker/additional-pip-requirements.txt"),

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
@@ -17,12 +17,12 @@ from rosml.apps.git import Access, Failed, Git, opened
 from rosml.apps.repos_file import Entry
 from rosml.apps.store import Store
 from rosml.apps.tree import Tree, beside
-from rosml.apps.versions import resolve
+from rosml.apps.versions import Version, resolve
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import listed
 
-__all__ = ["Access", "Repository", "fetch"]
+__all__ = ["Access", "Pin", "Repository", "fetch"]
 
 WORKERS = 8
 """How many repositories are fetched at the same time; what takes time is the answer of a server."""
@@ -50,6 +50,15 @@ class Repository:
     moving: bool
 
 
+@dataclass(frozen=True)
+class Pin:
+    """The commit that a lock file has for a repository: of this url and this version."""
+
+    url: str
+    version: str
+    commit: str
+
+
 def fetch(
     target: Path,
     out: Path,
@@ -58,6 +67,7 @@ def fetch(
     *,
     recursive: bool = True,
     file: str = DEFAULT,
+    pins: Mapping[str, Pin] | None = None,
     say: Say = lambda text: None,
 ) -> list[Repository]:
     """Writes the repositories that a target needs, and nothing else, into a folder.
@@ -70,6 +80,7 @@ def fetch(
             are not written again. Two files beside it say what is in it.
         cache: repositories for the next call; it may be shared, and removed at any time.
         recursive: whether each `.repos` file counts, also in what was fetched; otherwise `file` alone, below the target.
+        pins: commits by path, if there is a lock file; each repository has to be in it.
         say: gets a sentence for people, from any thread.
 
     Returns:
@@ -92,7 +103,7 @@ def fetch(
             with opened(access, cache) as git:
                 store = Store(git, cache, say)
                 while new := _new(wave, known):
-                    fetched = _at_once(git, new, lambda entry: _fetch(entry, git, store, tree, say))
+                    fetched = _at_once(git, new, lambda entry: _fetch(entry, git, store, tree, pins, say))
                     done += fetched
                     wave = (
                         [entry for repository in fetched for entry in _named_by(repository, out)] if recursive else []
@@ -166,10 +177,10 @@ def _at_once(git: Git, entries: Iterable[Entry], work: Callable[[Entry], Reposit
     return done
 
 
-def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, say: Say) -> Repository:
+def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, pins: Mapping[str, Pin] | None, say: Say) -> Repository:
     head = f"{entry.place}: {entry.path} ({entry.url})"
     try:
-        version = resolve(git, entry.url, entry.version)
+        version = resolve(git, entry.url, entry.version) if pins is None else _pinned(entry, pins)
         version = replace(version, commit=store.commit(entry.url, version))
         if version.also_branch:
             say(f"{head}: {entry.version} is a tag and a branch; the tag counts")
@@ -182,6 +193,19 @@ def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, say: Say) -> Reposi
     except RosmlError as error:
         raise RosmlError(f"{head}: {error.message}", error.remedy, error.exit_code) from None
     return Repository(entry.path, entry.url, entry.version, version.commit, entry.file, version.moving)
+
+
+def _pinned(entry: Entry, pins: Mapping[str, Pin]) -> Version:
+    """The commit that a lock file has.
+
+    Raises:
+        RosmlError: it has none, or another url or version (exit code 2).
+    """
+    pin = pins.get(entry.path)
+    if pin is None or (urls.key(pin.url), pin.version) != (urls.key(entry.url), entry.version):
+        text = "the lock file has another url or version" if pin else "the lock file does not have it"
+        raise RosmlError(text, "write the lock file anew with --lock", exit_code=2)
+    return Version(pin.commit)
 
 
 def _told(head: str, url: str, error: Failed) -> RosmlError:

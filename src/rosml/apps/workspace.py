@@ -63,8 +63,9 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
     return count
 
 
-def stage(folder: Path, out: Path) -> None:
-    """Makes a folder of links to the files of a repository, without git's folder and files of secrets: what the builder gets.
+def stage(folder: Path, out: Path, without: Path) -> None:
+    """Makes a folder of links to the files of a repository, without git's folder and files of secrets, and without one file
+    more: what the builder gets.
 
     It is one level deeper than the context of the build, so that a `.dockerignore` of the repository, which is about another
     build, hides nothing.
@@ -78,7 +79,7 @@ def stage(folder: Path, out: Path) -> None:
         for name in folders:
             (place / name).mkdir(mode=0o755)
         for name in [*names, *links]:
-            if name not in SECRET:
+            if name not in SECRET and Path(path, name) != without:
                 _link(Path(path, name), place / name)
 
 

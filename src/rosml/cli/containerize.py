@@ -50,15 +50,19 @@ def _services() -> Services:
 
 @click.command("containerize", cls=Command, alone=True, kept=KEPT)
 @click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path), default=".")
+@click.option("--lock", is_flag=True, help="take what is newest now, and write the lock file")
 @_options
 @options.JSON
-def main(folder: Path, as_json: bool, **given: str | bool | None) -> None:
+def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) -> None:
     """Builds images of the ROS packages in FOLDER: one to run them, and one to work on them.
 
     \b
     NAME:TAG      the base image with your packages built, and what they need to run; starts --command
     NAME:TAG-dev  the base image with all dependencies and your sources
     NAME:TAG-slim with --enable-slim: the first one without compilers and headers
+
+    If FOLDER has a file containerize.lock, which --lock writes, they are built from what that says: base image, repositories and
+    packages.
 
     Each option can be a variable instead, such as BASE_IMAGE, in the environment or in a file .env in FOLDER. Passwords and
     keys can only be variables: GIT_HTTPS_PASSWORD, GIT_SSH_PRIVATE_KEY.
@@ -80,7 +84,7 @@ def main(folder: Path, as_json: bool, **given: str | bool | None) -> None:
         say(sentence)
     services = _services()
     services.require_builder()
-    built = build.App(folder, values, os.environ, services, say).build()
+    built = build.App(folder, values, os.environ, services, say, renew=lock).build()
     if as_json:
         click.echo(json.dumps(built.to_json(), indent=2))
         return

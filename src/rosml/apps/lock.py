@@ -1,0 +1,133 @@
+"""The lock file of an app: what its images were built from, so that they can be built from the same again.
+
+It names the base images by their digests, upstream repositories by their commits, and the packages of apt and pip that were added,
+by their versions. A build that follows it takes nothing else.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rosml.apps import within
+from rosml.apps.sources import Pin
+from rosml.base.errors import RosmlError
+
+RENEW = "write the lock file anew with --lock"
+
+FOLDER = "lock"
+"""Of requests: for each architecture a folder with the lists `apt` and `pip`."""
+
+
+class Image(BaseModel):
+    """A base image: its name as the user wrote it, and its digest. The name is empty where the user said none."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    name: str
+    digest: str
+
+    def of(self, name: str) -> str:
+        """The digest, for the image that the user names.
+
+        Raises:
+            RosmlError: the lock file is of another one (exit code 2).
+        """
+        if self.name != name:
+            known, named = self.name or "none of that name", name or "none of that name"
+            raise RosmlError(f"the lock file is of the base image {known}, and not of {named}", RENEW, exit_code=2)
+        return self.digest
+
+
+class Packages(BaseModel):
+    """What was added to the base images, by architecture as dpkg calls it.
+
+    Attributes:
+        apt: versions by name; names of another architecture end in it, such as `libc6:i386`.
+        pip: requirements, each with the hash of the archive where pip said it.
+    """
+
+    model_config = ConfigDict(extra="forbid")
+
+    apt: dict[str, dict[str, str]] = {}
+    pip: dict[str, list[str]] = {}
+
+
+class Lock(Packages):
+    """A lock file. `format` is another number where older releases cannot read it."""
+
+    format: Literal[1] = 1
+    base_image: Image
+    slim_base_image: Image | None = None
+    repositories: dict[str, Pin] = {}
+
+    def text(self) -> str:
+        """The file."""
+        return json.dumps(self._content(), indent=1, sort_keys=True) + "\n"
+
+    def line(self) -> str:
+        """The same in one line, for a label."""
+        return json.dumps(self._content(), separators=(",", ":"), sort_keys=True)
+
+    def _content(self) -> dict[str, Any]:
+        return self.model_dump(exclude_none=True)
+
+    def with_other_architectures(self, other: Lock) -> Lock:
+        """This lock, and what another one has for other architectures, if both have the same images and repositories."""
+        names = ("base_image", "slim_base_image", "repositories")
+        if any(getattr(self, name) != getattr(other, name) for name in names):
+            return self
+        return self.model_copy(update={"apt": {**other.apt, **self.apt}, "pip": {**other.pip, **self.pip}})
+
+    def lacks(self, platforms: Iterable[str]) -> list[str]:
+        """Those of some platforms for which it has no packages."""
+        names = {"linux/arm/v7": "armhf", "linux/386": "i386", "linux/ppc64le": "ppc64el"}
+        return [name for name in platforms if names.get(name, name.split("/")[1]) not in self.apt]
+
+    def write_requests(self, requests: Path) -> None:
+        """Writes the versions down for the steps that install packages."""
+        for architecture in self.apt.keys() | self.pip.keys():
+            folder = requests / FOLDER / architecture
+            folder.mkdir(parents=True)
+            debs = self.apt.get(architecture, {})
+            (folder / "apt").write_text("".join(f"{name} {version}\n" for name, version in sorted(debs.items())))
+            (folder / "pip").write_text("".join(f"{line}\n" for line in self.pip.get(architecture, [])))
+
+
+def added(apps: Iterable[Mapping[str, Any]]) -> Packages:
+    """What reports of builds say of packages. Of two versions, which an archive has at two moments, the first counts.
+
+    Args:
+        apps: of each image and platform, with `architecture`, `apt` and `pip`.
+    """
+    found = Packages()
+    for app in apps:
+        name = app["architecture"]
+        found.apt[name] = {**app["apt"], **found.apt.get(name, {})}
+        known = {re.split("[ =]", line, maxsplit=1)[0]: line for line in [*app["pip"], *found.pip.get(name, [])]}
+        found.pip[name] = sorted(known.values())
+    return found
+
+
+def read(file: Path, folder: Path) -> Lock | None:
+    """The lock file of a repository; None if it has none.
+
+    Raises:
+        RosmlError: it cannot be read, is damaged, or leads out of the repository (exit code 2).
+    """
+    if not within.there(file, folder):
+        return None
+    try:
+        return Lock.model_validate_json(file.read_bytes())
+    except OSError as error:
+        raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join(map(str, first["loc"]))
+        what = f"{where}: {first['msg']}" if where else first["msg"]
+        raise RosmlError(f"{file} is no lock file: {what}", RENEW, exit_code=2) from None
