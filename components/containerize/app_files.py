@@ -217,9 +217,9 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
     # Compiled by the time of a source it would hold when it was built, and be stale now.
     compileall.compile_dir(
         str(root / install),
+        maxlevels=100,
+        ddir=f"/{install}",
         quiet=2,
-        stripdir=str(root),
-        prependdir="/",
         invalidation_mode=py_compile.PycInvalidationMode.CHECKED_HASH,
     )
 

@@ -3,8 +3,8 @@
 
     identify.py MANIFESTS LEFT_OUT INDEX SCRATCH OUT
 
-Into OUT go `packages/KIND.KIND`, a sorted list for each kind of dependency (build, exec, test) and each way to install it
-(apt, pip), and `dependencies.json`, which says what each key of rosdep became and who asked for it. LEFT_OUT is a list of
+Into OUT go `packages/KIND.WAY`, a sorted list for each kind of dependency (build, exec, test) and each way to install it
+(apt, pip); `downstream/downstream.WAY`, the same for all that packages need which use the others; and `dependencies.json`, which says what each key of rosdep became and who asked for it. LEFT_OUT is a list of
 ROS packages that do not count. What the base image has built in its own workspaces is there already.
 
 Keys are looked up in the lists that the image has itself, or in INDEX, a folder such as a checkout of ros/rosdistro. Only
@@ -34,6 +34,9 @@ KINDS = {
     "test": ("test_depends",),
 }
 """What a manifest calls dependencies of a kind."""
+
+DOWNSTREAM = "downstream"
+"""The folder of packages that use the others, and what they need for whatever: they are in no image."""
 
 INSTALLERS = ("apt", "pip")
 """Ways of rosdep to install something that an image can have."""
@@ -70,7 +73,7 @@ def read(folder: Path, left_out: Path) -> Packages:
             package.evaluate_conditions(context)
         except ValueError as error:
             fail(f"{path}: {error}", "check its conditions")
-        packages[package.name] = {
+        kinds = {
             kind: {
                 dependency.name
                 for attribute in attributes
@@ -80,6 +83,9 @@ def read(folder: Path, left_out: Path) -> Packages:
             for kind, attributes in KINDS.items()
             if kind != "test" or path.parts[:1] != ("upstream",)  # tests of these do not run
         }
+        if path.parts[:1] == (DOWNSTREAM,):
+            kinds = {DOWNSTREAM: set().union(*kinds.values())}
+        packages[package.name] = kinds
     return packages
 
 
@@ -203,12 +209,15 @@ def main(folder: Path, left_out: Path, index: Path, scratch: Path, out: Path) ->
         for kind, keys in kinds.items():
             for answer in (answer for key in keys if key in found for answer in found[key]):
                 lists[f"{kind}.{answer.installer}"].update(answer.names)
-    (out / "packages").mkdir(parents=True)
-    for name in (f"{kind}.{installer}" for kind in KINDS for installer in INSTALLERS):
-        (out / "packages" / name).write_text("".join(f"{package}\n" for package in sorted(lists[name])))
+    for folder, kinds in (("packages", KINDS), (DOWNSTREAM, (DOWNSTREAM,))):
+        (out / folder).mkdir(parents=True)
+        for name in (f"{kind}.{installer}" for kind in kinds for installer in INSTALLERS):
+            (out / folder / name).write_text("".join(f"{package}\n" for package in sorted(lists[name])))
     described = {
         "packages": {
-            name: {kind: sorted(keys) for kind, keys in kinds.items()} for name, kinds in sorted(packages.items())
+            name: {kind: sorted(keys) for kind, keys in kinds.items()}
+            for name, kinds in sorted(packages.items())
+            if DOWNSTREAM not in kinds
         },
         "keys": {key: [answer._asdict() for answer in found[key]] for key in sorted(found)},
         "skipped": sorted(skipped),

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what the lists in /run/needed say, of the kinds that are named: build, exec, test. With build, also the tools that
 # build a workspace, if the base image lacks them. Besides, what the repository asks for itself, in /run/requests: packages of
-# apt and pip, and scripts before and after. If it has a lock file, apt and pip install what that has.
+# apt and pip, and scripts before and after. If it has a lock file, apt and pip install what that has. The kind downstream is for
+# packages that are in no image, on top of all that: neither counts.
 #   install.sh KIND…
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
@@ -23,8 +24,15 @@ update_once() {
   updated=true
 }
 
+requests=/run/requests
+if [[ $* == downstream ]]; then
+  requests=$scratch/requests
+  mkdir "$requests"
+  touch "$requests/apt" "$requests/pip"
+fi
+
 # follow_lock: apt takes the versions of the lock file, older ones as well.
-lock=/run/requests/lock/$(dpkg --print-architecture)
+lock=$requests/lock/$(dpkg --print-architecture)
 pip_lock=/usr/local/share/rosml/pip.lock
 follow_lock() {
   [[ -e $lock/apt ]] || return 0
@@ -35,41 +43,48 @@ follow_lock() {
   echo "Dir::Etc::Preferences \"$scratch/preferences\";" >>"$APT_CONFIG"
 }
 
-# require_locked PACKAGE…: apt would install what the lock file has, and nothing else.
+# packages: all that are installed, as the lock file has them.
+packages() {
+  dpkg-query --show --showformat '${db:Status-Status} ${Package} ${Architecture} ${Version}\n' |
+    awk -v native="$(dpkg --print-architecture)" '$1 == "installed" { print $2 ($3 == "all" || $3 == native ? "" : ":" $3), $4 }' | sort
+}
+
+# require_locked BEFORE: of what is installed now and was not in that list, the lock file has all.
 require_locked() {
   local others
   [[ -e $lock/apt ]] || return 0
-  others=$(apt-get install --simulate "$@" | sed -n -E 's/^Inst (\S+) (\[\S+\] )?\((\S+) .*/\1 \3/p' | grep -v -x -F -f "$lock/apt" || true)
-  [[ -z $others ]] || fail "the lock file does not have what apt would install: ${others//$'\n'/, }" \
+  others=$(comm -13 "$1" <(packages) | grep -v -x -F -f "$lock/apt" || true)
+  [[ -z $others ]] || fail "the lock file does not have what apt installed: ${others//$'\n'/, }" \
     "the archive has other versions now, or your packages need others: write the lock file anew with --lock"
 }
 
 # script FILE NAME: runs a script of the repository.
 script() {
-  [[ -s /run/requests/$1 ]] || return 0
-  (cd "${WORKSPACE:-/}" && exec bash -e "/run/requests/$1") ||
+  [[ -s $requests/$1 ]] || return 0
+  (cd "${WORKSPACE:-/}" && exec bash -e "$requests/$1") ||
     fail "the script $2 the installation of dependencies ended with $?" "the lines above say why"
 }
 
 use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
+packages >"$scratch/packages"
 follow_lock
 rm -f "$pip_lock"
 export SOURCE_DATE_EPOCH=1767225600 # as the files of all parts: nothing here depends on the commit
 kinds=("$@")
-if [[ -n $(ls -A /run/additional) ]]; then
+if [[ -n $(ls -A /run/additional 2>/dev/null) ]]; then
   mkdir -p /docker-ros/additional-files
   cp -R --preserve=mode,links /run/additional/. /docker-ros/additional-files
 fi
-if [[ -s /run/requests/before.sh || -s /run/requests/after.sh ]]; then update_once; fi # what these scripts expect
+if [[ -s $requests/before.sh || -s $requests/after.sh ]]; then update_once; fi # what these scripts expect
 script before.sh before
-if [[ -s /run/requests/before.sh ]]; then updated=; fi # it may have added a source
-mapfile -t debs < <(listed apt; cat /run/requests/apt)
+if [[ -s $requests/before.sh ]]; then updated=; fi # it may have added a source
+mapfile -t debs < <(listed apt; cat "$requests/apt")
 mapfile -t requirements < <(listed pip)
 if [[ " $* " == *" build "* ]]; then
   if ! command -v g++ >/dev/null || ! command -v cmake >/dev/null; then debs+=(build-essential cmake); fi
   if ! command -v colcon >/dev/null; then debs+=(python3-colcon-common-extensions); fi
 fi
-if [[ ${#requirements[@]} -gt 0 || -s /run/requests/pip ]] && ! python3 -m pip --version >/dev/null 2>&1; then debs+=(python3-pip); fi
+if [[ ${#requirements[@]} -gt 0 || -s $requests/pip ]] && ! python3 -m pip --version >/dev/null 2>&1; then debs+=(python3-pip); fi
 
 # catkin leaves Python tests out where it is missing, and manifests seldom name it.
 if [[ " $* " == *" test "* && ${ROS_VERSION:-} == 1 ]]; then
@@ -92,14 +107,14 @@ for name in "${debs[@]}"; do
 done
 if [[ ${#missing[@]} -gt 0 ]]; then
   update_once
-  require_locked "${missing[@]}"
   apt_install "${missing[@]}"
 fi
-export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_CACHE_DIR=$scratch/pip PIP_ROOT_USER_ACTION=ignore PIP_DISABLE_PIP_VERSION_CHECK=1
-if [[ ${#requirements[@]} -gt 0 || -s /run/requests/pip ]]; then
-  "$here/pip_install.py" "$pip_lock" "$lock/pip" /run/requests/pip "${requirements[@]}"
+export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore PIP_DISABLE_PIP_VERSION_CHECK=1
+if [[ ${#requirements[@]} -gt 0 || -s $requests/pip ]]; then
+  "$here/pip_install.py" "$pip_lock" "$lock/pip" --requirement "$requests/pip" "${requirements[@]}"
 fi
 script after.sh after
+require_locked "$scratch/packages"
 
 # What clean.sh takes away, and a package or a script made: folders for logs and caches, and what programs downloaded for root.
 folders=$(find /var/log /var/cache -mindepth 1 -type d -printf '%m %U:%G %p\n' | grep -v -E ' /var/cache/(apt|debconf|ldconfig|man)(/|$)' || true)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Installs packages of pip, and writes down what it installed: each at its version, with the hash of its archive.
 
-    pip_install.py WRITTEN LOCKED FILE [REQUIREMENT…]
+    pip_install.py WRITTEN LOCKED ARGUMENT…
 
-FILE has requirements as well; it may be empty. WRITTEN gets a line for each package, beside those that it has. LOCKED is such a
-list: if it is there, nothing else is installed. pip before 22.2 says no hashes. A requirement that is a folder has no line.
+The arguments are those of pip. WRITTEN gets a line for each package, beside those that it has. LOCKED is such a list: if it is
+there and pip installs something else, this fails. pip before 22.2 says no hashes. A requirement that is a folder has no line.
 """
 
 from __future__ import annotations
@@ -14,130 +14,96 @@ import re
 import subprocess
 import sys
 import tempfile
+from importlib.metadata import distributions
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn, Sequence
-
-NOT_OF_INDEX = re.compile(r"^-(?!r\b|-requirement|e\b|-editable|c\b|-constraint)")
-"""Lines of a file with requirements that say where pip looks, and how."""
+from typing import Any, Iterable, Sequence
 
 
-class Wanted(NamedTuple):
-    """What pip would install.
+def normal(name: str) -> str:
+    """A name as indexes compare names."""
+    return re.sub(r"[-_.]+", "-", name).lower()
 
-    Attributes:
-        name: of the package, as PyPI compares names. line: a requirement that means this archive alone.
-        locked: whether a lock file can have it.
+
+def line(name: str, version: str, info: dict[str, Any], direct: bool) -> str:
+    """A requirement that means this archive, or this commit, and no other; empty for a folder.
+
+    Args:
+        info: where it is from, as in direct_url.json. direct: the user named that place.
     """
+    if "dir_info" in info:
+        return ""
+    if "vcs_info" in info:
+        return f"{normal(name)} @ {info['vcs_info']['vcs']}+{info['url']}@{info['vcs_info']['commit_id']}"
+    archive = info.get("archive_info", {})
+    hashes = archive.get("hashes") or dict([archive.get("hash", "=").split("=", 1)])
+    sha256 = hashes.get("sha256", "")
+    if direct:
+        return f"{normal(name)} @ {info['url']}#sha256={sha256}"
+    return f"{normal(name)}=={version}" + (f" --hash=sha256:{sha256}" if sha256 else "")
 
-    name: str
-    line: str
-    locked: bool = True
 
-
-def pip(*arguments: str) -> None:
-    done = subprocess.run([sys.executable, "-m", "pip", *arguments])
+def run(arguments: Sequence[str]) -> None:
+    done = subprocess.run([sys.executable, "-m", "pip", "install", *arguments])
     if done.returncode:
         sys.exit(done.returncode)
 
 
-def fail(text: str, remedy: str) -> NoReturn:
-    sys.exit(f"error: {text}; {remedy}")
-
-
-def normal(name: str) -> str:
-    return re.sub(r"[-_.]+", "-", name).lower()
-
-
-def name_of(line: str) -> str:
-    """The package of a line."""
-    return normal(re.split(r"[ =@]", line, maxsplit=1)[0])
-
-
-def planned(item: dict[str, Any]) -> Wanted:
-    """One entry of a report of pip's."""
-    name, info = normal(item["metadata"]["name"]), item["download_info"]
-    if "vcs_info" in info:
-        vcs = info["vcs_info"]
-        part = f"#subdirectory={info['subdirectory']}" if "subdirectory" in info else ""
-        return Wanted(name, f"{name} @ {vcs['vcs']}+{info['url']}@{vcs['commit_id']}{part}")
-    if "dir_info" in info:
-        return Wanted(name, f"{name} @ {info['url']}", locked=False)
-    archive = info["archive_info"]
-    hashes = archive.get("hashes") or dict([archive.get("hash", "=").split("=", 1)])
-    if item["is_direct"]:
-        return Wanted(name, f"{name} @ {info['url']}#sha256={hashes.get('sha256', '')}")
-    return Wanted(name, f"{name}=={item['metadata']['version']} --hash=sha256:{hashes['sha256']}")
-
-
-def plan(arguments: Sequence[str], scratch: Path) -> list[Wanted]:
-    """What pip would install."""
-    report = scratch / "report.json"
-    pip("install", "--quiet", "--dry-run", "--report", str(report), *arguments)
-    found = json.loads(report.read_text())["install"]
-    return sorted(map(planned, found))
+def reported(arguments: Sequence[str]) -> list[str]:
+    """Installs; gives a line for each package, as pip says them."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = Path(folder) / "report.json"
+        run(["--report", str(report), *arguments])
+        items = json.loads(report.read_text())["install"]
+    metadata = [(item["metadata"], item["download_info"], item["is_direct"]) for item in items]
+    return [line(data["name"], data["version"], info, direct) for data, info, direct in metadata]
 
 
 def installed() -> set[str]:
     """What is installed, as lines without hashes."""
-    command = [sys.executable, "-m", "pip", "list", "--format=json"]
-    said = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
-    return {f"{normal(item['name'])}=={item['version']}" for item in json.loads(said)}
+    found = set()
+    for item in distributions():
+        text = item.read_text("direct_url.json")
+        found.add(line(item.metadata["Name"], item.version, json.loads(text) if text else {}, bool(text)))
+    return found
+
+
+def compared(arguments: Sequence[str]) -> list[str]:
+    """Installs; gives a line for each package that was not there before."""
+    before = installed()
+    run(arguments)
+    return [item for item in installed() if item not in before]
 
 
 def knows_report() -> bool:
-    """Whether pip can say what it would install."""
+    """Whether pip can say what it installed."""
     said = subprocess.run(
-        [sys.executable, "-m", "pip", "--version"], check=True, stdout=subprocess.PIPE, text=True
-    ).stdout
+        [sys.executable, "-m", "pip", "--version"], check=True, stdout=subprocess.PIPE
+    ).stdout.decode()
     version = re.match(r"pip (\d+)\.(\d+)", said)
-    return bool(version) and (int(version[1]), int(version[2])) >= (22, 2)
+    return version is not None and (int(version[1]), int(version[2])) >= (22, 2)
 
 
-def without_hash(line: str) -> str:
-    return line.split(" --hash=")[0]
+def constraints(locked: Iterable[str]) -> str:
+    """What keeps pip at these versions. A place cannot be constrained that the user names another way."""
+    return "".join(f"{item.partition(' ')[0]}\n" for item in sorted(locked) if " @ " not in item)
 
 
-def require_locked(lines: Sequence[str], locked: dict[str, str]) -> None:
-    """Checks that a lock file has what is to be installed."""
-    known = set(map(without_hash, locked.values()))
-    missing = [line for line in map(without_hash, lines) if line not in known]
-    if missing:
-        fail(f"the lock file does not have {', '.join(missing)}", "write it anew with --lock")
-
-
-def main(written: Path, lock: Path, file: Path, *requirements: str) -> None:
-    locked = {name_of(line): line for line in lock.read_text().splitlines()} if lock.exists() else {}
-    lines = set(written.read_text().splitlines()) if written.exists() else set()
+def main(written: Path, lock: Path, *arguments: str) -> None:
+    locked = set(lock.read_text().splitlines()) if lock.exists() else set()
     with tempfile.TemporaryDirectory() as folder:
-        scratch = Path(folder)
-        arguments = [*requirements, "--requirement", str(file)]
-        if locked:
-            constraints = scratch / "constraints"
-            constraints.write_text("".join(f"{without_hash(line)}\n" for line in locked.values()))
-            arguments += ["--constraint", str(constraints)]
-        if knows_report():
-            wanted = plan(arguments, scratch)
-            if lock.exists():
-                require_locked([item.line for item in wanted if item.locked], locked)
-                wanted = [item._replace(line=locked.get(item.name, item.line)) for item in wanted]
-            options = [line for line in file.read_text().splitlines() if NOT_OF_INDEX.match(line)]
-            for hashed in (True, False):
-                chosen = [item.line for item in wanted if (" --hash=" in item.line) is hashed]
-                if chosen:
-                    (scratch / "chosen").write_text("\n".join([*options, *chosen]) + "\n")
-                    more = ["--require-hashes"] if hashed else []
-                    pip("install", "--no-deps", *more, "--requirement", str(scratch / "chosen"))
-            lines.update(item.line for item in wanted if item.locked)
-        else:
-            before = installed()
-            pip("install", *arguments)
-            new = sorted(installed() - before)
-            if lock.exists():
-                require_locked(new, locked)
-            lines.update(new)
+        file = Path(folder) / "constraints"
+        file.write_text(constraints(locked))
+        install = reported if knows_report() else compared
+        new = sorted(filter(None, install([*arguments, "--constraint", str(file)] if locked else arguments)))
+    others = [item for item in new if item not in locked]
+    if lock.exists() and others:
+        sys.exit(
+            f"error: the lock file does not have what pip installed: {', '.join(others)}; write it anew with --lock"
+        )
+    before = written.read_text().splitlines() if written.exists() else []
     written.parent.mkdir(parents=True, exist_ok=True)
-    written.write_text("".join(f"{line}\n" for line in sorted(lines)))
+    written.write_text("".join(f"{item}\n" for item in sorted({*before, *new})))
 
 
 if __name__ == "__main__":
-    main(*map(Path, sys.argv[1:4]), *sys.argv[4:])
+    main(Path(sys.argv[1]), Path(sys.argv[2]), *sys.argv[3:])

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the packages below /run/sources into $WORKSPACE/install, on what is there already.
 #   CMAKE_ARGS  arguments of CMake, as a shell reads them
-#   workspace.sh FOLDER   of $WORKSPACE/src: upstream, target
+#   workspace.sh FOLDER   of $WORKSPACE/src: upstream, target, downstream
 set -euo pipefail
 
 export WORKSPACE=${WORKSPACE:-/docker-ros/ws} COLCON_LOG_PATH=/tmp/log

@@ -286,6 +286,21 @@ def everything(tmp_path: Path) -> Path:
     (folder / ".repos").write_text(
         f"repositories:\n  base: {{type: git, url: 'file://{tmp_path / 'base'}', version: master}}\n"
     )
+    user = tmp_path / "user"
+    user.mkdir()
+    (user / "package.xml").write_text(
+        PACKAGE.format("user", "<depend>wanted</depend><test_depend>python3-toml</test_depend>")
+    )
+    (user / "CMakeLists.txt").write_text(
+        CMAKE.format("user")
+        + "find_package(wanted REQUIRED)\nenable_testing()\n"
+        + "add_test(NAME uses COMMAND python3 -c \"import toml; open('${wanted_DIR}/../said')\")\n"
+    )
+    subprocess.run(["git", "init", "--quiet", "--initial-branch=master", str(user)], check=True)
+    commit(user)
+    (folder / "uses.repos").write_text(
+        f"repositories: {{user: {{type: git, url: 'file://{user}', version: master}}}}\n"
+    )
     docker = folder / "docker"
     (docker / "additional-files").mkdir(parents=True)
     (docker / "additional-files/hello").write_text("from a file\n")
@@ -315,8 +330,12 @@ def test_a_repository_may_ask_for_everything(
 ) -> None:
     options = ("--base-image", published(BASE).result["reference"], "--image-name", f"{NAMESPACE}/everything")
     command = "# several lines\necho $((6 * 7)) ${NOTHING:-7}\ncat /opt/after"
-    found = made(everything, *options, "--command", command, "--cmake-args", "-DGREETING='two words'")
+    found = made(
+        everything, *options, "--command", command, "--cmake-args", "-DGREETING='two words'",
+        "--downstream-workspace", "uses.repos",
+    )  # fmt: skip
     assert found["packages"] == ["base", "further", "wanted"]
+    assert found["downstream_tests"] == {"count": 1, "skipped": 0, "failures": []}, "of what uses them"
     assert {repository["path"]: repository["moving"] for repository in found["upstream"]} == {
         "base": True,
         "further": True,
@@ -339,7 +358,7 @@ def test_a_repository_may_ask_for_everything(
     test "$(cat /docker-ros/ws/install/*/share/*/said | sort -u)" = "two words" && test ! -e /docker-ros/ws/install/unwanted""",
                 *(line.format(found["dev"]["reference"], "dev") for line in lines),
                 "RUN cd /docker-ros/ws/src && test -e upstream/base/package.xml -a -e upstream/further/package.xml && \\",
-                "    grep angles target/wanted/package.xml && test ! -e target/unwanted",
+                "    grep angles target/wanted/package.xml && test ! -e target/unwanted && ! python3 -c 'import toml'",
                 "FROM scratch",
                 "COPY --from=run /tini /run",
                 "COPY --from=dev /tini /dev",

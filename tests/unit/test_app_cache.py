@@ -31,7 +31,7 @@ def registry() -> Iterator[StandIn]:
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    for name in ("needs", "upstream", "target/src"):
+    for name in ("needs", "upstream", "downstream", "target/src"):
         (tmp_path / name).mkdir(parents=True)
         (tmp_path / name / "file").write_text(name)
     return tmp_path
@@ -41,7 +41,8 @@ def made(
     folder: Path, base: str = "sha256:1", cmake: str = "", tests: str = "true", hooked: bool = False, slim: str = ""
 ) -> Keys:
     given = {"base": base} | ({"slim": slim} if slim else {})
-    return keys(given, [folder / "needs"], folder / "upstream", folder / "target", cmake, tests, hooked)
+    upstream, target, downstream = (folder / name for name in ("upstream", "target", "downstream"))
+    return keys(given, [folder / "needs"], upstream, target, downstream, cmake, tests, hooked)
 
 
 def differ(one: Keys, other: Keys) -> list[str]:
@@ -61,6 +62,7 @@ def write(path: str) -> Callable[[Path], object]:
         (lambda folder: (folder / "target/link").symlink_to("src"), ["app"]),
         (lambda folder: (folder / "target/src/file").rename(folder / "target/src/other"), ["app"]),
         (write("upstream/file"), ["upstream", "app"]),
+        (write("downstream/file"), ["app"]),
         (write("needs/file"), ["environment", "upstream", "app"]),
         (lambda folder: (folder / "target/src/file").chmod(0o600), ["app"]),
         (lambda folder: (folder / "target/src").chmod(0o700), ["app"]),

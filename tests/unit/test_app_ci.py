@@ -256,7 +256,7 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
 
     monkeypatch.setattr(buildx, "run", run)
     monkeypatch.setattr(ci, "App", build.App)
-    facts = base.Base("ros:jazzy", "sha256:0", {"ROS_DISTRO": "jazzy"})
+    facts = base.Base("ros:jazzy", f"sha256:{'0' * 64}", {"ROS_DISTRO": "jazzy"})
     monkeypatch.setattr(base, "find", lambda *_: facts)
     (tmp_path / "robot").mkdir()
     (tmp_path / "robot/package.xml").write_text("<package><name>robot</name></package>")

@@ -15,11 +15,13 @@ from rosml.apps import lock
 from rosml.apps.sources import Pin
 from rosml.base.errors import RosmlError
 
+DIGEST = f"sha256:{'1' * 64}"
+TOOLZ = f"toolz==1.0 --hash=sha256:{'0' * 64}"
 LOCK = lock.Lock(
-    base_image=lock.Image(name="ros:jazzy-base", digest="sha256:1"),
-    repositories={"up": Pin("https://example.org/up.git", "main", "c" * 40)},
-    apt={"amd64": {"tree": "2.1", "libc6:i386": "2.36"}},
-    pip={"amd64": ["toolz==1.0 --hash=sha256:00"]},
+    base_image=lock.Image(name="ros:jazzy-base", digest=DIGEST),
+    repositories={"up": Pin(url="https://example.org/up.git", version="main", commit="c" * 40)},
+    apt={"amd64": {"tree": "2.1", "libc6:i386": "1:2.36+b1~x"}},
+    pip={"amd64": [TOOLZ, f"a @ git+https://example.org/a@{'c' * 40}"]},
 )
 
 
@@ -31,17 +33,59 @@ def test_a_lock_file_is_read_as_it_was_written(tmp_path: Path) -> None:
     assert json.loads(LOCK.line()) == json.loads(LOCK.text()) and "\n" not in LOCK.line()
 
 
-@pytest.mark.parametrize("text", ["", "{}", LOCK.text().replace('"format": 1', '"format": 2'), "[]"])
-def test_what_is_no_lock_file_is_refused_with_a_remedy(text: str, tmp_path: Path) -> None:
+def other(**changes: Any) -> str:
+    """A lock file with other values."""
+    return json.dumps(json.loads(LOCK.text()) | changes)
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("", "Expecting value"),
+        ("[]", "valid dictionary"),
+        ("{}", "base_image: Field required"),
+        ("<<<<<<< HEAD", "Expecting value"),
+        (LOCK.text().replace('"amd64"', '"tree"').replace('"tree": "2.1"', '"tree": "1", "tree": "2"'), "a key is there twice"),
+        (other(format=2), "format: "),
+        (other(base_image={"name": "ros:jazzy-base", "digest": "jazzy"}), "base_image.digest: "),
+        (other(repositories={"up": {"url": "x", "version": "main", "commit": "refs/heads/main"}}), "repositories.up.commit"),
+        (other(apt={"../../../escaped": {"tree": "1"}}), "apt."),
+        (other(apt={"amd64": {"tree": "1\nPin: origin *"}}), "apt.amd64.tree"),
+        (other(apt={"amd64": {"*": "1"}}), "apt.amd64."),
+        (other(pip={"amd64": ["--index-url https://example.org"]}), "pip.amd64.0"),
+    ],
+)  # fmt: skip
+def test_what_is_no_lock_file_is_refused_with_a_remedy(text: str, why: str, tmp_path: Path) -> None:
     file = tmp_path / "containerize.lock"
     file.write_text(text)
     with pytest.raises(RosmlError, match="is no lock file") as caught:
         lock.read(file, tmp_path)
+    assert why in caught.value.message and "\n" not in caught.value.message
     assert caught.value.exit_code == 2 and "--lock" in caught.value.remedy
 
 
+@pytest.mark.parametrize(
+    ("name", "renew", "why"),
+    [
+        ("typo.lock", False, "there is no file"),
+        ("missing/x.lock", True, "there is no folder"),
+        ("../x.lock", True, "leads out of"),
+        ("/tmp/x.lock", True, "leads out of"),
+    ],
+)
+def test_a_place_where_no_lock_file_can_be(name: str, renew: bool, why: str, tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match=why) as caught:
+        lock.place(tmp_path, name, renew)
+    assert caught.value.exit_code == 2
+
+
+def test_a_place_has_one_name(tmp_path: Path) -> None:
+    assert lock.place(tmp_path, "docker/../containerize.lock", True) == tmp_path / "containerize.lock"
+    assert lock.place(tmp_path, "containerize.lock", False) == tmp_path / "containerize.lock"
+
+
 def test_a_lock_file_of_another_base_image_is_refused() -> None:
-    assert LOCK.base_image.of("ros:jazzy-base") == "sha256:1"
+    assert LOCK.base_image.of("ros:jazzy-base") == DIGEST
     with pytest.raises(RosmlError, match="of the base image ros:jazzy-base, and not of ros:jazzy-core"):
         LOCK.base_image.of("ros:jazzy-core")
 
@@ -49,14 +93,14 @@ def test_a_lock_file_of_another_base_image_is_refused() -> None:
 def test_other_architectures_stay_while_all_else_is_the_same() -> None:
     new = LOCK.model_copy(update={"apt": {"arm64": {"tree": "2.2"}}, "pip": {}})
     assert set(new.with_other_architectures(LOCK).apt) == {"amd64", "arm64"}
-    newer = new.model_copy(update={"base_image": lock.Image(name="ros:jazzy-base", digest="sha256:2")})
+    newer = new.model_copy(update={"base_image": lock.Image(name="ros:jazzy-base", digest=DIGEST.replace("1", "2"))})
     assert set(newer.with_other_architectures(LOCK).apt) == {"arm64"}, "the old versions were of the old image"
 
 
 def test_each_architecture_gets_its_lists(tmp_path: Path) -> None:
     LOCK.write_requests(tmp_path)
-    assert (tmp_path / "lock/amd64/apt").read_text() == "libc6:i386 2.36\ntree 2.1\n"
-    assert (tmp_path / "lock/amd64/pip").read_text() == "toolz==1.0 --hash=sha256:00\n"
+    assert (tmp_path / "lock/amd64/apt").read_text() == "libc6:i386 1:2.36+b1~x\ntree 2.1\n"
+    assert (tmp_path / "lock/amd64/pip").read_text().splitlines() == LOCK.pip["amd64"]
 
 
 def test_it_says_for_which_platforms_it_has_no_packages() -> None:
@@ -64,11 +108,11 @@ def test_it_says_for_which_platforms_it_has_no_packages() -> None:
 
 
 def test_the_first_of_two_versions_counts() -> None:
-    one = {"architecture": "amd64", "apt": {"a": "1", "b": "1"}, "pip": ["x==1 --hash=sha256:1"]}
-    other = {"architecture": "amd64", "apt": {"a": "2", "c": "1"}, "pip": ["x==2 --hash=sha256:2", "y==1"]}
+    one = {"architecture": "amd64", "apt": {"a": "1", "b": "1"}, "pip": [f"x==1 --hash={DIGEST}"]}
+    other = {"architecture": "amd64", "apt": {"a": "2", "c": "1"}, "pip": [f"x==2 --hash={DIGEST}", "y==1"]}
     found = lock.added([one, other])
     assert found.apt == {"amd64": {"a": "1", "b": "1", "c": "1"}}
-    assert found.pip == {"amd64": ["x==1 --hash=sha256:1", "y==1"]}
+    assert found.pip == {"amd64": [f"x==1 --hash={DIGEST}", "y==1"]}
 
 
 # ---- pip, in the build -----------------------------------------------------------------------------------------------
@@ -83,81 +127,61 @@ def script() -> ModuleType:
     return module
 
 
-def entry(name: str, **info: Any) -> dict[str, Any]:
-    return {"metadata": {"name": name, "version": "1.0"}, "is_direct": False, "download_info": info}
-
-
 HASH = {"hash": "sha256=aa", "hashes": {"sha256": "aa"}}
 
 
 @pytest.mark.parametrize(
-    ("item", "line"),
+    ("name", "info", "direct", "line"),
     [
-        (entry("Ruamel.YAML", url="https://example.org/x.whl", archive_info=HASH), "ruamel-yaml==1.0 --hash=sha256:aa"),
-        (entry("a", url="https://example.org/x.whl", archive_info={"hash": "sha256=aa"}), "a==1.0 --hash=sha256:aa"),
+        ("Ruamel.YAML", {"url": "x.whl", "archive_info": HASH}, False, "ruamel-yaml==1.0 --hash=sha256:aa"),
+        ("a", {"url": "x.whl", "archive_info": {"hash": "sha256=aa"}}, False, "a==1.0 --hash=sha256:aa"),
+        ("a", {"url": "x.whl", "archive_info": {"hash": "md5=aa"}}, False, "a==1.0"),
+        ("a", {}, False, "a==1.0"),
         (
-            entry("a", url="https://example.org/a", vcs_info={"vcs": "git", "commit_id": "c0"}, subdirectory="py"),
-            "a @ git+https://example.org/a@c0#subdirectory=py",
+            "a",
+            {"url": "https://example.org/a", "vcs_info": {"vcs": "git", "commit_id": "c0"}},
+            True,
+            "a @ git+https://example.org/a@c0",
         ),
-        (
-            {**entry("a", url="https://example.org/a.whl", archive_info=HASH), "is_direct": True},
-            "a @ https://example.org/a.whl#sha256=aa",
-        ),
-        (entry("a", url="file:///a", dir_info={}), None),
+        ("a", {"url": "https://e.org/a.whl", "archive_info": HASH}, True, "a @ https://e.org/a.whl#sha256=aa"),
+        ("a", {"url": "file:///a", "dir_info": {}}, True, ""),
     ],
 )
-def test_what_pip_would_install_becomes_a_line(item: dict[str, Any], line: str | None, script: ModuleType) -> None:
-    planned = script.planned(item)
-    assert (planned.line if planned.locked else None) == line
+def test_what_pip_installed_becomes_a_line(
+    name: str, info: dict[str, Any], direct: bool, line: str, script: ModuleType
+) -> None:
+    assert script.line(name, "1.0", info, direct) == line
 
 
-def install(script: ModuleType, folder: Path, report: list[dict[str, Any]], locked: str | None) -> list[list[str]]:
-    """The calls of pip after it said what it would install, each with the requirements that it got."""
-    calls: list[list[str]] = []
+def install(script: ModuleType, folder: Path, new: list[str], locked: str | None) -> str:
+    """Installs what pip would take. Gives what it was constrained to."""
+    said: list[str] = []
 
-    def pip(*arguments: str) -> None:
-        if "--report" in arguments:
-            Path(arguments[arguments.index("--report") + 1]).write_text(json.dumps({"install": report}))
-        else:
-            file = Path(arguments[arguments.index("--requirement") + 1])
-            calls.append([*arguments[:-2], *file.read_text().splitlines()])
+    def take(arguments: list[str]) -> list[str]:
+        if "--constraint" in arguments:
+            said.append(Path(arguments[arguments.index("--constraint") + 1]).read_text())
+        return new
 
-    script.pip = pip  # type: ignore[attr-defined]
     script.knows_report = lambda: True  # type: ignore[attr-defined]
-    (folder / "requests").write_text("a\n--extra-index-url https://example.org/simple\n-r other\n-e b\n")
+    script.reported = take  # type: ignore[attr-defined]
     if locked is not None:
         (folder / "locked").write_text(locked)
-    script.main(folder / "written", folder / "locked", folder / "requests")
-    return calls
+    script.main(folder / "written", folder / "locked", "--requirement", "file")
+    return "".join(said)
 
 
-def test_what_pip_resolved_is_installed_by_its_hash(script: ModuleType, tmp_path: Path) -> None:
-    report = [entry("b", url="file:///b", dir_info={}), entry("a", url="https://example.org/x.whl", archive_info=HASH)]
-    index = "--extra-index-url https://example.org/simple"
-    assert install(script, tmp_path, report, None) == [
-        ["install", "--no-deps", "--require-hashes", index, "a==1.0 --hash=sha256:aa"],
-        ["install", "--no-deps", index, "b @ file:///b"],
-    ]
-    assert (tmp_path / "written").read_text() == "a==1.0 --hash=sha256:aa\n"
+def test_what_pip_installed_is_written_down(script: ModuleType, tmp_path: Path) -> None:
+    assert install(script, tmp_path, ["b==1 --hash=sha256:bb", ""], None) == ""
+    assert install(script, tmp_path, ["a==1"], None) == ""
+    assert (tmp_path / "written").read_text() == "a==1\nb==1 --hash=sha256:bb\n"
 
 
-def test_pip_installs_the_archive_of_the_lock_file_or_nothing(script: ModuleType, tmp_path: Path) -> None:
-    report = [entry("a", url="https://example.org/x.whl", archive_info=HASH)]
-    [call] = install(script, tmp_path, report, "a==1.0 --hash=sha256:bb\n")
-    assert call[-1] == "a==1.0 --hash=sha256:bb"
-    for other in ("a==2.0 --hash=sha256:aa\n", "a==1.0.1 --hash=sha256:aa\n", "b==1.0 --hash=sha256:aa\n", ""):
-        with pytest.raises(SystemExit, match=r"the lock file does not have a==1\.0; .*--lock"):
-            install(script, tmp_path, report, other)
-
-
-def test_a_pip_without_reports_is_compared_with_before(script: ModuleType, tmp_path: Path) -> None:
-    states = [{"numpy==1.0"}, {"numpy==1.0", "a==1.0"}] * 2
-    script.pip = lambda *_: None  # type: ignore[attr-defined]
-    script.knows_report = lambda: False  # type: ignore[attr-defined]
-    script.installed = lambda: states.pop(0)  # type: ignore[attr-defined]
-    (tmp_path / "requests").write_text("a\n")
-    script.main(tmp_path / "written", tmp_path / "locked", tmp_path / "requests")
-    assert (tmp_path / "written").read_text() == "a==1.0\n"
-    (tmp_path / "locked").write_text("a==2.0\n")
-    with pytest.raises(SystemExit, match=r"the lock file does not have a==1\.0"):
-        script.main(tmp_path / "written", tmp_path / "locked", tmp_path / "requests")
+def test_pip_installs_what_the_lock_file_has_or_nothing(script: ModuleType, tmp_path: Path) -> None:
+    git = "g @ git+https://example.org/g@c0"
+    locked = f"a==1.0 --hash=sha256:aa\n{git}\nunused==1\n"
+    assert install(script, tmp_path, ["a==1.0 --hash=sha256:aa", git, ""], locked) == "a==1.0\nunused==1\n"
+    for new in ("a==1.0 --hash=sha256:bb", "a==1.0", "b==1.0", "g @ git+https://example.org/g@c1"):
+        with pytest.raises(SystemExit, match=r"the lock file does not have what pip installed: .*--lock"):
+            install(script, tmp_path, [new], locked)
+    with pytest.raises(SystemExit, match="the lock file does not have what pip installed: a==1"):
+        install(script, tmp_path, ["a==1"], "")

@@ -158,6 +158,13 @@ def test_one_file_alone(place: Place) -> None:
     assert "nowhere.repos: no file below" in place.refused(recursive=False, file="nowhere.repos").message
 
 
+def test_a_file_that_is_left_out(place: Place) -> None:
+    commit(place.root / "a", {"x": ""})
+    place.put(repos(a=(place.root / "a", "main")))
+    place.put(repos(absent=("/absent", "")), "uses.repos")
+    assert [item.path for item in place.fetch(without="uses.repos")] == ["a"]
+
+
 def test_what_versions_mean(place: Place) -> None:
     a = place.root / "a"
     first = commit(a, {"f": "1"})
@@ -189,10 +196,10 @@ def test_a_lock_file_names_the_commits(place: Place) -> None:
     first = commit(url, {"a": "1"})
     commit(url, {"a": "2"})
     place.put(repos(a=(url, "main")))
-    [found] = place.fetch(pins={"a": Pin(str(url), "main", first)})
+    [found] = place.fetch(pins={"a": Pin(url=str(url), version="main", commit=first)})
     assert (found.commit, found.moving, listing(place.out)["a/a"][1]) == (first, False, "1")
     assert "does not have it" in place.refused(pins={}).message
-    for other in (Pin(str(url), "v1", first), Pin("/elsewhere", "main", first)):
+    for other in (Pin(url=str(url), version="v1", commit=first), Pin(url="/elsewhere", version="main", commit=first)):
         error = place.refused(pins={"a": other})
         assert "another url or version" in error.message and "--lock" in error.remedy
 

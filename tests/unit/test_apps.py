@@ -16,7 +16,7 @@ import pytest
 from registry_stand_in import StandIn, standing_in
 
 from rosml import ROOT
-from rosml.apps import bake_file, base, build, inputs, junit, names, sources, workspace
+from rosml.apps import bake_file, base, build, inputs, junit, lock, names, sources, workspace
 from rosml.base.errors import RosmlError
 from rosml.machine import buildx
 from rosml.machine.base_images import native_architecture
@@ -281,6 +281,7 @@ APP: dict[str, Any] = {
     "pip": [],
 }
 SLIM = dict(APP)
+FAILED = junit.Tests(2, 0, ("user: a",))
 
 
 # ---- The build -------------------------------------------------------------------------------------------------------
@@ -411,7 +412,7 @@ def test_tests_that_fail_in_the_slim_image_alone_are_named(
     for name in ("rosml/ros:jazzy", "small:1"):
         put(services, name, f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
     failures = {"results": (), "slim": ("robot: a.bad: no libfoo.so.1",)}
-    monkeypatch.setattr(junit, "read", lambda folder: junit.Tests(3, 1, failures[folder.name]))
+    monkeypatch.setattr(junit, "read", lambda folder: junit.Tests(3, 1, failures.get(folder.name, ())))
     with pytest.raises(RosmlError, match=r"1 of 3 tests failed in the slim image.*no image was made") as caught:
         app(
             repository, services, base_image="ros:jazzy", command="x", enable_slim="true", slim_base_image="small:1"
@@ -431,6 +432,7 @@ def test_a_lock_file_is_written_then_followed(
     said: list[str] = []
 
     built = build.App(repository, values, {}, services, said.append, renew=True).build()
+    assert (Path(calls[0]["contexts"]["requests"]) / "renewed").exists(), "no step of an earlier build counts"
     file = repository / "containerize.lock"
     assert dict(built.summary())["lock"] == str(file)
     label = calls[1]["labels"][bake_file.LOCK]
@@ -438,15 +440,43 @@ def test_a_lock_file_is_written_then_followed(
     calls.clear()
     again = build.App(repository, values, {}, services, said.append).build()
     report, run, _ = calls
+    assert not (Path(report["contexts"]["requests"]) / "renewed").exists()
     assert report["contexts"]["base"].endswith(f"@{digest}") and run["labels"][bake_file.LOCK] == label
     requests = Path(report["contexts"]["requests"])
     assert (requests / "lock/amd64/apt").read_text() == "tree 2.1\n"
     assert not (Path(report["contexts"]["target"]) / "target/containerize.lock").exists(), "it is no source"
     assert again.locked == ""
 
+    put(services, "small:1", platform, ROS_DISTRO="jazzy")
+    slim = values | {"enable-slim": "true", "slim-base-image": "small:1"}
+    with pytest.raises(RosmlError, match="the lock file has no slim image"):
+        build.App(repository, slim, {}, services, said.append).build()
+
+    file.write_text("<<<<<<< HEAD\n")
+    build.App(repository, values, {}, services, said.append, renew=True).build()
+    assert any("is no lock file" in text for text in said) and lock.read(file, repository), "what is damaged is mended"
+
     values["base-image"] = "ros:other"
     with pytest.raises(RosmlError, match="of the base image ros:jazzy, and not of ros:other"):
         build.App(repository, values, {}, services, said.append).build()
+
+
+def test_packages_that_use_the_apps_are_tested_before_there_is_an_image(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    fetched: list[dict[str, Any]] = []
+    monkeypatch.setattr(sources, "fetch", lambda *_, **options: fetched.append(options) or [])
+    tested = app(repository, services, base_image="ros:jazzy", command="true", downstream_workspace="uses.repos")
+    monkeypatch.setattr(junit, "read", lambda folder: FAILED if folder.name == "downstream" else junit.Tests())
+    with pytest.raises(
+        RosmlError, match=r"1 of 2 tests failed in packages that use yours; no image was made\n    user: a"
+    ):
+        tested.build()
+    [report] = calls
+    assert report["args"]["DOWNSTREAM"] == "downstream-results"
+    upstream, downstream = fetched
+    assert upstream["without"] == downstream["file"] == "uses.repos" and not downstream["recursive"]
 
 
 def test_a_relative_index_of_rosdep_is_one_of_the_folder(

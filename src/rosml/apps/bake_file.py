@@ -109,6 +109,7 @@ def render(
             "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
             "ROS_DISTRO": inputs.distribution,
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
+            "DOWNSTREAM": "downstream-results" if values["downstream-workspace"] else "nothing",
         },
     }
     stage = f"slim-{REPORT}" if inputs.slim else REPORT

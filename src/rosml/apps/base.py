@@ -77,12 +77,8 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
                 continue
             if manifest is not None:
                 return _read(registry, place, manifest, platforms)
-    if services.builder_kind != "buildkitd" and (found := _in_docker(text)):
-        if digest in ("", found.digest):
-            return found
-        raise RosmlError(
-            f"{text} in Docker is not the image of the lock file", "write the lock file anew with --lock", exit_code=2
-        )
+    if services.builder_kind != "buildkitd" and (found := _in_docker(text, digest)):
+        return found
     if refused:
         if len(names) == 1:
             raise refused
@@ -120,13 +116,16 @@ def differing(base: Base, other: Base) -> list[str]:
     return sorted(name.removeprefix(PREFIX) for name in names if base.labels.get(name) != other.labels.get(name))
 
 
-def _in_docker(text: str) -> Base | None:
-    """An image that the user's Docker has."""
+def _in_docker(text: str, digest: str) -> Base | None:
+    """An image that the user's Docker has: of a digest, if one is wanted."""
     try:
         command = ["docker", "image", "inspect", text]
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         [facts] = json.loads(done.stdout)
     except (OSError, ValueError):
+        return None
+    known = [facts["Id"], *(name.partition("@")[2] for name in facts.get("RepoDigests") or [])]
+    if digest and digest not in known:
         return None
     config = facts.get("Config") or {}
     return Base(text, facts["Id"], _variables(config), config.get("Labels") or {}, local=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import json
 import shutil
 import subprocess
@@ -51,10 +52,10 @@ class Built:
             share its layers with the base image alone.
         slim_replaced: the same of the slim image and its base; None if there is no slim image.
         outside: what the packages installed outside of the install space, which is in no image.
-        upstream: repositories that were imported.
+        upstream: repositories that were imported. downstream: those of the downstream workspace.
         added: the packages of apt and pip that were added, with their versions, as `lock.Packages` has them.
         lock: what the images were built from, as a lock file says it. locked: the lock file, if it was written.
-        tests: of the packages. slim_tests: the same, as they ran in the slim image.
+        tests: of the packages. slim_tests: the same, as they ran in the slim image. downstream_tests: of packages that use them.
         reports: folder of their JUnit files; empty where an earlier build passed them.
         seconds: what it took.
     """
@@ -69,11 +70,13 @@ class Built:
     slim_replaced: list[str] | None = None
     outside: list[str] = field(default_factory=list)
     upstream: list[sources.Repository] = field(default_factory=list)
+    downstream: list[sources.Repository] = field(default_factory=list)
     added: dict[str, Any] = field(default_factory=dict)
     lock: lock.Lock | None = None
     locked: str = ""
     tests: junit.Tests = field(default_factory=junit.Tests)
     slim_tests: junit.Tests = field(default_factory=junit.Tests)
+    downstream_tests: junit.Tests = field(default_factory=junit.Tests)
     reports: str = ""
     seconds: float = 0.0
 
@@ -117,9 +120,9 @@ class Built:
         where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
         passed = f"{tests.count - tests.skipped} passed, {tests.skipped} skipped; {where}"
         yield "tests", passed if tests.count else "none ran"
-        if self.slim_tests.count:
-            tests = self.slim_tests
-            yield "", f"in the slim image: {tests.count - tests.skipped} passed, {tests.skipped} skipped"
+        for where, tests in (("in the slim image", self.slim_tests), ("of downstream packages", self.downstream_tests)):
+            if tests.count:
+                yield "", f"{where}: {tests.count - tests.skipped} passed, {tests.skipped} skipped"
         if self.locked:
             yield "lock", self.locked
         yield "time", duration(self.seconds)
@@ -151,7 +154,7 @@ class App:
     ) -> None:
         self._folder, self._values, self._environment = folder, values, environment
         self._services, self._say, self._renew = services, say, renew
-        self._lock_file = folder / values["lock-file"]
+        self._lock_file = lock.place(folder, values["lock-file"], renew)
         self._names = Names(values, folder.name, services)
         if "run" in self._names.targets and not values["command"]:
             raise RosmlError(
@@ -180,8 +183,7 @@ class App:
 
     def _build(self) -> Built:
         started = time.monotonic()
-        there = lock.read(self._lock_file, self._folder)
-        locked = None if self._renew else there
+        locked = None if self._renew else lock.read(self._lock_file, self._folder)
         named = self._values["base-image"]
         digest = locked.base_image.of(named) if locked else ""
         base = bases.find(named, self._services, self._names.platforms, digest)
@@ -191,22 +193,23 @@ class App:
             if missing := locked.lacks(self._names.platforms):
                 self._say(f"it has no packages for {', '.join(missing)}: they are the newest; {lock.RENEW}")
         built = Built(base.reference)
-        built.upstream = self._import(locked)
+        built.upstream, built.downstream = self._import(locked)
         slim = self._slim(base, locked)
         inputs = self._inputs(base, slim, locked)
         with contextlib.ExitStack() as stack:
             cache = None
             if self._values["cache"]:
                 cache = stack.enter_context(caches.Cache(self._values["cache"], self._services.ca_bundle))
-            self._make(inputs, built, cache)
+            self._make(inputs, built, cache, locked)
         if self._renew and built.lock:
-            made = built.lock.with_other_architectures(there) if there else built.lock
-            files.write(self._lock_file, made.text())
+            self._write_lock(built.lock)
             built.locked = str(self._lock_file)
         built.seconds = time.monotonic() - started
         return built
 
-    def _make(self, inputs: bake_file.Inputs, built: Built, cache: caches.Cache | None) -> None:
+    def _make(
+        self, inputs: bake_file.Inputs, built: Built, cache: caches.Cache | None, locked: lock.Lock | None
+    ) -> None:
         """Builds what no cache has, and joins the images."""
         report, file = self.report, self._state / "bake.json"
         known: dict[str, str] = {}
@@ -231,13 +234,29 @@ class App:
             if cache:
                 cache.keep(keys, built.facts())
         unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
-        built.lock = self._locked(inputs, built)
-        files.write(file, bake_file.render(*arguments, unlinked=unlinked, lock=built.lock.line()))
+        made = self._locked(inputs, built)
+        if locked and not locked.lacks(self._names.platforms):
+            made = locked  # it may have more: of another platform, or of a slim image
+        built.lock = made
+        files.write(file, bake_file.render(*arguments, unlinked=unlinked, lock=made.line()))
         for target in self._names.targets:
             call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
             _progress, metadata = buildx.run(self._services, call)
             digest = metadata.get("containerimage.digest", "")
             built.images.append(Made(target, self._names.reference(target), digest))
+
+    def _write_lock(self, made: lock.Lock) -> None:
+        """Writes the lock file; says what of it is lost."""
+        try:
+            before = lock.read(self._lock_file, self._folder)
+        except RosmlError as error:
+            self._say(f"written anew: {error.message}")
+            before = None
+        if before:
+            made = made.with_other_architectures(before)
+            if lost := sorted(before.apt.keys() - made.apt.keys()):
+                self._say(f"the lock file has no packages for {', '.join(lost)} any more: name all platforms at once")
+        files.write(self._lock_file, made.text())
 
     def _locked(self, inputs: bake_file.Inputs, built: Built) -> lock.Lock:
         """What the images are built from."""
@@ -245,7 +264,8 @@ class App:
         return lock.Lock(
             base_image=lock.Image(name=self._values["base-image"], digest=inputs.base.digest),
             slim_base_image=slim,
-            repositories={item.path: sources.Pin(item.url, item.version, item.commit) for item in built.upstream},
+            repositories=_pins(built.upstream),
+            downstream=_pins(built.downstream),
             **built.added,
         )
 
@@ -256,11 +276,7 @@ class App:
         named = self._values["slim-base-image"]
         name = named or bases.runtime(base)
         reason = f"there is no {name}" if name else f"{base.name} does not say which base image has no compilers"
-        digest = ""
-        if locked and locked.slim_base_image:
-            digest = locked.slim_base_image.of(named)
-        elif locked:
-            name, reason = "", "the lock file has no base image for it"
+        digest = locked.slim_base_image.of(named) if locked and locked.slim_base_image else ""
         if name:
             try:
                 found = bases.find(name, self._services, self._names.platforms, digest)
@@ -269,16 +285,19 @@ class App:
                     raise
             else:
                 others = [] if named else bases.differing(base, found)
+                if not others and locked and not digest:
+                    raise RosmlError(
+                        "the lock file has no slim image", f"{lock.RENEW} --enable-slim, or leave the image out", 2
+                    )
                 if not others:
                     return found
                 reason = f"{name} is of another {', '.join(others)}"
         self._names.targets = tuple(target for target in self._names.targets if target != SLIM)
-        remedy = lock.RENEW if locked else "name one with --slim-base-image"
-        self._say(f"no slim image: {reason}; {remedy}")
+        self._say(f"no slim image: {reason}; name one with --slim-base-image")
         return None
 
-    def _import(self, locked: lock.Lock | None) -> list[sources.Repository]:
-        """Fetches the upstream sources."""
+    def _import(self, locked: lock.Lock | None) -> tuple[list[sources.Repository], list[sources.Repository]]:
+        """Fetches the upstream sources, and those of the downstream workspace."""
         values = self._values
         access = Access(
             https_server=values["git-https-server"],
@@ -287,16 +306,23 @@ class App:
             ssh_key=values["git-ssh-private-key"],
             ssh_known_hosts=values["git-ssh-known-host-keys"],
         )
-        return sources.fetch(
-            self._folder,
+        fetch = functools.partial(
+            sources.fetch, self._folder, cache=self._services.state / "cache" / "git", access=access, say=self._say
+        )
+        named = values["downstream-workspace"]
+        upstream = fetch(
             self._state / "upstream",
-            self._services.state / "cache" / "git",
-            access,
             recursive=values["enable-recursive-vcs-import"] == "true",
             file=values["vcs-import-file"],
+            without=named,
             pins=locked.repositories if locked else None,
-            say=self._say,
         )
+        place = self._state / "downstream"
+        if not named:
+            shutil.rmtree(place, ignore_errors=True)
+            place.mkdir()
+            return upstream, []
+        return upstream, fetch(place, recursive=False, file=named, pins=locked.downstream if locked else None)
 
     def _inputs(self, base: bases.Base, slim: bases.Base | None, locked: lock.Lock | None) -> bake_file.Inputs:
         """What the build reads, written down for it."""
@@ -307,13 +333,17 @@ class App:
         if not distribution:
             text = f"{base.name} does not say which ROS it has"
             raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
-        upstream, manifests, requests, empty = (state / name for name in ("upstream", "manifests", "requests", "empty"))
+        names = ("upstream", "downstream", "manifests", "requests", "empty")
+        upstream, downstream, manifests, requests, empty = (state / name for name in names)
         workspace.stage(folder, state / "staged" / "target", without=self._lock_file)
         empty.mkdir(parents=True, exist_ok=True)
-        count = workspace.write_manifests({"target": folder, "upstream": upstream}, manifests)
+        roots = {"target": folder, "upstream": upstream, "downstream": downstream}
+        count = workspace.write_manifests(roots, manifests)
         workspace.write_requests({**values, "ros-distro": distribution}, folder, upstream, base.environment, requests)
         if locked:
             locked.write_requests(requests)
+        if self._renew:  # what an earlier build installed is not what is newest
+            (requests / "renewed").write_text(f"{time.time()}\n")
         self._say(f"{_count(count, 'package')} for {', '.join(self._names.platforms)}")
         additional = workspace.additional_files(values["additional-files-dir"], folder)
         index = folder / Path(values["rosdep-index"]).expanduser() if values["rosdep-index"] else empty
@@ -324,6 +354,7 @@ class App:
             "manifests": manifests,
             "target": state / "staged",
             "upstream": upstream,
+            "downstream": downstream,
             "requests": requests,
             "additional": additional or empty,
             "rosdep": index,
@@ -348,6 +379,7 @@ class App:
             ],
             contexts["upstream"],
             contexts["target"],
+            contexts["downstream"],
             values["cmake-args"],
             values["tests"],
             inputs.hooked,
@@ -382,6 +414,7 @@ class App:
         for folder in folders:
             built.tests = junit.add(built.tests, junit.read(folder / "results"))
             built.slim_tests = junit.add(built.slim_tests, junit.read(folder / "slim"))
+            built.downstream_tests = junit.add(built.downstream_tests, junit.read(folder / "downstream"))
         built.reports = str(report / "results" if len(folders) == 1 else report)
 
     def _require_passed(self, built: Built) -> None:
@@ -390,25 +423,36 @@ class App:
         Raises:
             RosmlError: one did; no image is made.
         """
-        tests = built.tests
-        if tests.failures:
-            shown = "".join(f"\n    {line}" for line in tests.failures)
-            raise RosmlError(
-                f"{len(tests.failures)} of {tests.count} tests failed; no image was made{shown}"
-                f"\n  reports: {built.reports}",
-                "correct the packages or their tests; --no-tests makes the images without asking them",
-            )
-        tests = built.slim_tests
-        if built.slim_replaced is not None and built.tests.count and not tests.count:
+        reports = f"\n  reports: {self.report}"
+        ran = built.tests.count and not built.tests.failures
+        if built.slim_replaced is not None and ran and not built.slim_tests.count:
             text = f"none of {built.tests.count} tests ran in the slim image; no image was made"
             raise RosmlError(text, "leave the slim image out, --no-enable-slim, or report this")
-        if tests.failures:
-            shown = "".join(f"\n    {line}" for line in tests.failures)
-            raise RosmlError(
-                f"{len(tests.failures)} of {tests.count} tests failed in the slim image, and passed where the packages were"
-                f" built; no image was made{shown}\n  reports: {self.report}",
+        for tests, where, remedy in (
+            (
+                built.tests,
+                "",
+                "correct the packages or their tests; --no-tests makes the images without asking them",
+            ),
+            (
+                built.downstream_tests,
+                " in packages that use yours",
+                "correct yours or theirs, or leave --downstream-workspace out",
+            ),
+            (
+                built.slim_tests,
+                " in the slim image, and passed where the packages were built",
                 "name what they need to run in package.xml, as exec_depend; or leave the slim image out: --no-enable-slim",
-            )
+            ),
+        ):
+            if tests.failures:
+                shown = "".join(f"\n    {line}" for line in tests.failures)
+                count = f"{len(tests.failures)} of {tests.count} tests failed"
+                raise RosmlError(f"{count}{where}; no image was made{shown}{reports}", remedy)
+
+
+def _pins(repositories: Iterable[sources.Repository]) -> dict[str, sources.Pin]:
+    return {item.path: sources.Pin(url=item.url, version=item.version, commit=item.commit) for item in repositories}
 
 
 def _replaced(apps: Iterable[Mapping[str, list[str]]]) -> list[str]:

@@ -62,6 +62,7 @@ def keys(
     dependencies: Iterable[Path],
     upstream: Path,
     target: Path,
+    downstream: Path,
     cmake: str,
     tests: str,
     hooked: bool,
@@ -71,14 +72,15 @@ def keys(
     Args:
         given: values that decide which packages are installed, and from what.
         dependencies: folders that do so.
-        upstream, target: folders with sources.
+        upstream, target, downstream: folders with sources.
         cmake: arguments of CMake. tests: whether they run.
         hooked: a script changes the sources before their dependencies are read, so that all of them count for these.
     """
     sources = [tree(folder, _LEFT_OUT) for folder in (upstream, target)]
     environment = _digest(given, [tree(folder) for folder in dependencies], sources if hooked else [])
     built = _digest(environment, sources[0], cmake, sources[1] if hooked else "")
-    return Keys(environment, built, _digest(built, sources[1], tests), bool(given.get("slim")))
+    app = _digest(built, sources[1], tree(downstream, _LEFT_OUT), tests)
+    return Keys(environment, built, app, bool(given.get("slim")))
 
 
 def tree(folder: Path, without: Container[str] = ()) -> str:

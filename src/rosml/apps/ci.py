@@ -309,10 +309,11 @@ def _complete(name: str) -> str:
 
 
 def _keep(report: Path, out: Path) -> None:
-    """Copies JUnit files; those of each platform into a folder of its own, and those of slim images beside them."""
+    """Copies JUnit files; those of each platform into a folder of its own, and those of slim images and downstream packages beside
+    them."""
     alone = (report / "results").is_dir()
     for folder in [report] if alone else sorted(report.glob("*")):
-        for name, end in (("results", ""), ("slim", "-slim")):
+        for name, end in (("results", ""), ("slim", "-slim"), ("downstream", "-downstream")):
             if (folder / name).is_dir():
                 shutil.copytree(folder / name, out / f"{folder.name}{end}")
 

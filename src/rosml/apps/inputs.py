@@ -73,6 +73,10 @@ TABLE = (
     Input("ros-distro", "the ROS distribution, if the base image does not say it"),
     Input("rmw-implementation", "the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable"),
     Input("tests", "run the tests of your packages, and make no image if one fails", "true", flag=True),
+    Input(
+        "downstream-workspace",
+        "a .repos file with packages that use yours: they are built and tested with yours, and are in no image",
+    ),
     Input("cmake-args", "arguments of CMake for all packages", "-DCMAKE_BUILD_TYPE=Release"),
     Input(
         "cache",

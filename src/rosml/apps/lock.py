@@ -7,21 +7,33 @@ by their versions. A build that follows it takes nothing else.
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, ValidationError
+from pydantic import BaseModel, ConfigDict, StringConstraints, ValidationError
 
 from rosml.apps import within
 from rosml.apps.sources import Pin
 from rosml.base.errors import RosmlError
 
+DEFAULT = "containerize.lock"
+
 RENEW = "write the lock file anew with --lock"
 
 FOLDER = "lock"
 """Of requests: for each architecture a folder with the lists `apt` and `pip`."""
+
+
+Digest = Annotated[str, StringConstraints(pattern=r"^sha256:[0-9a-f]{64}$")]
+Architecture = Annotated[str, StringConstraints(pattern=r"^[a-z0-9][a-z0-9-]{0,30}$")]
+Deb = Annotated[str, StringConstraints(pattern=r"^[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?$")]
+Version = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9][A-Za-z0-9.+:~-]*$")]
+Requirement = Annotated[
+    str, StringConstraints(pattern=r"^[a-z0-9-]+(==[A-Za-z0-9.+!_-]+( --hash=sha256:[0-9a-f]{64})?| @ [a-z+]+:[!-~]+)$")
+]
 
 
 class Image(BaseModel):
@@ -30,7 +42,7 @@ class Image(BaseModel):
     model_config = ConfigDict(extra="forbid")
 
     name: str
-    digest: str
+    digest: Digest
 
     def of(self, name: str) -> str:
         """The digest, for the image that the user names.
@@ -54,8 +66,8 @@ class Packages(BaseModel):
 
     model_config = ConfigDict(extra="forbid")
 
-    apt: dict[str, dict[str, str]] = {}
-    pip: dict[str, list[str]] = {}
+    apt: dict[Architecture, dict[Deb, Version]] = {}
+    pip: dict[Architecture, list[Requirement]] = {}
 
 
 class Lock(Packages):
@@ -65,6 +77,7 @@ class Lock(Packages):
     base_image: Image
     slim_base_image: Image | None = None
     repositories: dict[str, Pin] = {}
+    downstream: dict[str, Pin] = {}
 
     def text(self) -> str:
         """The file."""
@@ -79,7 +92,7 @@ class Lock(Packages):
 
     def with_other_architectures(self, other: Lock) -> Lock:
         """This lock, and what another one has for other architectures, if both have the same images and repositories."""
-        names = ("base_image", "slim_base_image", "repositories")
+        names = ("base_image", "slim_base_image", "repositories", "downstream")
         if any(getattr(self, name) != getattr(other, name) for name in names):
             return self
         return self.model_copy(update={"apt": {**other.apt, **self.apt}, "pip": {**other.pip, **self.pip}})
@@ -114,6 +127,26 @@ def added(apps: Iterable[Mapping[str, Any]]) -> Packages:
     return found
 
 
+def place(folder: Path, name: str, renew: bool) -> Path:
+    """Where the lock file of a repository is.
+
+    Args:
+        name: as the user wrote it. renew: it is to be written.
+
+    Raises:
+        RosmlError: it leads out of the repository; or a user named one that is not there, or cannot be there (exit code 2).
+    """
+    file = Path(os.path.normpath(folder / name))
+    there = within.there(file, folder)
+    if not file.is_relative_to(folder):
+        raise RosmlError(f"lock-file: {name} leads out of {folder}", "name a file in it", exit_code=2)
+    if renew and not file.parent.is_dir():
+        raise RosmlError(f"lock-file: there is no folder {file.parent}", "make it, or name another file", exit_code=2)
+    if not (renew or there or name == DEFAULT):
+        raise RosmlError(f"lock-file: there is no file {file}", "check its name, or write it with --lock", exit_code=2)
+    return file
+
+
 def read(file: Path, folder: Path) -> Lock | None:
     """The lock file of a repository; None if it has none.
 
@@ -123,11 +156,20 @@ def read(file: Path, folder: Path) -> Lock | None:
     if not within.there(file, folder):
         return None
     try:
-        return Lock.model_validate_json(file.read_bytes())
+        return Lock.model_validate(json.loads(file.read_bytes(), object_pairs_hook=_once))
     except OSError as error:
         raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
     except ValidationError as error:
         first = error.errors()[0]
-        where = ".".join(map(str, first["loc"]))
-        what = f"{where}: {first['msg']}" if where else first["msg"]
-        raise RosmlError(f"{file} is no lock file: {what}", RENEW, exit_code=2) from None
+        why = ": ".join(filter(None, (".".join(map(str, first["loc"])), first["msg"])))
+    except (ValueError, RecursionError) as error:
+        why = str(error)
+    raise RosmlError(f"{file} is no lock file: {why}", RENEW, exit_code=2) from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """An object of JSON, in which nothing is there twice, as after a merge."""
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise ValueError("a key is there twice")
+    return found

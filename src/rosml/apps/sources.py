@@ -12,6 +12,8 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
 
+from pydantic import BaseModel, ConfigDict, Field
+
 from rosml.apps import repos_file, urls
 from rosml.apps.git import Access, Failed, Git, opened
 from rosml.apps.repos_file import Entry
@@ -50,13 +52,14 @@ class Repository:
     moving: bool
 
 
-@dataclass(frozen=True)
-class Pin:
+class Pin(BaseModel):
     """The commit that a lock file has for a repository: of this url and this version."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
 
     url: str
     version: str
-    commit: str
+    commit: str = Field(pattern="^[0-9a-f]{40}$")
 
 
 def fetch(
@@ -67,6 +70,7 @@ def fetch(
     *,
     recursive: bool = True,
     file: str = DEFAULT,
+    without: str = "",
     pins: Mapping[str, Pin] | None = None,
     say: Say = lambda text: None,
 ) -> list[Repository]:
@@ -80,6 +84,7 @@ def fetch(
             are not written again. Two files beside it say what is in it.
         cache: repositories for the next call; it may be shared, and removed at any time.
         recursive: whether each `.repos` file counts, also in what was fetched; otherwise `file` alone, below the target.
+        without: a `.repos` file of the target that does not count.
         pins: commits by path, if there is a lock file; each repository has to be in it.
         say: gets a sentence for people, from any thread.
 
@@ -95,6 +100,7 @@ def fetch(
     out.mkdir(parents=True, exist_ok=True)
     out, cache = out.resolve(), cache.resolve()
     files = repos_file.found(target, without=(out, cache)) if recursive else _alone(target, file)
+    files = [path for path in files if path != target / without]
     with turn(beside(out, "lock"), lambda: say(f"waiting for another process, which writes to {out}")):
         tree = Tree(out)
         known: dict[str, Entry] = {}

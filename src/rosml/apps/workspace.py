@@ -42,6 +42,7 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
     out.mkdir(parents=True)
     count = 0
     for name, root in roots.items():
+        (out / name).mkdir()
         for path in manifests(root):
             target = out / name / path.relative_to(root)
             target.parent.mkdir(parents=True, exist_ok=True)
