@@ -103,6 +103,16 @@ exec setpriv --reuid={user} --regid={user} --clear-groups ./rosml-real "$@"
 """What takes the place of ./rosml where jobs set themselves up: the real one, with nothing of this machine's checkout. Only a
 job that builds has what the cache of programs has; the others run as a user who is not root. The scanner is not built."""
 
+GIT = """\
+if [ "$1" != clone ]; then exec /usr/bin/git "$@"; fi
+for folder; do :; done
+mkdir -p "$folder/rosdep" "$folder/noetic"
+echo 'boost: {debian: [libboost-dev]}' >"$folder/rosdep/base.yaml"
+echo 'repositories: {}' >"$folder/noetic/distribution.yaml"
+echo 'distributions: {noetic: {distribution: [noetic/distribution.yaml]}}' >"$folder/index-v4.yaml"
+"""
+"""What takes the place of git: a small checkout of ros/rosdistro, which is on GitHub."""
+
 PLAIN_USER = 12345
 
 
@@ -124,7 +134,7 @@ def night(
     serve: str = NATIVE,
 ) -> Played:
     """A run of the workflow, its commands for real."""
-    programs = {"make": '[ "$1" = test-scanner ]', "rosml": rosml}
+    programs = {"make": '[ "$1" = test-scanner ]', "git": GIT, "rosml": rosml}
     host, _, place = mini.registry.partition("/")
     variables = {"ROSML_REGISTRY": host, "ROSML_NAMESPACE": place, "ROSML_SERVE": serve, "ROSML_SHARDS": "2"}
     played = play(
@@ -184,6 +194,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     assert f"## Plan of {date}" in summary
     assert "| promote | `ros1-bookworm-base-tensorflow-cpu` |" in summary
     assert "rosml catalogue" in " ".join(second.commands["catalogue"])
+    assert mini.client().head(f"{mini.prefix}/rosdep", "latest")
     public = second.artifacts / "catalogue/public"
     assert (public / "index.html").is_file()
     images = json.loads((public / "catalogue.json").read_text())["images"]
@@ -223,7 +234,7 @@ def test_jobs_set_themselves_up(mini: Mini, services: Services, image_set: Image
 
 def test_no_plan_no_night(mini: Mini, tmp_path: Path) -> None:
     played = night(mini, tmp_path / "night", only="ros1-bookworm-core no-*")
-    others = ("images", "scan", "promote", "prune", "catalogue", "pages")
+    others = ("images", "rosdep", "scan", "promote", "prune", "catalogue", "pages")
     assert played.results == {"plan": "failure", **dict.fromkeys(others, "skipped")}
 
 

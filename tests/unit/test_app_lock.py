@@ -86,7 +86,7 @@ def test_a_place_has_one_name(tmp_path: Path) -> None:
 
 def test_a_lock_file_of_another_base_image_is_refused() -> None:
     assert LOCK.base_image.of("ros:jazzy-base") == DIGEST
-    with pytest.raises(RosmlError, match="of the base image ros:jazzy-base, and not of ros:jazzy-core"):
+    with pytest.raises(RosmlError, match="the lock file is of ros:jazzy-base, and not of ros:jazzy-core"):
         LOCK.base_image.of("ros:jazzy-core")
 
 

@@ -457,7 +457,7 @@ def test_a_lock_file_is_written_then_followed(
     assert any("is no lock file" in text for text in said) and lock.read(file, repository), "what is damaged is mended"
 
     values["base-image"] = "ros:other"
-    with pytest.raises(RosmlError, match="of the base image ros:jazzy, and not of ros:other"):
+    with pytest.raises(RosmlError, match="the lock file is of ros:jazzy, and not of ros:other"):
         build.App(repository, values, {}, services, said.append).build()
 
 

@@ -39,6 +39,7 @@ PERMISSIONS = {
     ("locks", "propose"): {"contents": "write", "pull-requests": "write"},
     ("nightly", "plan"): PULL,
     ("nightly", "images"): PUSH,
+    ("nightly", "rosdep"): PUSH,
     ("nightly", "scan"): PULL,
     ("nightly", "promote"): {**PUSH, "id-token": "write"},
     ("nightly", "prune"): PULL,

@@ -49,6 +49,7 @@ class Inputs:
         values: of the user's inputs.
         contexts: folders with sources, manifests and requests, by the names of the Dockerfile. empty: one without files.
         hooked: a script changes the sources before their dependencies are read.
+        rosdep: the digest of rosdep's lists, if a registry has them.
         commit, time: of the sources, in seconds since 1970.
     """
 
@@ -61,6 +62,7 @@ class Inputs:
     commit: str
     time: int
     slim: Base | None = None
+    rosdep: str = ""
 
     @property
     def stages(self) -> tuple[str, ...]:

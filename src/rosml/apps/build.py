@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosml.apps import bake_file, junit, lock, sources, workspace
+from rosml.apps import bake_file, junit, lock, rosdep_index, sources, workspace
 from rosml.apps import base as bases
 from rosml.apps import cache as caches
 from rosml.apps.git import Access
@@ -264,6 +264,9 @@ class App:
         return lock.Lock(
             base_image=lock.Image(name=self._values["base-image"], digest=inputs.base.digest),
             slim_base_image=slim,
+            rosdep_index=(
+                lock.Image(name=self._values["rosdep-index"], digest=inputs.rosdep) if inputs.rosdep else None
+            ),
             repositories=_pins(built.upstream),
             downstream=_pins(built.downstream),
             **built.added,
@@ -346,10 +349,9 @@ class App:
             (requests / "renewed").write_text(f"{time.time()}\n")
         self._say(f"{_count(count, 'package')} for {', '.join(self._names.platforms)}")
         additional = workspace.additional_files(values["additional-files-dir"], folder)
-        index = folder / Path(values["rosdep-index"]).expanduser() if values["rosdep-index"] else empty
-        if not index.is_dir():
-            text = f"rosdep-index: there is no folder {index}"
-            raise RosmlError(text, "name a checkout of ros/rosdistro", exit_code=2)
+        pin = locked.rosdep_index.of(values["rosdep-index"]) if locked and locked.rosdep_index else ""
+        lists = rosdep_index.Finder(self._services, folder, self._say)
+        index, digest = lists.find(values["rosdep-index"], base, pin, locked is not None) or (empty, "")
         contexts = {
             "manifests": manifests,
             "target": state / "staged",
@@ -362,12 +364,14 @@ class App:
         hooked = (requests / "identification.sh").stat().st_size > 0
         moment = int(self._git("log", "-1", "--format=%ct") or TIME)
         commit = self._git("rev-parse", "HEAD")
-        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit, moment, slim)
+        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit, moment, slim, digest)
 
     def _keys(self, inputs: bake_file.Inputs) -> caches.Keys:
         """What the stages of the build are made from."""
         values, contexts = self._values, inputs.contexts
-        names = ("manifests", "requests", "additional", "rosdep")
+        names = ["manifests", "requests", "additional"]
+        if values["rosdep-index"]:  # others are the newest, and change every day for nothing
+            names.append("rosdep")
         given = {"base": inputs.base.digest, "platforms": self._names.platforms, "ros": inputs.distribution}
         if inputs.slim:
             given["slim"] = inputs.slim.digest

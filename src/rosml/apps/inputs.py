@@ -83,7 +83,11 @@ TABLE = (
         "repository in a registry that keeps finished stages, for machines that have none; such as ghcr.io/me/robot-cache",
     ),
     Input("skip-keys", "keys of rosdep that are left out, separated by blanks"),
-    Input("rosdep-index", "a checkout of ros/rosdistro, in the place of rosdep's lists on the network"),
+    Input(
+        "rosdep-index",
+        "rosdep's lists: of a registry, such as ghcr.io/me/rosml/rosdep:latest, or of a checkout of ros/rosdistro; the newest"
+        " beside the base image if left out",
+    ),
     Input("lock-file", "what the images are built from, if it is there; --lock writes it", "containerize.lock"),
     Input("additional-debs-file", "packages for apt, one a line", "docker/additional-debs.txt"),
     Input("enable-recursive-additional-debs", _RECURSIVE, "false", flag=True),

@@ -37,7 +37,8 @@ Requirement = Annotated[
 
 
 class Image(BaseModel):
-    """A base image: its name as the user wrote it, and its digest. The name is empty where the user said none."""
+    """A base image, or rosdep's lists: the name as the user wrote it, and the digest. The name is empty where the user said
+    none."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -52,7 +53,7 @@ class Image(BaseModel):
         """
         if self.name != name:
             known, named = self.name or "none of that name", name or "none of that name"
-            raise RosmlError(f"the lock file is of the base image {known}, and not of {named}", RENEW, exit_code=2)
+            raise RosmlError(f"the lock file is of {known}, and not of {named}", RENEW, exit_code=2)
         return self.digest
 
 
@@ -76,6 +77,7 @@ class Lock(Packages):
     format: Literal[1] = 1
     base_image: Image
     slim_base_image: Image | None = None
+    rosdep_index: Image | None = None
     repositories: dict[str, Pin] = {}
     downstream: dict[str, Pin] = {}
 

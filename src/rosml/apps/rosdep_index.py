@@ -1,0 +1,168 @@
+"""rosdep's lists of one day as an artifact in a registry, for builds that ask no other server: what a checkout of ros/rosdistro has
+of keys and of distributions."""
+
+from __future__ import annotations
+
+import gzip
+import io
+import re
+import shutil
+import tarfile
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import yaml
+
+from rosml.apps import base as bases
+from rosml.apps import lock
+from rosml.base.errors import RosmlError
+from rosml.images.labels import PREFIX
+from rosml.machine.services import Services
+from rosml.registry import oci
+
+NAME = "rosdep"
+"""The repository, beside those of images."""
+
+TYPE = "application/vnd.rosml.rosdep.v1"
+LAYER = f"{TYPE}.tar+gzip"
+
+INDEX = "index-v4.yaml"
+
+_PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)*")
+
+
+def _files(checkout: Path) -> Iterator[str]:
+    """What rosdep reads of a checkout.
+
+    Raises:
+        RosmlError: it is no checkout of ros/rosdistro, or not a whole one (exit code 2).
+    """
+    lists = sorted(path.name for path in checkout.glob("rosdep/*.yaml"))
+    try:
+        index = yaml.load((checkout / INDEX).read_bytes(), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+        named = [name for facts in index["distributions"].values() for name in facts["distribution"]]
+    except (OSError, yaml.YAMLError, AttributeError, KeyError, TypeError):
+        named = []
+    if not lists or not named:
+        raise RosmlError(f"{checkout} is no checkout of ros/rosdistro", "clone it, and name its folder", exit_code=2)
+    yield INDEX
+    yield from (f"rosdep/{name}" for name in lists)
+    for name in sorted(set(named)):
+        if not _PATH.fullmatch(name) or not (checkout / name).is_file():
+            raise RosmlError(f"{checkout} has no {name}, which {INDEX} names", "clone it whole", exit_code=2)
+        yield name
+
+
+def packed(checkout: Path) -> bytes:
+    """The lists of a checkout in one file, the same for the same lists.
+
+    Raises:
+        RosmlError: it is no checkout of ros/rosdistro (exit code 2).
+    """
+    buffer = io.BytesIO()
+    with gzip.GzipFile(fileobj=buffer, mode="wb", mtime=0) as stream, tarfile.open(fileobj=stream, mode="w") as tar:
+        for name in _files(checkout):
+            content = (checkout / name).read_bytes()
+            member = tarfile.TarInfo(name)
+            member.size = len(content)
+            tar.addfile(member, io.BytesIO(content))
+    return buffer.getvalue()
+
+
+def publish(checkout: Path, registry: oci.Registry, repository: str, tags: tuple[str, ...]) -> str:
+    """Puts the lists of a checkout under some tags; gives their digest.
+
+    Raises:
+        RosmlError: it is no checkout of ros/rosdistro (exit code 2), or the registry refuses.
+    """
+    content = packed(checkout)
+    for blob in (content, oci.EMPTY_BLOB):
+        registry.put_blob(repository, blob)
+    manifest = oci.artifact(TYPE, content, LAYER)
+    digests = [registry.put_manifest(repository, tag, manifest) for tag in tags]
+    return digests[0]
+
+
+class Finder:
+    """Finds the lists that a build reads.
+
+    Args:
+        services: with the local registry. folder: the repository. say: tells people what is found.
+    """
+
+    def __init__(self, services: Services, folder: Path, say: Callable[[str], object]) -> None:
+        self._services, self._folder, self._say = services, folder, say
+
+    def find(self, named: str, base: bases.Base, pin: str, locked: bool) -> tuple[Path, str] | None:
+        """A folder with the lists, and their digest if they are of a registry: what the user names, or else the newest that
+        are published beside a base image of ours. None if there are none.
+
+        Args:
+            pin: the digest that a lock file has; empty if it has none. locked: there is a lock file.
+
+        Raises:
+            RosmlError: what the user or the lock file names is not there, or is something else (exit code 2).
+        """
+        folder = self._folder / Path(named).expanduser()
+        if named and folder.is_dir():
+            return folder, ""
+        if named and not re.search("[:@]", named):
+            text = f"rosdep-index: there is no folder {folder}"
+            raise RosmlError(
+                text, "name a checkout of ros/rosdistro, or what a registry has, with its tag", exit_code=2
+            )
+        if locked and not pin:
+            if named:
+                raise RosmlError("the lock file has no lists of rosdep", lock.RENEW, exit_code=2)
+            return None
+        names: tuple[str, ...] = ()
+        if named:
+            names = bases.candidates(named, self._services)
+        elif base.labels.get(f"{PREFIX}distribution") and not base.local:
+            names = (f"{base.repository.rpartition('/')[0]}/{NAME}:latest",)
+        with oci.Registries(self._services.ca_bundle) as registries:
+            for place in map(oci.parse, names):
+                wanted = place._replace(reference=pin or place.reference)
+                if found := self._fetched(registries(place.host), wanted):
+                    self._say(f"rosdep's lists {place}")
+                    return found
+        if named or pin:
+            text = f"there are no lists of rosdep {pin} (looked for {', '.join(names)})".replace("  ", " ")
+            raise RosmlError(text, "check the name; 'rosml publish rosdep' publishes them", exit_code=2)
+        return None
+
+    def _fetched(self, registry: oci.Registry, place: oci.Reference) -> tuple[Path, str] | None:
+        """What is at a place, unpacked; None if there is nothing. What an earlier call fetched is not fetched again."""
+        manifest = registry.manifest(place.repository, place.reference)
+        if manifest is None:
+            return None
+        layers = manifest.content.get("layers") or []
+        if manifest.content.get("artifactType") != TYPE or len(layers) != 1:
+            text = f"{place} has no lists of rosdep"
+            raise RosmlError(text, "name what 'rosml publish rosdep' published", exit_code=2)
+        folder = self._services.state / "cache" / NAME
+        out = folder / manifest.digest.replace(":", "-")
+        if not out.is_dir():
+            folder.mkdir(parents=True, exist_ok=True)
+            new = Path(tempfile.mkdtemp(dir=folder))
+            try:
+                _unpack(registry.blob(place.repository, layers[0]["digest"]), new)
+                new.chmod(0o755)
+                if not out.is_dir():  # another call was faster
+                    new.rename(out)
+            except (tarfile.TarError, EOFError, OSError) as error:
+                text = f"{place} cannot be unpacked: {error}"
+                raise RosmlError(text, "free some disk space, or publish it anew") from None
+            finally:
+                shutil.rmtree(new, ignore_errors=True)
+        return out, manifest.digest
+
+
+def _unpack(content: bytes, folder: Path) -> None:
+    with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz") as tar:
+        for member in tar:
+            stream = tar.extractfile(member) if member.isreg() and _PATH.fullmatch(member.name) else None
+            if stream:
+                (folder / member.name).parent.mkdir(parents=True, exist_ok=True)
+                (folder / member.name).write_bytes(stream.read())

@@ -1,0 +1,122 @@
+"""rosdep's lists in a registry: published from a checkout of ros/rosdistro, and found beside base images."""
+
+from __future__ import annotations
+
+import gzip
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from registry_stand_in import StandIn, standing_in
+
+from rosml.apps import rosdep_index
+from rosml.apps.base import Base
+from rosml.apps.rosdep_index import Finder
+from rosml.base.errors import RosmlError
+from rosml.machine.services import Services
+from rosml.registry import oci
+
+OURS = {"io.rosml.distribution": "jazzy"}
+
+
+@pytest.fixture
+def registry() -> Iterator[StandIn]:
+    with standing_in() as found:
+        yield found
+
+
+@pytest.fixture
+def services(registry: StandIn, tmp_path: Path) -> Services:
+    return Services(tmp_path / "state", registry.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    folder = tmp_path / "rosdistro"
+    for name, text in (
+        ("rosdep/base.yaml", "boost: {ubuntu: [libboost-dev]}\n"),
+        ("index-v4.yaml", "distributions: {jazzy: {distribution: [jazzy/distribution.yaml]}}\n"),
+        ("jazzy/distribution.yaml", "repositories: {}\n"),
+        ("jazzy/other.yaml", "of no use\n"),
+    ):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+def published(services: Services, checkout: Path, name: str = "rosml/rosdep") -> str:
+    with oci.Registry(services.registry) as client:
+        return rosdep_index.publish(checkout, client, name, ("20261125", "latest"))
+
+
+def base(services: Services, **labels: str) -> Base:
+    return Base(f"{services.registry}/rosml/ros:jazzy-base", "sha256:1", {}, labels or OURS)
+
+
+def test_the_newest_lists_beside_a_base_image_are_taken(services: Services, checkout: Path, tmp_path: Path) -> None:
+    said: list[str] = []
+    finder = Finder(services, tmp_path, said.append)
+    assert finder.find("", base(services), "", False) is None, "nobody has published any"
+    digest = published(services, checkout)
+    found = finder.find("", base(services), "", False)
+    assert found and found[1] == digest and said == [f"rosdep's lists {services.registry}/rosml/rosdep:latest"]
+    names = sorted(str(path.relative_to(found[0])) for path in found[0].rglob("*.yaml"))
+    assert names == ["index-v4.yaml", "jazzy/distribution.yaml", "rosdep/base.yaml"]
+    assert finder.find("", base(services, other="x"), "", False) is None, "it is not ours"
+
+
+def test_the_same_lists_have_the_same_digest(services: Services, checkout: Path, tmp_path: Path) -> None:
+    first = published(services, checkout)
+    again = shutil.copytree(checkout, tmp_path / "again")
+    assert published(services, again) == first
+    (again / "rosdep/base.yaml").write_text("")
+    assert published(services, again) != first
+
+
+def test_a_lock_file_names_the_lists(services: Services, checkout: Path, tmp_path: Path) -> None:
+    first = published(services, checkout)
+    (checkout / "rosdep/base.yaml").write_text("")
+    published(services, checkout)
+    finder = Finder(services, tmp_path, lambda text: None)
+    for named in ("", "rosdep:latest", f"{services.registry}/rosml/rosdep:20261125"):
+        found = finder.find(named, base(services), first, True)
+        assert found and "boost" in (found[0] / "rosdep/base.yaml").read_text()
+    assert finder.find("", base(services), "", True) is None, "there were none"
+    with pytest.raises(RosmlError, match="the lock file has no lists of rosdep"):
+        finder.find("rosdep:latest", base(services), "", True)
+    with pytest.raises(RosmlError, match="there are no lists of rosdep sha256:0"):
+        finder.find("", base(services), f"sha256:{'0' * 64}", True)
+
+
+def test_what_is_named_must_be_there(services: Services, checkout: Path, tmp_path: Path) -> None:
+    finder = Finder(services, tmp_path, lambda text: None)
+    assert finder.find("rosdistro", base(services), "", False) == (checkout, "")
+    with pytest.raises(RosmlError, match=r"there is no folder .*/typo"):
+        finder.find("typo", base(services), "", False)
+    with pytest.raises(RosmlError, match=r"there are no lists of rosdep .*looked for"):
+        finder.find(f"{services.registry}/rosml/rosdep:typo", base(services), "", False)
+    with oci.Registry(services.registry) as client:
+        client.put_blob("rosml/rosdep", oci.EMPTY_BLOB)
+        client.put_manifest("rosml/rosdep", "image", oci.artifact("text/plain", oci.EMPTY_BLOB, "text/plain"))
+    with pytest.raises(RosmlError, match=":image has no lists of rosdep"):
+        finder.find("rosdep:image", base(services), "", False)
+
+
+def test_what_is_damaged_leaves_no_folder(services: Services, tmp_path: Path) -> None:
+    blob = gzip.compress(b"no tar file" * 100)
+    with oci.Registry(services.registry) as client:
+        for part in (blob, oci.EMPTY_BLOB):
+            client.put_blob("rosml/rosdep", part)
+        client.put_manifest("rosml/rosdep", "latest", oci.artifact(rosdep_index.TYPE, blob, rosdep_index.LAYER))
+    with pytest.raises(RosmlError, match="cannot be unpacked"):
+        Finder(services, tmp_path, lambda text: None).find("", base(services), "", False)
+    assert not list((services.state / "cache/rosdep").iterdir())
+
+
+@pytest.mark.parametrize("path", ["index-v4.yaml", "rosdep/base.yaml", "jazzy/distribution.yaml"])
+def test_what_is_no_whole_checkout_is_not_published(path: str, checkout: Path) -> None:
+    (checkout / path).unlink()
+    with pytest.raises(RosmlError) as caught:
+        rosdep_index.packed(checkout)
+    assert caught.value.exit_code == 2
