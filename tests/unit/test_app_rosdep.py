@@ -114,6 +114,19 @@ def test_what_is_damaged_leaves_no_folder(services: Services, tmp_path: Path) ->
     assert not list((services.state / "cache/rosdep").iterdir())
 
 
+def test_what_github_has_is_cloned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    program = tmp_path / "git"
+    program.write_text('#!/bin/sh\nfor folder; do :; done\nmkdir -p "$folder"\necho "$@" >"$folder/said"\n')
+    program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    with rosdep_index.checkout(None) as folder:
+        assert "--depth 1 https://github.com/ros/rosdistro" in (folder / "said").read_text()
+    assert not folder.exists()
+    program.write_text("#!/bin/sh\necho 'fatal: no network' >&2\nexit 128\n")
+    with pytest.raises(RosmlError, match="cannot be cloned: fatal: no network"), rosdep_index.checkout(None):
+        pass
+
+
 @pytest.mark.parametrize("path", ["index-v4.yaml", "rosdep/base.yaml", "jazzy/distribution.yaml"])
 def test_what_is_no_whole_checkout_is_not_published(path: str, checkout: Path) -> None:
     (checkout / path).unlink()

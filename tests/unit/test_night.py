@@ -29,7 +29,7 @@ if [ "$step" = plan ]; then echo "shards=$SHARDS_PLANNED" >>"$GITHUB_OUTPUT"; fi
 def night(folder: Path, failing: str = "", shards: str = SHARDS, lost: str = "", **variables: str) -> Played:
     """A night in which some steps fail."""
     rosml = f"FAILING='{failing}' SHARDS_PLANNED='{shards}'\n{ROSML}"
-    return play(workflow("nightly"), folder, {"make": ":", "git": ":", "rosml": rosml}, variables=variables, lost=lost)
+    return play(workflow("nightly"), folder, {"make": ":", "rosml": rosml}, variables=variables, lost=lost)
 
 
 def steps(played: Played, job: str) -> list[str]:
@@ -82,9 +82,7 @@ def test_nothing_to_build(tmp_path: Path) -> None:
 def test_a_scanner_that_does_not_find_what_it_must(tmp_path: Path) -> None:
     """Nothing is scanned with it, and nothing gets a tag that needs a scan."""
     make = '[ "$1" != test-scanner ]'
-    played = play(
-        workflow("nightly"), tmp_path, {"make": make, "git": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{ROSML}"}
-    )
+    played = play(workflow("nightly"), tmp_path, {"make": make, "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{ROSML}"})
     assert played.results["scan"] == "failure"
     assert "scan" not in steps(played, "scan")
     assert "record" not in steps(played, "promote")
@@ -93,7 +91,7 @@ def test_a_scanner_that_does_not_find_what_it_must(tmp_path: Path) -> None:
 def test_a_signer_that_does_not_sign(tmp_path: Path) -> None:
     """No index is made, and no tag moves."""
     make = '[ "$1" != test-signer ]'
-    programs = {"make": make, "git": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{ROSML}"}
+    programs = {"make": make, "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{ROSML}"}
     played = play(workflow("nightly"), tmp_path, programs, variables={"ROSML_SIGN": "true"})
     assert played.results["promote"] == "failure"
     assert not {"index", "promote"} & set(steps(played, "promote"))
@@ -113,7 +111,7 @@ def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
     played = play(
         workflow("nightly"),
         tmp_path,
-        {"make": ":", "git": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{seen}\n{ROSML}"},
+        {"make": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{seen}\n{ROSML}"},
         variables={"ROSML_SIGN": "true", "ROSML_PAGES": "true", "ROSML_SERVE": "amd64", "ROSML_SHARDS": "3"},
         inputs={"only": "ros1-bookworm-* jazzy-core", "force": "true"},
     )

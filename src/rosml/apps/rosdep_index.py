@@ -3,10 +3,12 @@ of keys and of distributions."""
 
 from __future__ import annotations
 
+import contextlib
 import gzip
 import io
 import re
 import shutil
+import subprocess
 import tarfile
 import tempfile
 from collections.abc import Callable, Iterator
@@ -27,9 +29,34 @@ NAME = "rosdep"
 TYPE = "application/vnd.rosml.rosdep.v1"
 LAYER = f"{TYPE}.tar+gzip"
 
+ADDRESS = "https://github.com/ros/rosdistro"
+
 INDEX = "index-v4.yaml"
 
 _PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)*")
+
+
+@contextlib.contextmanager
+def checkout(folder: Path | None) -> Iterator[Path]:
+    """A checkout of ros/rosdistro: the one that is named, or a new one.
+
+    Raises:
+        RosmlError: GitHub cannot be reached, or there is no git.
+    """
+    if folder:
+        yield folder
+        return
+    with tempfile.TemporaryDirectory() as place:
+        new = Path(place) / "rosdistro"
+        command = ["git", "clone", "--quiet", "--depth", "1", ADDRESS, str(new)]
+        try:
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        except FileNotFoundError:
+            raise RosmlError("there is no git", "install git") from None
+        if done.returncode:
+            why = done.stderr.strip().rpartition("\n")[2]
+            raise RosmlError(f"{ADDRESS} cannot be cloned: {why}", "name a checkout of it that you have")
+        yield new
 
 
 def _files(checkout: Path) -> Iterator[str]:

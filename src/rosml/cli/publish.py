@@ -226,23 +226,23 @@ def undo(run: str, **options: Any) -> None:
 
 @main.command(alone=True)
 @sharing("registry", "json")
-@click.argument("checkout", type=click.Path(path_type=Path, exists=True, file_okay=False))
-def rosdep(checkout: Path, as_json: bool, **options: Any) -> None:
-    """Publishes rosdep's lists of a CHECKOUT of ros/rosdistro, for 'rosml containerize': with the tags latest and of today.
+@click.argument("checkout", type=click.Path(path_type=Path, exists=True, file_okay=False), required=False)
+def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
+    """Publishes rosdep's lists for 'rosml containerize': of ros/rosdistro on GitHub, or of a CHECKOUT of it.
 
-    The same lists have the same digest. With --registry, it needs that registry alone.
+    They get the tags latest and of today. The same lists have the same digest.
 
     \b
     Example:
-      rosml publish rosdep rosdistro --registry ghcr.io/me/rosml
+      rosml publish rosdep --registry ghcr.io/me/rosml
     """
     from rosml.apps import rosdep_index
 
     client, prefix = place_of(options["registry"], ROOT)
     repository = f"{prefix}/{rosdep_index.NAME}".removeprefix("/")
-    with client:
+    with client, rosdep_index.checkout(checkout) as folder:
         tags = (f"{datetime.now(UTC):%Y%m%d}", "latest")
-        digest = rosdep_index.publish(checkout, client, repository, tags)
+        digest = rosdep_index.publish(folder, client, repository, tags)
         names = [f"{client.host}/{repository}:{tag}" for tag in tags]
     click.echo(json.dumps({"tags": names, "digest": digest}) if as_json else f"{names[0]}  {digest}")
 
