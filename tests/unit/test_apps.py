@@ -681,6 +681,17 @@ def services_without_registry(services: Services) -> Services:
     return dataclasses.replace(services, registry="", builder_kind="user")
 
 
+@pytest.mark.parametrize(("version", "raw"), [("20.10.24+dfsg1", True), ("23.0.1", False), ("", False)])
+def test_an_old_docker_gets_layers_that_it_can_read(
+    version: str, raw: bool, services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "docker").write_text(f"#!/bin/sh\necho {version}\n")
+    (tmp_path / "docker").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
+    found = names.Names(inputs.values({}, services.state, {}), "robot", services_without_registry(services))
+    assert found.loads and ("compression=uncompressed" in found.loading) is raw
+
+
 def test_images_go_to_docker_where_there_is_one(
     repository: Path, services: Services, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -132,7 +132,7 @@ def render(
             "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
             "labels": {**_labels(inputs, names.app, target), LOCK: lock},
             "tags": names.tags(target),
-            "output": ["type=docker" if names.loads else f"type=image,push=true,{COMPRESSION}"],
+            "output": [names.loading if names.loads else f"type=image,push=true,{COMPRESSION}"],
         }
     groups = {PACKAGES: {"targets": [REPORT, *(f"keep-{stage}" for stage in kept)]}}
     return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"

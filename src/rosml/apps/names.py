@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import re
 import shutil
+import subprocess
 from collections.abc import Mapping
 
 from rosml.base.errors import RosmlError
@@ -59,6 +61,18 @@ class Names:
             latest = "latest" if target == "run" else f"latest-{target}"
             found.append(f"{found[0].rpartition(':')[0]}:{latest}")
         return list(dict.fromkeys(found))
+
+    @functools.cached_property
+    def loading(self) -> str:
+        """How the builder hands an image to Docker. Docker before 23 cannot read layers in zstd, which base images have."""
+        command = ["docker", "version", "--format", "{{.Server.Version}}"]
+        try:
+            said = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False).stdout
+        except OSError:
+            said = ""
+        major = re.match(r"(\d+)\.", said)
+        old = major is not None and int(major[1]) < 23
+        return "type=docker" + (",compression=uncompressed,force-compression=true" if old else "")
 
     def _require_place(self) -> None:
         names = [self.reference(target).rpartition(":")[0] for target in self.targets]
