@@ -242,7 +242,7 @@ class App:
         for target in self._names.targets:
             call = buildx.Bake(target, f"containerize-{self._state.name}-{target}", file)
             _progress, metadata = buildx.run(self._services, call)
-            digest = metadata.get("containerimage.digest", "")
+            digest = metadata.get(f"containerimage.{'config.' if self._names.loads else ''}digest", "")
             built.images.append(Made(target, self._names.reference(target), digest))
 
     def _write_lock(self, made: lock.Lock) -> None:
