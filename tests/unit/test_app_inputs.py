@@ -116,6 +116,17 @@ def test_names_that_lost_their_meaning_are_answered(tmp_path: Path) -> None:
     assert "CUSTOM_SCRIPT_FILE is not used: it is after-dependency-installation-script" in said
 
 
+def test_variables_of_industrial_ci_count_where_it_is_on(tmp_path: Path) -> None:
+    (tmp_path / ".env").write_text("ROSDEP_SKIP_KEYS='a b'\nNOT_TEST_BUILD=true\n")
+    for on, expected in (("true", ("a b", "false")), ("", ("", "true"))):
+        found = inputs.values({}, tmp_path, {"ENABLE_INDUSTRIAL_CI": on})
+        assert (found["skip-keys"], found["tests"]) == expected
+    own = {"ENABLE_INDUSTRIAL_CI": "true", "SKIP_KEYS": "c", "TESTS": "true"}
+    assert inputs.values({}, tmp_path, own)["skip-keys"] == "c" and inputs.values({}, tmp_path, own)["tests"] == "true"
+    [said] = inputs.answers(tmp_path, own)
+    assert said.startswith("ENABLE_INDUSTRIAL_CI is not used: tests run here without it; its ROSDEP_SKIP_KEYS")
+
+
 def test_every_name_of_docker_ros_is_known() -> None:
     """Of its action and of its local script, but for those that its workflow has for itself."""
     known = {item.variable for item in inputs.TABLE} | {"IMAGE"}

@@ -124,7 +124,10 @@ TABLE = (
     _gone("custom-script-file", "it is after-dependency-installation-script"),
     _gone("slim-build-args", "no program is watched to find out what an image needs"),
     _gone("additional-slim-build-args", "no program is watched to find out what an image needs"),
-    _gone("enable-industrial-ci", "tests run here without it: see the input tests"),
+    _gone(
+        "enable-industrial-ci",
+        "tests run here without it; its ROSDEP_SKIP_KEYS, NOT_TEST_BUILD, CMAKE_ARGS and DOWNSTREAM_WORKSPACE count",
+    ),
     _gone("buildx-attestations", "images have none, so that the same sources have the same digest"),
     _gone("docker-ros-git-ref", "the version of rosml decides"),
 )
@@ -135,6 +138,9 @@ SECRET = ("git-https-password", "git-ssh-private-key")
 
 _IMAGE = Input("image")
 """The run image with its tag, as docker-ros' local script knows it: image-name and image-tag in one."""
+
+_INDUSTRIAL_CI = ("ROSDEP_SKIP_KEYS", "NOT_TEST_BUILD")
+"""Variables of industrial_ci that have another name here. Those with the same name count anyway."""
 
 FILE = ".env"
 
@@ -161,6 +167,7 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
         RosmlError: `.env` cannot be read, or a value is none that its input can have (exit code 2).
     """
     file = read_env(folder / FILE)
+    file = _of_industrial_ci(environment, file) | file
     found = {}
     for item in TABLE:
         if item.gone:
@@ -181,6 +188,17 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
             name, tag = named, ""
         found["image-name"] = name
         found["image-tag"] = tag or found["image-tag"]
+    return found
+
+
+def _of_industrial_ci(environment: Mapping[str, str], file: Mapping[str, str]) -> dict[str, str]:
+    """What variables of industrial_ci say, by our names, if the user has switched it on."""
+    given = {**file, **environment}
+    if given.get("ENABLE_INDUSTRIAL_CI", "").lower() != "true":
+        return {}
+    found = {"SKIP_KEYS": given.get("ROSDEP_SKIP_KEYS", "")}
+    if given.get("NOT_TEST_BUILD", "").lower() == "true":
+        found["TESTS"] = "false"
     return found
 
 
@@ -222,7 +240,7 @@ def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
     for item in TABLE:
         if item.gone and (environment.get(item.variable) or file.get(item.variable)):
             yield f"{item.variable} is not used: {item.gone}"
-    known = {item.variable for item in (*TABLE, _IMAGE)}
+    known = {item.variable for item in (*TABLE, _IMAGE)} | {*_INDUSTRIAL_CI}
     yield from (f"{name} in {FILE} is not used: there is no such input" for name in file if name not in known)
 
 
