@@ -209,10 +209,10 @@ def main(folder: Path, left_out: Path, index: Path, scratch: Path, out: Path) ->
         for kind, keys in kinds.items():
             for answer in (answer for key in keys if key in found for answer in found[key]):
                 lists[f"{kind}.{answer.installer}"].update(answer.names)
-    for folder, kinds in (("packages", KINDS), (DOWNSTREAM, (DOWNSTREAM,))):
-        (out / folder).mkdir(parents=True)
-        for name in (f"{kind}.{installer}" for kind in kinds for installer in INSTALLERS):
-            (out / folder / name).write_text("".join(f"{package}\n" for package in sorted(lists[name])))
+    for place, called in (("packages", tuple(KINDS)), (DOWNSTREAM, (DOWNSTREAM,))):
+        (out / place).mkdir(parents=True)
+        for name in (f"{kind}.{installer}" for kind in called for installer in INSTALLERS):
+            (out / place / name).write_text("".join(f"{package}\n" for package in sorted(lists[name])))
     described = {
         "packages": {
             name: {kind: sorted(keys) for kind, keys in kinds.items()}

@@ -466,7 +466,12 @@ def test_packages_that_use_the_apps_are_tested_before_there_is_an_image(
 ) -> None:
     put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
     fetched: list[dict[str, Any]] = []
-    monkeypatch.setattr(sources, "fetch", lambda *_, **options: fetched.append(options) or [])
+
+    def fetch(*_: object, **options: object) -> list[sources.Repository]:
+        fetched.append(options)
+        return []
+
+    monkeypatch.setattr(sources, "fetch", fetch)
     tested = app(repository, services, base_image="ros:jazzy", command="true", downstream_workspace="uses.repos")
     monkeypatch.setattr(junit, "read", lambda folder: FAILED if folder.name == "downstream" else junit.Tests())
     with pytest.raises(

@@ -179,6 +179,7 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
         [*(f"{{host}}/{name}" for name in PREFIXES), "", "{host}", "https://{host}/x", "x y/z"]
     ),
     "only": WORDS,
+    "checkout": st.sampled_from(["/", "/no/such/folder", ""]),
     "target": WORDS,
     "parts": WORDS,
     "groups": WORDS,
