@@ -7,7 +7,7 @@ here=$(dirname "${BASH_SOURCE[0]}")
 source "$here/../build/network.sh"
 
 workspace=/docker-ros/ws
-mkdir -p $workspace/src/target $workspace/src/upstream $workspace/src/downstream
+mkdir -p $workspace/src/target $workspace/src/upstream
 cd $workspace
 for name in target upstream; do
   # Without git's folders, and without files of secrets.

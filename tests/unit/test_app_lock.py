@@ -30,7 +30,7 @@ def test_a_lock_file_is_read_as_it_was_written(tmp_path: Path) -> None:
     assert lock.read(file, tmp_path) is None
     file.write_text(LOCK.text())
     assert lock.read(file, tmp_path) == LOCK
-    assert json.loads(LOCK.line()) == json.loads(LOCK.text()) and "\n" not in LOCK.line()
+    assert json.loads(LOCK.line()) | {"downstream": {}} == json.loads(LOCK.text()) and "\n" not in LOCK.line()
 
 
 def other(**changes: Any) -> str:
@@ -71,9 +71,12 @@ def test_what_is_no_lock_file_is_refused_with_a_remedy(text: str, why: str, tmp_
         ("missing/x.lock", True, "there is no folder"),
         ("../x.lock", True, "leads out of"),
         ("/tmp/x.lock", True, "leads out of"),
+        ("package.xml", True, "does not end in"),
+        ("out/x.lock", True, "leads out of"),
     ],
 )
 def test_a_place_where_no_lock_file_can_be(name: str, renew: bool, why: str, tmp_path: Path) -> None:
+    (tmp_path / "out").symlink_to("/tmp")
     with pytest.raises(RosmlError, match=why) as caught:
         lock.place(tmp_path, name, renew)
     assert caught.value.exit_code == 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import gzip
 import shutil
 from collections.abc import Iterator
@@ -109,8 +110,11 @@ def test_what_is_damaged_leaves_no_folder(services: Services, tmp_path: Path) ->
         for part in (blob, oci.EMPTY_BLOB):
             client.put_blob("rosml/rosdep", part)
         client.put_manifest("rosml/rosdep", "latest", oci.artifact(rosdep_index.TYPE, blob, rosdep_index.LAYER))
+    finder, said = Finder(services, tmp_path, lambda text: said.append(text)), list[str]()
     with pytest.raises(RosmlError, match="cannot be unpacked"):
-        Finder(services, tmp_path, lambda text: None).find("", base(services), "", False)
+        finder.find(f"{services.registry}/rosml/rosdep:latest", base(services), "", False)
+    assert finder.find("", base(services), "", False) is None, "who did not ask for them builds without"
+    assert "cannot be unpacked" in said[0]
     assert not list((services.state / "cache/rosdep").iterdir())
 
 
@@ -125,6 +129,42 @@ def test_what_github_has_is_cloned(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     program.write_text("#!/bin/sh\necho 'fatal: no network' >&2\nexit 128\n")
     with pytest.raises(RosmlError, match="cannot be cloned: fatal: no network"), rosdep_index.checkout(None):
         pass
+
+
+def test_a_pinned_state_needs_no_registry_once_it_is_there(services: Services, checkout: Path, tmp_path: Path) -> None:
+    digest = published(services, checkout)
+    finder = Finder(services, tmp_path, lambda text: None)
+    there = finder.find("", base(services), digest, True)
+    away = Finder(dataclasses.replace(services, registry="127.0.0.1:9"), tmp_path, lambda text: None)
+    assert away.find("", Base("127.0.0.1:9/rosml/ros:x", "sha256:1", {}, OURS), digest, True) == there
+
+
+def test_few_states_are_kept(services: Services, checkout: Path, tmp_path: Path) -> None:
+    for number in range(8):
+        (checkout / "rosdep/base.yaml").write_text(f"a{number}: {{}}\n")
+        published(services, checkout)
+        found = Finder(services, tmp_path, lambda text: None).find("", base(services), "", False)
+        assert found and f"a{number}" in (found[0] / "rosdep/base.yaml").read_text()
+    assert len(list((services.state / "cache/rosdep").iterdir())) == rosdep_index.KEPT
+
+
+def test_what_all_builds_would_stumble_over_is_not_published(checkout: Path) -> None:
+    (checkout / "rosdep/base.yaml").write_text("x: [")
+    with pytest.raises(RosmlError, match=r"rosdep/base\.yaml is no YAML"):
+        rosdep_index.packed(checkout)
+    (checkout / "rosdep/base.yaml").write_text("x: {}")
+    (checkout / "rosdep/link.yaml").symlink_to("/etc/hostname")
+    with pytest.raises(RosmlError, match="leads out of"):
+        rosdep_index.packed(checkout)
+
+
+def test_a_clone_has_the_same_lists_as_another(checkout: Path, tmp_path: Path) -> None:
+    (checkout / ".git").mkdir()
+    (checkout / ".git/index").write_text("another one in each clone")
+    out = rosdep_index.copied(checkout, tmp_path / "out")
+    assert sorted(path.name for path in out.iterdir()) == ["index-v4.yaml", "jazzy", "rosdep"]
+    with pytest.raises(RosmlError, match=r"has no rosdep/\*\.yaml"):
+        rosdep_index.copied(checkout / "jazzy", tmp_path / "out")
 
 
 @pytest.mark.parametrize("path", ["index-v4.yaml", "rosdep/base.yaml", "jazzy/distribution.yaml"])

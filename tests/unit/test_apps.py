@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import json
 import os
@@ -165,7 +166,8 @@ def test_manifests_are_those_that_colcon_finds(tmp_path: Path) -> None:
     (repository / "hidden/COLCON_IGNORE").touch()
     (repository / "a/node.cpp").touch()
     (tmp_path / "none").mkdir()
-    assert workspace.write_manifests({"target": repository, "upstream": tmp_path / "none"}, tmp_path / "out") == 2
+    counts = workspace.write_manifests({"target": repository, "upstream": tmp_path / "none"}, tmp_path / "out")
+    assert counts == {"target": 2, "upstream": 0}
     written = sorted(
         str(path.relative_to(tmp_path / "out")) for path in (tmp_path / "out").rglob("*") if path.is_file()
     )
@@ -473,6 +475,15 @@ def test_packages_that_use_the_apps_are_tested_before_there_is_an_image(
 
     monkeypatch.setattr(sources, "fetch", fetch)
     tested = app(repository, services, base_image="ros:jazzy", command="true", downstream_workspace="uses.repos")
+    with pytest.raises(RosmlError, match=r"there is no file uses\.repos"):
+        tested.build()
+    (repository / "uses.repos").write_text("repositories: {}\n")
+    with pytest.raises(RosmlError, match=r"the repositories of uses\.repos have no package"):
+        tested.build()
+    fetched.clear()
+    user = tested.report.parent / "downstream/user/package.xml"
+    user.parent.mkdir(parents=True)
+    user.write_text(PACKAGE.format("user"))
     monkeypatch.setattr(junit, "read", lambda folder: FAILED if folder.name == "downstream" else junit.Tests())
     with pytest.raises(
         RosmlError, match=r"1 of 2 tests failed in packages that use yours; no image was made\n    user: a"
@@ -480,17 +491,22 @@ def test_packages_that_use_the_apps_are_tested_before_there_is_an_image(
         tested.build()
     [report] = calls
     assert report["args"]["DOWNSTREAM"] == "downstream-results"
-    upstream, downstream = fetched
-    assert upstream["without"] == downstream["file"] == "uses.repos" and not downstream["recursive"]
+    assert fetched[0]["without"] == fetched[1]["file"] == "uses.repos" and not fetched[1]["recursive"]
+    calls.clear()
+    options = {"base_image": "ros:jazzy", "command": "true", "downstream_workspace": "uses.repos"}
+    with contextlib.suppress(RosmlError):
+        app(repository, services, tests="false", **options).build()
+    assert calls[0]["args"]["DOWNSTREAM"] == "downstream-untested", "they are built all the same"
 
 
 def test_a_relative_index_of_rosdep_is_one_of_the_folder(
     repository: Path, services: Services, calls: list[dict[str, Any]]
 ) -> None:
     put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
-    (repository / "lists").mkdir()
+    (repository / "lists/rosdep").mkdir(parents=True)
+    (repository / "lists/rosdep/own.yaml").write_text("a: {}\n")
     app(repository, services, base_image="ros:jazzy", command="true", rosdep_index="lists").build()
-    assert calls[0]["contexts"]["rosdep"] == str(repository / "lists")
+    assert (Path(calls[0]["contexts"]["rosdep"]) / "rosdep/own.yaml").read_text() == "a: {}\n"
 
 
 def test_names_and_tags_are_those_of_docker_ros(

@@ -111,7 +111,7 @@ def render(
             "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
             "ROS_DISTRO": inputs.distribution,
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
-            "DOWNSTREAM": "downstream-results" if values["downstream-workspace"] else "nothing",
+            "DOWNSTREAM": _downstream(values),
         },
     }
     stage = f"slim-{REPORT}" if inputs.slim else REPORT
@@ -136,6 +136,13 @@ def render(
         }
     groups = {PACKAGES: {"targets": [REPORT, *(f"keep-{stage}" for stage in kept)]}}
     return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"
+
+
+def _downstream(values: Mapping[str, str]) -> str:
+    """The stage with what is known of packages that use the app's."""
+    if not values["downstream-workspace"]:
+        return "nothing"
+    return "downstream-results" if values["tests"] == "true" else "downstream-untested"
 
 
 def _literal(value: Any) -> Any:

@@ -120,8 +120,11 @@ class Built:
         where = f"reports: {self.reports}" if self.reports else "in an earlier build from the same"
         passed = f"{tests.count - tests.skipped} passed, {tests.skipped} skipped; {where}"
         yield "tests", passed if tests.count else "none ran"
-        for where, tests in (("in the slim image", self.slim_tests), ("of downstream packages", self.downstream_tests)):
-            if tests.count:
+        for where, tests, ran in (
+            ("in the slim image", self.slim_tests, False),
+            ("of packages that use yours", self.downstream_tests, bool(self.downstream)),
+        ):
+            if tests.count or ran:
                 yield "", f"{where}: {tests.count - tests.skipped} passed, {tests.skipped} skipped"
         if self.locked:
             yield "lock", self.locked
@@ -198,7 +201,7 @@ class App:
         inputs = self._inputs(base, slim, locked)
         with contextlib.ExitStack() as stack:
             cache = None
-            if self._values["cache"]:
+            if self._values["cache"] and not self._renew:
                 cache = stack.enter_context(caches.Cache(self._values["cache"], self._services.ca_bundle))
             self._make(inputs, built, cache, locked)
         if self._renew and built.lock:
@@ -261,12 +264,13 @@ class App:
     def _locked(self, inputs: bake_file.Inputs, built: Built) -> lock.Lock:
         """What the images are built from."""
         slim = inputs.slim and lock.Image(name=self._values["slim-base-image"], digest=inputs.slim.digest)
+        named, rosdep = self._values["rosdep-index"], None
+        if inputs.rosdep and (named or self._renew):  # otherwise they are others every day, and the image is the same
+            rosdep = lock.Image(name=named, digest=inputs.rosdep)
         return lock.Lock(
             base_image=lock.Image(name=self._values["base-image"], digest=inputs.base.digest),
             slim_base_image=slim,
-            rosdep_index=(
-                lock.Image(name=self._values["rosdep-index"], digest=inputs.rosdep) if inputs.rosdep else None
-            ),
+            rosdep_index=rosdep,
             repositories=_pins(built.upstream),
             downstream=_pins(built.downstream),
             **built.added,
@@ -325,7 +329,12 @@ class App:
             shutil.rmtree(place, ignore_errors=True)
             place.mkdir()
             return upstream, []
-        return upstream, fetch(place, recursive=False, file=named, pins=locked.downstream if locked else None)
+        if not (self._folder / named).is_file():
+            text = f"downstream-workspace: there is no file {named} in {self._folder}"
+            raise RosmlError(text, "name a .repos file there; other forms of industrial_ci do not count", exit_code=2)
+        # Who adds it after the lock file was written gets the newest.
+        pins = locked.downstream if locked and locked.downstream else None
+        return upstream, fetch(place, recursive=False, file=named, pins=pins)
 
     def _inputs(self, base: bases.Base, slim: bases.Base | None, locked: lock.Lock | None) -> bake_file.Inputs:
         """What the build reads, written down for it."""
@@ -341,17 +350,25 @@ class App:
         workspace.stage(folder, state / "staged" / "target", without=self._lock_file)
         empty.mkdir(parents=True, exist_ok=True)
         roots = {"target": folder, "upstream": upstream, "downstream": downstream}
-        count = workspace.write_manifests(roots, manifests)
+        counts = workspace.write_manifests(roots, manifests)
+        if values["downstream-workspace"] and not counts["downstream"]:
+            text = f"downstream-workspace: the repositories of {values['downstream-workspace']} have no package"
+            raise RosmlError(text, "name some that have, or leave the input out", exit_code=2)
         workspace.write_requests({**values, "ros-distro": distribution}, folder, upstream, base.environment, requests)
         if locked:
             locked.write_requests(requests)
         if self._renew:  # what an earlier build installed is not what is newest
             (requests / "renewed").write_text(f"{time.time()}\n")
-        self._say(f"{_count(count, 'package')} for {', '.join(self._names.platforms)}")
+        packages = _count(counts["target"] + counts["upstream"], "package")
+        if counts["downstream"]:
+            packages += f", and {counts['downstream']} that use them,"
+        self._say(f"{packages} for {', '.join(self._names.platforms)}")
         additional = workspace.additional_files(values["additional-files-dir"], folder)
         pin = locked.rosdep_index.of(values["rosdep-index"]) if locked and locked.rosdep_index else ""
         lists = rosdep_index.Finder(self._services, folder, self._say)
         index, digest = lists.find(values["rosdep-index"], base, pin, locked is not None) or (empty, "")
+        if index != empty and not digest:
+            index = rosdep_index.copied(index, state / "rosdep")
         contexts = {
             "manifests": manifests,
             "target": state / "staged",

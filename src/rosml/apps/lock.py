@@ -19,7 +19,9 @@ from rosml.apps import within
 from rosml.apps.sources import Pin
 from rosml.base.errors import RosmlError
 
-DEFAULT = "containerize.lock"
+SUFFIX = ".lock"
+
+DEFAULT = f"containerize{SUFFIX}"
 
 RENEW = "write the lock file anew with --lock"
 
@@ -86,15 +88,15 @@ class Lock(Packages):
         return json.dumps(self._content(), indent=1, sort_keys=True) + "\n"
 
     def line(self) -> str:
-        """The same in one line, for a label."""
-        return json.dumps(self._content(), separators=(",", ":"), sort_keys=True)
+        """The same in one line, for a label: without what is in no image."""
+        return json.dumps(self._content({"downstream"}), separators=(",", ":"), sort_keys=True)
 
-    def _content(self) -> dict[str, Any]:
-        return self.model_dump(exclude_none=True)
+    def _content(self, without: set[str] | None = None) -> dict[str, Any]:
+        return self.model_dump(exclude_none=True, exclude=without)
 
     def with_other_architectures(self, other: Lock) -> Lock:
         """This lock, and what another one has for other architectures, if both have the same images and repositories."""
-        names = ("base_image", "slim_base_image", "repositories", "downstream")
+        names = ("base_image", "slim_base_image", "rosdep_index", "repositories", "downstream")
         if any(getattr(self, name) != getattr(other, name) for name in names):
             return self
         return self.model_copy(update={"apt": {**other.apt, **self.apt}, "pip": {**other.pip, **self.pip}})
@@ -140,7 +142,9 @@ def place(folder: Path, name: str, renew: bool) -> Path:
     """
     file = Path(os.path.normpath(folder / name))
     there = within.there(file, folder)
-    if not file.is_relative_to(folder):
+    if not name.endswith(SUFFIX):  # it is overwritten
+        raise RosmlError(f"lock-file: {name} does not end in {SUFFIX}", "name it so", exit_code=2)
+    if not Path(os.path.realpath(file.parent)).is_relative_to(os.path.realpath(folder)):
         raise RosmlError(f"lock-file: {name} leads out of {folder}", "name a file in it", exit_code=2)
     if renew and not file.parent.is_dir():
         raise RosmlError(f"lock-file: there is no folder {file.parent}", "make it, or name another file", exit_code=2)

@@ -17,7 +17,7 @@ from pathlib import Path
 import yaml
 
 from rosml.apps import base as bases
-from rosml.apps import lock
+from rosml.apps import lock, within
 from rosml.base.errors import RosmlError
 from rosml.images.labels import PREFIX
 from rosml.machine.services import Services
@@ -32,6 +32,11 @@ LAYER = f"{TYPE}.tar+gzip"
 ADDRESS = "https://github.com/ros/rosdistro"
 
 INDEX = "index-v4.yaml"
+
+KEPT = 5
+"""How many states of the lists a machine keeps."""
+
+_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 _PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)*")
 
@@ -67,18 +72,46 @@ def _files(checkout: Path) -> Iterator[str]:
     """
     lists = sorted(path.name for path in checkout.glob("rosdep/*.yaml"))
     try:
-        index = yaml.load((checkout / INDEX).read_bytes(), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+        index = yaml.load((checkout / INDEX).read_bytes(), Loader=_LOADER)
         named = [name for facts in index["distributions"].values() for name in facts["distribution"]]
     except (OSError, yaml.YAMLError, AttributeError, KeyError, TypeError):
         named = []
     if not lists or not named:
         raise RosmlError(f"{checkout} is no checkout of ros/rosdistro", "clone it, and name its folder", exit_code=2)
-    yield INDEX
-    yield from (f"rosdep/{name}" for name in lists)
-    for name in sorted(set(named)):
-        if not _PATH.fullmatch(name) or not (checkout / name).is_file():
-            raise RosmlError(f"{checkout} has no {name}, which {INDEX} names", "clone it whole", exit_code=2)
+    for name in [INDEX, *(f"rosdep/{name}" for name in lists), *sorted(set(named))]:
+        if not _PATH.fullmatch(name) or not within.there(checkout / name, checkout):
+            raise RosmlError(f"{checkout} has no {name} that can be published", "clone it whole", exit_code=2)
         yield name
+
+
+def _require_yaml(name: str, content: bytes) -> None:
+    """Checks what all builds would stumble over.
+
+    Raises:
+        RosmlError: it is no YAML (exit code 2).
+    """
+    try:
+        yaml.load(content, Loader=_LOADER)
+    except yaml.YAMLError as error:
+        raise RosmlError(f"{name} is no YAML: {error}", "correct it, or take another commit", exit_code=2) from None
+
+
+def copied(folder: Path, out: Path) -> Path:
+    """Copies what rosdep may read of a checkout, without git's folder, which is another one in each clone.
+
+    Raises:
+        RosmlError: there is nothing (exit code 2).
+    """
+    shutil.rmtree(out, ignore_errors=True)
+    found = [path for pattern in ("*.yaml", "*/*.yaml") for path in folder.glob(pattern) if path.is_file()]
+    if not any(path.parent.name == NAME for path in found):
+        text = f"rosdep-index: {folder} has no rosdep/*.yaml"
+        raise RosmlError(text, "name a checkout of ros/rosdistro", exit_code=2)
+    for path in found:
+        target = out / path.relative_to(folder)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(path, target)
+    return out
 
 
 def packed(checkout: Path) -> bytes:
@@ -91,6 +124,7 @@ def packed(checkout: Path) -> bytes:
     with gzip.GzipFile(fileobj=buffer, mode="wb", mtime=0) as stream, tarfile.open(fileobj=stream, mode="w") as tar:
         for name in _files(checkout):
             content = (checkout / name).read_bytes()
+            _require_yaml(name, content)
             member = tarfile.TarInfo(name)
             member.size = len(content)
             tar.addfile(member, io.BytesIO(content))
@@ -131,7 +165,9 @@ class Finder:
         Raises:
             RosmlError: what the user or the lock file names is not there, or is something else (exit code 2).
         """
-        folder = self._folder / Path(named).expanduser()
+        folder = self._folder / named
+        if named.startswith("~/"):
+            folder = Path.home() / named[2:]
         if named and folder.is_dir():
             return folder, ""
         if named and not re.search("[:@]", named):
@@ -148,16 +184,28 @@ class Finder:
             names = bases.candidates(named, self._services)
         elif base.labels.get(f"{PREFIX}distribution") and not base.local:
             names = (f"{base.repository.rpartition('/')[0]}/{NAME}:latest",)
+        if pin and (known := self._cached(pin)).is_dir():
+            return known, pin
         with oci.Registries(self._services.ca_bundle) as registries:
             for place in map(oci.parse, names):
                 wanted = place._replace(reference=pin or place.reference)
-                if found := self._fetched(registries(place.host), wanted):
+                try:
+                    found = self._fetched(registries(place.host), wanted)
+                except RosmlError as error:
+                    if named or pin:
+                        raise
+                    self._say(f"no lists of rosdep beside the base image: {error.message}")
+                    return None
+                if found:
                     self._say(f"rosdep's lists {place}")
                     return found
         if named or pin:
             text = f"there are no lists of rosdep {pin} (looked for {', '.join(names)})".replace("  ", " ")
             raise RosmlError(text, "check the name; 'rosml publish rosdep' publishes them", exit_code=2)
         return None
+
+    def _cached(self, digest: str) -> Path:
+        return self._services.state / "cache" / NAME / digest.replace(":", "-")
 
     def _fetched(self, registry: oci.Registry, place: oci.Reference) -> tuple[Path, str] | None:
         """What is at a place, unpacked; None if there is nothing. What an earlier call fetched is not fetched again."""
@@ -168,22 +216,33 @@ class Finder:
         if manifest.content.get("artifactType") != TYPE or len(layers) != 1:
             text = f"{place} has no lists of rosdep"
             raise RosmlError(text, "name what 'rosml publish rosdep' published", exit_code=2)
-        folder = self._services.state / "cache" / NAME
-        out = folder / manifest.digest.replace(":", "-")
+        out = self._cached(manifest.digest)
+        folder = out.parent
         if not out.is_dir():
             folder.mkdir(parents=True, exist_ok=True)
+            old = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime)[: 1 - KEPT]
             new = Path(tempfile.mkdtemp(dir=folder))
             try:
                 _unpack(registry.blob(place.repository, layers[0]["digest"]), new)
                 new.chmod(0o755)
-                if not out.is_dir():  # another call was faster
-                    new.rename(out)
+                if not out.is_dir():  # another call may have been faster
+                    _move(new, out)
+                for path in old:
+                    shutil.rmtree(path, ignore_errors=True)
             except (tarfile.TarError, EOFError, OSError) as error:
                 text = f"{place} cannot be unpacked: {error}"
                 raise RosmlError(text, "free some disk space, or publish it anew") from None
             finally:
                 shutil.rmtree(new, ignore_errors=True)
         return out, manifest.digest
+
+
+def _move(new: Path, out: Path) -> None:
+    try:
+        new.rename(out)
+    except OSError:
+        if not out.is_dir():
+            raise
 
 
 def _unpack(content: bytes, folder: Path) -> None:

@@ -100,7 +100,8 @@ def fetch(
     out.mkdir(parents=True, exist_ok=True)
     out, cache = out.resolve(), cache.resolve()
     files = repos_file.found(target, without=(out, cache)) if recursive else _alone(target, file)
-    files = [path for path in files if path != target / without]
+    if without:
+        files = [path for path in files if path.resolve() != (target / without).resolve()]
     with turn(beside(out, "lock"), lambda: say(f"waiting for another process, which writes to {out}")):
         tree = Tree(out)
         known: dict[str, Entry] = {}

@@ -32,15 +32,15 @@ def manifests(root: Path) -> Iterator[Path]:
             folders.clear()
 
 
-def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
-    """Copies the manifests of some folders, each below its name; gives the number of packages.
+def write_manifests(roots: Mapping[str, Path], out: Path) -> dict[str, int]:
+    """Copies the manifests of some folders, each below its name; gives the number of packages in each.
 
     Raises:
-        RosmlError: there is no package, or a manifest cannot be read or leads out of its folder (exit code 2).
+        RosmlError: the target and upstream have no package, or a manifest cannot be read or leads out of its folder (exit code 2).
     """
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
-    count = 0
+    count = dict.fromkeys(roots, 0)
     for name, root in roots.items():
         (out / name).mkdir()
         for path in manifests(root):
@@ -54,8 +54,8 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> int:
                 shutil.copyfile(path, target)
             except OSError as error:
                 raise RosmlError(f"cannot read {path}: {error.strerror}", "check the file", exit_code=2) from None
-            count += 1
-    if not count:
+            count[name] += 1
+    if not count["target"] + count.get("upstream", 0):
         raise RosmlError(
             f"there is no package.xml in {roots['target']}",
             "call it in a folder with ROS packages, or name one",
