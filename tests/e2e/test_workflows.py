@@ -153,7 +153,7 @@ def night(
 
 def steps(played: Played, job: str) -> list[str]:
     """The steps of the publisher that a job called, in their order."""
-    words = [call.split() for call in played.commands.get(job, [])]
+    words = [call.split() for call in played.commands.get(job, []) if not call.startswith("git ")]
     return [call[2] if call[1] == "publish" else call[1] for call in words if call[1] not in ("setup", "test-scanner")]
 
 
