@@ -106,11 +106,8 @@ def status(root: Path) -> dict[str, str]:
 
 def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:
     """What is to be locked: packages of apt with their versions, and requirements of pip as install.sh left them."""
-    native = re.search(
-        r"^Package: dpkg$.*?^Architecture: (\S+)$", (base / STATUS).read_text(), re.MULTILINE | re.DOTALL
-    )
-    architecture = native[1] if native else ""
     known = _versions(base)
+    architecture = next((key.partition(":")[2] for key in known if key.startswith("dpkg:")), "")
     apt: dict[str, str] = {}
     pip: set[str] = set()
     for root in roots:

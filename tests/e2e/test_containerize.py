@@ -212,11 +212,7 @@ def test_a_lock_file_holds_what_an_image_is_built_from(published: Publish, tmp_p
     assert "tree" in debs and re.fullmatch(r"toolz==\S+ --hash=sha256:[0-9a-f]{64}", toolz)
 
     (upstream / "new").touch()
-    subprocess.run(["git", "-C", str(upstream), "add", "new"], check=True)
-    subprocess.run(
-        ["git", "-C", str(upstream), "-c", "user.name=n", "-c", "user.email=n@example.org", "commit", "-qm", "New"],
-        check=True,
-    )
+    commit(upstream)
     again = made(folder, *options)
     assert [image["digest"] for image in again["images"]] == [image["digest"] for image in first["images"]]
     label = config(Services.load(ROOT), again["run"]["reference"])["config"]["Labels"]["io.rosml.lock"]

@@ -16,6 +16,7 @@ sys.path.insert(0, str(ROOT))
 set_hypothesis_home_dir(ROOT / ".state/cache/hypothesis")
 
 import projects  # noqa: E402
+from registry_stand_in import StandIn, standing_in  # noqa: E402
 from stubs import answering_registry  # noqa: E402
 
 from rosml.images import image_set as sets  # noqa: E402
@@ -177,6 +178,13 @@ def changed(old: str, new: str, text: str = SMALL) -> str:
     """A matrix's text with one place changed. The place must be there, and only once."""
     assert text.count(old) == 1, f"{text.count(old)} times in the matrix: {old!r}"
     return text.replace(old, new)
+
+
+@pytest.fixture
+def stand_in() -> Iterator[StandIn]:
+    """A registry of a test's own, without an image."""
+    with standing_in() as found:
+        yield found
 
 
 @pytest.fixture(scope="session")

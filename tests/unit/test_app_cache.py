@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from registry_stand_in import StandIn, standing_in
+from registry_stand_in import StandIn
 
 from rosml.apps import junit
 from rosml.apps.build import Built
@@ -21,12 +21,6 @@ from rosml.registry import oci
 KEYS = Keys("e", "u", "a", False)
 
 REPORT = Built("base", packages=["robot"], keys={"roscpp": ["libroscpp-dev"]}, tests=junit.Tests(3, 1)).facts()
-
-
-@pytest.fixture
-def registry() -> Iterator[StandIn]:
-    with standing_in() as found:
-        yield found
 
 
 @pytest.fixture
@@ -106,13 +100,13 @@ def test_gits_folder_of_sources_does_not_count(folder: Path) -> None:
     assert made(folder) == before
 
 
-def test_a_report_is_found_again(registry: StandIn) -> None:
-    with Cache(f"{registry.address}/me/robot-cache", "") as cache:
+def test_a_report_is_found_again(stand_in: StandIn) -> None:
+    with Cache(f"{stand_in.address}/me/robot-cache", "") as cache:
         assert (cache.found(KEYS), cache.report(KEYS)) == ({}, None)
         cache.keep(KEYS, REPORT)
         assert cache.report(KEYS) == REPORT
         assert cache.report(Keys("e", "u", "other", False)) is None
-        assert cache.reference("app-a") == f"{registry.address}/me/robot-cache:app-a"
+        assert cache.reference("app-a") == f"{stand_in.address}/me/robot-cache:app-a"
 
 
 ROBOT = "me/robot-cache"
@@ -131,14 +125,14 @@ ROBOT = "me/robot-cache"
         oci.encoded({**REPORT, "format": FORMAT, "packages": None}),
     ],
 )
-def test_a_damaged_report_is_none(content: bytes, registry: StandIn) -> None:
-    with Cache(f"{registry.address}/{ROBOT}", "") as cache:
+def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
+    with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
         cache.keep(KEYS, REPORT)
-        [tag] = registry.tags[ROBOT]
-        manifest = json.loads(registry.manifests[ROBOT, registry.tags[ROBOT][tag]][1])
-        registry.blobs[ROBOT, oci.digest_of(content)] = content
+        [tag] = stand_in.tags[ROBOT]
+        manifest = json.loads(stand_in.manifests[ROBOT, stand_in.tags[ROBOT][tag]][1])
+        stand_in.blobs[ROBOT, oci.digest_of(content)] = content
         manifest["layers"] = [oci.descriptor("application/json", content)]
-        with oci.Registry(registry.address) as client:
+        with oci.Registry(stand_in.address) as client:
             client.put_manifest(ROBOT, tag, manifest)
         assert cache.report(KEYS) is None
 
@@ -151,11 +145,11 @@ def test_a_damaged_report_is_none(content: bytes, registry: StandIn) -> None:
         {**oci.artifact("application/vnd.rosml.app.report.v1+json", b"", ""), "layers": []},
     ],
 )
-def test_another_manifest_is_no_report(manifest: dict[str, Any], registry: StandIn) -> None:
-    with Cache(f"{registry.address}/{ROBOT}", "") as cache:
+def test_another_manifest_is_no_report(manifest: dict[str, Any], stand_in: StandIn) -> None:
+    with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
         cache.keep(KEYS, REPORT)
-        [tag] = registry.tags[ROBOT]
-        with oci.Registry(registry.address) as client:
+        [tag] = stand_in.tags[ROBOT]
+        with oci.Registry(stand_in.address) as client:
             client.put_manifest(ROBOT, tag, manifest, manifest["mediaType"])
         assert cache.report(KEYS) is None
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from registry_stand_in import StandIn, standing_in
+from registry_stand_in import StandIn
 
 from rosml.apps import base, build, ci, inputs
 from rosml.apps.build import Built, Made
@@ -121,14 +121,8 @@ def test_elsewhere_is_no_job() -> None:
 
 
 @pytest.fixture
-def registry() -> Iterator[StandIn]:
-    with standing_in() as found:
-        yield found
-
-
-@pytest.fixture
-def services(registry: StandIn, tmp_path: Path) -> Services:
-    return Services(tmp_path / "state", registry.address, ("buildx",), "rosml", "user", None, "", "", "", bases=())
+def services(stand_in: StandIn, tmp_path: Path) -> Services:
+    return Services(tmp_path / "state", stand_in.address, ("buildx",), "rosml", "user", None, "", "", "", bases=())
 
 
 class App:
@@ -187,16 +181,16 @@ def app(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ci, "App", App)
 
 
-def tags(services: Services, registry: StandIn) -> dict[str, str]:
-    return dict(registry.tags["me/robot"])
+def tags(services: Services, stand_in: StandIn) -> dict[str, str]:
+    return dict(stand_in.tags["me/robot"])
 
 
-def test_all_tags_of_a_commit_are_one_image(registry: StandIn, services: Services, tmp_path: Path) -> None:
+def test_all_tags_of_a_commit_are_one_image(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
     what = ci.Commit("v1", "v1", False, Path())
     made = job(services, tmp_path, what=what, target="run,dev", platform="amd64").build(
         tmp_path, services, tmp_path / "out", False
     )
-    found = tags(services, registry)
+    found = tags(services, stand_in)
     assert found.keys() == {"v1", "latest-v1", "v1-dev", "latest-dev-v1"}
     assert found["v1"] == found["latest-v1"] != found["v1-dev"]
     assert [image.reference for image in made] == [f"{services.registry}/me/robot:{tag}" for tag in ("v1", "v1-dev")]
@@ -208,7 +202,7 @@ def test_all_tags_of_a_commit_are_one_image(registry: StandIn, services: Service
     }
 
 
-def test_an_index_has_every_platform_and_gets_all_tags(registry: StandIn, services: Services, tmp_path: Path) -> None:
+def test_an_index_has_every_platform_and_gets_all_tags(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
     """Of what jobs left, that of a call with another tag is passed over."""
     given: dict[str, Any] = {"image_tag": "v1", "enable_push_as_latest": "true"}
     job(services, tmp_path, platform="amd64", image_tag="v2").build(tmp_path, services, tmp_path / "made/v2", True)
@@ -218,14 +212,14 @@ def test_an_index_has_every_platform_and_gets_all_tags(registry: StandIn, servic
         )
     with oci.Registries() as registries:
         [made] = job(services, tmp_path, platform="amd64,arm64", **given).index(tmp_path / "made", registries)
-    found = tags(services, registry)
+    found = tags(services, stand_in)
     assert found["v1"] == found["latest"] == made.digest
-    index = json.loads(registry.manifests["me/robot", made.digest][1])
+    index = json.loads(stand_in.manifests["me/robot", made.digest][1])
     there = {entry["platform"]["architecture"]: entry["digest"] for entry in index["manifests"]}
     assert there == {"amd64": found["v1-amd64"], "arm64": found["v1-arm64"]}
 
 
-def test_a_slim_image_has_tags_and_an_index_as_others(registry: StandIn, services: Services, tmp_path: Path) -> None:
+def test_a_slim_image_has_tags_and_an_index_as_others(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
     """Where there is one."""
     for platform in ("amd64", "arm64"):
         call = job(services, tmp_path, platform=platform, target="run,slim")
@@ -234,7 +228,7 @@ def test_a_slim_image_has_tags_and_an_index_as_others(registry: StandIn, service
         made = job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
     assert [image.target for image in made] == ["run", "slim"]
     assert ci.outputs(made)["slim-image"] == f"{services.registry}/me/robot:latest-slim"
-    assert {"latest", "latest-slim"} <= tags(services, registry).keys()
+    assert {"latest", "latest-slim"} <= tags(services, stand_in).keys()
 
 
 def test_a_build_takes_what_ci_makes_of_the_inputs(
@@ -277,11 +271,11 @@ def test_a_name_without_a_registry_is_docker_hubs(services: Services, tmp_path: 
     assert made[0].reference == "docker.io/me/robot:latest"
 
 
-def test_no_tag_moves_where_a_platform_is_missing(registry: StandIn, services: Services, tmp_path: Path) -> None:
+def test_no_tag_moves_where_a_platform_is_missing(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
     job(services, tmp_path, platform="amd64").build(tmp_path, services, tmp_path / "made", True)
     with oci.Registries() as registries, pytest.raises(RosmlError, match="for linux/arm64; no tag was moved"):
         job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
-    assert tags(services, registry).keys() == {"latest-amd64"}
+    assert tags(services, stand_in).keys() == {"latest-amd64"}
 
 
 # ---- Tests -----------------------------------------------------------------------------------------------------------

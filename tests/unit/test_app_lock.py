@@ -12,7 +12,7 @@ import pytest
 
 from rosml import ROOT
 from rosml.apps import lock
-from rosml.apps.sources import Pin
+from rosml.apps.lock import Pin
 from rosml.base.errors import RosmlError
 
 DIGEST = f"sha256:{'1' * 64}"

@@ -5,11 +5,10 @@ from __future__ import annotations
 import dataclasses
 import gzip
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from registry_stand_in import StandIn, standing_in
+from registry_stand_in import StandIn
 
 from rosml.apps import rosdep_index
 from rosml.apps.base import Base
@@ -22,14 +21,8 @@ OURS = {"io.rosml.distribution": "jazzy"}
 
 
 @pytest.fixture
-def registry() -> Iterator[StandIn]:
-    with standing_in() as found:
-        yield found
-
-
-@pytest.fixture
-def services(registry: StandIn, tmp_path: Path) -> Services:
-    return Services(tmp_path / "state", registry.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
+def services(stand_in: StandIn, tmp_path: Path) -> Services:
+    return Services(tmp_path / "state", stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
 
 
 @pytest.fixture

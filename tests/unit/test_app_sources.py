@@ -21,7 +21,8 @@ from pathlib import Path
 import pytest
 import trustme
 
-from rosml.apps.sources import Access, Pin, Repository, fetch
+from rosml.apps.lock import Pin
+from rosml.apps.sources import Access, Repository, fetch
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 

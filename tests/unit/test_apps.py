@@ -9,12 +9,12 @@ import os
 import re
 import shutil
 import subprocess
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
-from registry_stand_in import StandIn, standing_in
+from registry_stand_in import StandIn
 
 from rosml import ROOT
 from rosml.apps import bake_file, base, build, inputs, junit, lock, names, sources, workspace
@@ -28,15 +28,9 @@ PACKAGE = "<package><name>{}</name></package>"
 
 
 @pytest.fixture
-def registry() -> Iterator[StandIn]:
-    with standing_in() as found:
-        yield found
-
-
-@pytest.fixture
-def services(registry: StandIn, tmp_path: Path) -> Services:
+def services(stand_in: StandIn, tmp_path: Path) -> Services:
     state = tmp_path / "rosml"
-    return Services(state, registry.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
+    return Services(state, stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", "", bases=())
 
 
 def put(

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from rosml.apps import lock
 from rosml.base.errors import RosmlError
 from rosml.images.labels import PREFIX, RUNTIME, VERSION
 from rosml.machine.services import NAMESPACE, Services
@@ -85,7 +86,7 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
         raise RosmlError(f"there is no image {text} in the local registry, and {refused.message}", refused.remedy)
     if digest:
         text = f"there is no image {text} with the digest {digest} of the lock file (looked for {', '.join(names)})"
-        raise RosmlError(text, "write the lock file anew with --lock", exit_code=2)
+        raise RosmlError(text, lock.RENEW, exit_code=2)
     raise RosmlError(
         f"there is no image {text} (looked for {', '.join(names)})",
         "check its name with 'rosml list'; 'rosml image TARGET' builds one of ours; 'docker login' for a private one",

@@ -472,8 +472,8 @@ class App:
                 raise RosmlError(f"{count}{where}; no image was made{shown}{reports}", remedy)
 
 
-def _pins(repositories: Iterable[sources.Repository]) -> dict[str, sources.Pin]:
-    return {item.path: sources.Pin(url=item.url, version=item.version, commit=item.commit) for item in repositories}
+def _pins(repositories: Iterable[sources.Repository]) -> dict[str, lock.Pin]:
+    return {item.path: lock.Pin(url=item.url, version=item.version, commit=item.commit) for item in repositories}
 
 
 def _replaced(apps: Iterable[Mapping[str, list[str]]]) -> list[str]:

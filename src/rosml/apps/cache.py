@@ -190,7 +190,5 @@ class Cache:
             RosmlError: the registry refuses.
         """
         content = oci.encoded({**report, "format": FORMAT})
-        for blob in (content, oci.EMPTY_BLOB):
-            self._registry.put_blob(self._place.repository, blob)
-        manifest = oci.artifact(_TYPE, content, "application/json")
-        self._registry.put_manifest(self._place.repository, f"{REPORT}-{keys.app}", manifest)
+        tag = f"{REPORT}-{keys.app}"
+        self._registry.put_artifact(self._place.repository, tag, _TYPE, content, "application/json")

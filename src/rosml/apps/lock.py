@@ -13,15 +13,12 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, StringConstraints, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints, ValidationError
 
-from rosml.apps import within
-from rosml.apps.sources import Pin
+from rosml.apps import inputs, within
 from rosml.base.errors import RosmlError
 
 SUFFIX = ".lock"
-
-DEFAULT = f"containerize{SUFFIX}"
 
 RENEW = "write the lock file anew with --lock"
 
@@ -57,6 +54,16 @@ class Image(BaseModel):
             known, named = self.name or "none of that name", name or "none of that name"
             raise RosmlError(f"the lock file is of {known}, and not of {named}", RENEW, exit_code=2)
         return self.digest
+
+
+class Pin(BaseModel):
+    """The commit of a repository: of this url and this version."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    url: str
+    version: str
+    commit: str = Field(pattern="^[0-9a-f]{40}$")
 
 
 class Packages(BaseModel):
@@ -148,7 +155,7 @@ def place(folder: Path, name: str, renew: bool) -> Path:
         raise RosmlError(f"lock-file: {name} leads out of {folder}", "name a file in it", exit_code=2)
     if renew and not file.parent.is_dir():
         raise RosmlError(f"lock-file: there is no folder {file.parent}", "make it, or name another file", exit_code=2)
-    if not (renew or there or name == DEFAULT):
+    if not (renew or there or name == inputs.default("lock-file")):
         raise RosmlError(f"lock-file: there is no file {file}", "check its name, or write it with --lock", exit_code=2)
     return file
 

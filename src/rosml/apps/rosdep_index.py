@@ -138,10 +138,7 @@ def publish(checkout: Path, registry: oci.Registry, repository: str, tags: tuple
         RosmlError: it is no checkout of ros/rosdistro (exit code 2), or the registry refuses.
     """
     content = packed(checkout)
-    for blob in (content, oci.EMPTY_BLOB):
-        registry.put_blob(repository, blob)
-    manifest = oci.artifact(TYPE, content, LAYER)
-    digests = [registry.put_manifest(repository, tag, manifest) for tag in tags]
+    digests = [registry.put_artifact(repository, tag, TYPE, content, LAYER) for tag in tags]
     return digests[0]
 
 
@@ -225,8 +222,7 @@ class Finder:
             try:
                 _unpack(registry.blob(place.repository, layers[0]["digest"]), new)
                 new.chmod(0o755)
-                if not out.is_dir():  # another call may have been faster
-                    _move(new, out)
+                _move(new, out)
                 for path in old:
                     shutil.rmtree(path, ignore_errors=True)
             except (tarfile.TarError, EOFError, OSError) as error:
@@ -238,6 +234,7 @@ class Finder:
 
 
 def _move(new: Path, out: Path) -> None:
+    """Gives a folder its name, unless another call was faster."""
     try:
         new.rename(out)
     except OSError:

@@ -12,9 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath
 
-from pydantic import BaseModel, ConfigDict, Field
-
-from rosml.apps import repos_file, urls
+from rosml.apps import lock, repos_file, urls
 from rosml.apps.git import Access, Failed, Git, opened
 from rosml.apps.repos_file import Entry
 from rosml.apps.store import Store
@@ -24,7 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import listed
 
-__all__ = ["Access", "Pin", "Repository", "fetch"]
+__all__ = ["Access", "Repository", "fetch"]
 
 WORKERS = 8
 """How many repositories are fetched at the same time; what takes time is the answer of a server."""
@@ -52,16 +50,6 @@ class Repository:
     moving: bool
 
 
-class Pin(BaseModel):
-    """The commit that a lock file has for a repository: of this url and this version."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-    url: str
-    version: str
-    commit: str = Field(pattern="^[0-9a-f]{40}$")
-
-
 def fetch(
     target: Path,
     out: Path,
@@ -71,7 +59,7 @@ def fetch(
     recursive: bool = True,
     file: str = DEFAULT,
     without: str = "",
-    pins: Mapping[str, Pin] | None = None,
+    pins: Mapping[str, lock.Pin] | None = None,
     say: Say = lambda text: None,
 ) -> list[Repository]:
     """Writes the repositories that a target needs, and nothing else, into a folder.
@@ -184,7 +172,9 @@ def _at_once(git: Git, entries: Iterable[Entry], work: Callable[[Entry], Reposit
     return done
 
 
-def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, pins: Mapping[str, Pin] | None, say: Say) -> Repository:
+def _fetch(
+    entry: Entry, git: Git, store: Store, tree: Tree, pins: Mapping[str, lock.Pin] | None, say: Say
+) -> Repository:
     head = f"{entry.place}: {entry.path} ({entry.url})"
     try:
         version = resolve(git, entry.url, entry.version) if pins is None else _pinned(entry, pins)
@@ -202,7 +192,7 @@ def _fetch(entry: Entry, git: Git, store: Store, tree: Tree, pins: Mapping[str, 
     return Repository(entry.path, entry.url, entry.version, version.commit, entry.file, version.moving)
 
 
-def _pinned(entry: Entry, pins: Mapping[str, Pin]) -> Version:
+def _pinned(entry: Entry, pins: Mapping[str, lock.Pin]) -> Version:
     """The commit that a lock file has.
 
     Raises:
@@ -211,7 +201,7 @@ def _pinned(entry: Entry, pins: Mapping[str, Pin]) -> Version:
     pin = pins.get(entry.path)
     if pin is None or (urls.key(pin.url), pin.version) != (urls.key(entry.url), entry.version):
         text = "the lock file has another url or version" if pin else "the lock file does not have it"
-        raise RosmlError(text, "write the lock file anew with --lock", exit_code=2)
+        raise RosmlError(text, lock.RENEW, exit_code=2)
     return Version(pin.commit)
 
 

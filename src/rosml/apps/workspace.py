@@ -110,8 +110,7 @@ def additional_files(name: str, folder: Path) -> Path | None:
 
 def _require_named(name: str, value: str, folder: Path, kind: str) -> None:
     """Checks that what a user named is there; a default need not be."""
-    default = next(item.default for item in inputs.TABLE if item.name == name)
-    if value != default and not os.path.lexists(folder / value):
+    if value != inputs.default(name) and not os.path.lexists(folder / value):
         raise RosmlError(f"{name}: there is no {kind} {value} in {folder}", "check its name", exit_code=2)
 
 

@@ -18,7 +18,6 @@ from typing import Any, ClassVar
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from rosml.base.errors import RosmlError
-from rosml.registry import oci
 from rosml.registry.oci import Registry
 from rosml.registry.repositories import repository_path
 
@@ -222,10 +221,7 @@ class Records:
         That one is removed where the registry can: nobody would find it any more. Its blobs are the registry's to collect.
         """
         before = self.registry.head(self.repository, name)
-        for blob in (oci.EMPTY_BLOB, data):
-            self.registry.put_blob(self.repository, blob)
-        content = oci.artifact(ARTIFACT, data, LAYER, annotations)
-        digest = self.registry.put_manifest(self.repository, name, content, oci.IMAGE)
+        digest = self.registry.put_artifact(self.repository, name, ARTIFACT, data, LAYER, annotations)
         if before not in ("", digest):
             with suppress(RosmlError):  # the artifact is written by now, whatever becomes of the one before
                 if self.registry.head(self.repository, name) != before:  # or somebody moved the tag back to it

@@ -653,6 +653,27 @@ class Registry:
                 self._keeps_account = self._keeps_account or found
         return self._keeps_account
 
+    def put_artifact(
+        self,
+        repository: str,
+        tag: str,
+        artifact_type: str,
+        part: bytes,
+        media_type: str,
+        annotations: Mapping[str, str] | None = None,
+    ) -> str:
+        """Puts an artifact with one layer under a tag. Gives its digest.
+
+        Args:
+            media_type: of the part.
+
+        Raises:
+            RosmlError: the registry does not answer or refuses.
+        """
+        for data in (EMPTY_BLOB, part):
+            self.put_blob(repository, data)
+        return self.put_manifest(repository, tag, artifact(artifact_type, part, media_type, annotations))
+
     def attach(
         self,
         repository: str,
