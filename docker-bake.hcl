@@ -176,7 +176,7 @@ stacks = {
   }
   cpu = {
     accelerator = "cpu", frameworks = ["torch", "tensorflow", "ml"]
-    versions = { torch = "2.10.0", tensorflow = "2.20.0" }
+    versions = { torch = "2.10.0", tensorflow = "2.21.0" }
     beside = { torch = {}, tensorflow = {} }
     gpu = {}
   }

@@ -328,9 +328,9 @@ def make(folder: Path, services: Services) -> Mini:
     }
     matrix["frameworks"] = {name: matrix["frameworks"][name] for name in ("none", "tensorflow")}
     matrix["parts"] = [part for part in matrix["parts"] if part["name"] != "torch"]
-    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | {"releases": {"tensorflow": "2.20.0"}}}
-    matrix["releases"] = {"tensorflow": {"2.20.0": matrix["releases"]["tensorflow"]["2.20.0"]}}
-    matrix["releases"]["tensorflow"]["2.20.0"]["wheels"] = {"cpu": ["amd64", "arm64"]}
+    release = matrix["stacks"]["cpu"]["releases"]["tensorflow"]
+    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | {"releases": {"tensorflow": release}}}
+    matrix["releases"] = {"tensorflow": {release: matrix["releases"]["tensorflow"][release]}}
     parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name != "torch"}
     matrix["disk"] |= {"parts": {"cpu": parts}, "budgets": {}}
     matrix["source"] = SOURCE

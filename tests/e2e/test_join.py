@@ -95,7 +95,7 @@ def test_for_users(mini: Mini) -> None:
     layers, found = config(mini.client(), f"{mini.prefix}/mine", "latest")
     assert len(layers) == len(found["rootfs"]["diff_ids"])
     assert found["config"]["Labels"]["io.rosml.framework"] == "tensorflow"
-    assert "TENSORFLOW_VERSION=2.20.0" in found["config"]["Env"]
+    assert "TENSORFLOW_VERSION=2.21.0" in found["config"]["Env"]
 
 
 def test_what_does_not_go_together(mini: Mini) -> None:
