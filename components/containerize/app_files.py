@@ -26,7 +26,9 @@ import stat
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Sequence
+from typing import Any, Iterator, Sequence
+
+import contents
 
 LEFT_OUT = re.compile(
     r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
@@ -102,6 +104,12 @@ def status(root: Path) -> dict[str, str]:
         if fields.get("Status") == "install ok installed":
             entries[f"{fields['Package']}:{fields['Architecture']}"] = text.strip() + "\n"
     return entries
+
+
+def distroless(root: Path) -> Iterator[str]:
+    """dpkg's entries of the packages that apps brought: that image is a base image again."""
+    for path in sorted(root.glob("var/lib/dpkg/status.d/*")):
+        yield from filter(None, path.read_text().split("\n\n"))
 
 
 def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:
@@ -224,6 +232,8 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
         for name in [*folders, *names, "."]:
             os.utime(os.path.join(above, name), (TIME, TIME), follow_symlinks=False)
     (out / "app.json").write_text(json.dumps(facts, indent=2) + "\n")
+    below = runtime if facts["replaced"] or facts["removed"] else base
+    contents.write(contents.files([below, root]), [*status(runtime).values(), *distroless(runtime)], out)
 
 
 if __name__ == "__main__":

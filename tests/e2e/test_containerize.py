@@ -41,6 +41,16 @@ install(FILES ${{CMAKE_CURRENT_BINARY_DIR}}/said DESTINATION ${{CATKIN_PACKAGE_S
 """
 
 
+WITHOUT_A_SCAN = """RUN --mount=type=bind,source={0}-apt,target=/said \\
+    {{ dpkg-query --show --showformat '${{Package}} ${{Version}}\\n'; \\
+      awk '/^Package:/ {{p = $2}} /^Version:/ {{print p, $2}}' /var/lib/dpkg/status.d/*; }} | LC_ALL=C sort | diff - /said
+RUN --mount=type=bind,from={1},target=/listed --mount=type=bind,source=list-files.sh,target=/list-files.sh \\
+    --mount=type=bind,source={0}-files,target=/said.gz \\
+    bash /list-files.sh && zcat /files.gz >/found && zcat /said.gz | diff /found -
+"""
+"""Steps that compare what is attached to an image with what dpkg says in it, and with its files."""
+
+
 def commit(folder: Path) -> None:
     for command in (("init", "--quiet"), ("add", "--all", "--force"), ("commit", "--quiet", "--message", "All")):
         names = ("-c", "user.name=nobody", "-c", "user.email=nobody@example.org")
@@ -72,6 +82,19 @@ def config(services: Services, reference: str) -> dict[str, Any]:
         return registry.json_blob(place.repository, manifest.content["config"]["digest"])
 
 
+def attached(services: Services, image: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
+    """The SBOM of an image for one platform, and the list of its files as it is kept."""
+    repository = oci.parse(image["reference"]).repository
+    found = []
+    with oci.Registry(services.registry) as registry:
+        for artifact_type in ("application/vnd.cyclonedx+json", "application/vnd.rosml.files.v1"):
+            [entry] = registry.referrers(repository, image["digest"], artifact_type)
+            manifest = registry.manifest(repository, entry["digest"])
+            assert manifest
+            found.append(registry.blob(repository, manifest.content["layers"][0]["digest"]))
+    return json.loads(found[0]), found[1]
+
+
 def test_the_example(published: Publish, services: Services, tmp_path: Path) -> None:
     base, runtime = published(BASE), published(RUNTIME)
     folder, name = tmp_path / "compass", f"{NAMESPACE}/compass"
@@ -101,6 +124,15 @@ def test_the_example(published: Publish, services: Services, tmp_path: Path) -> 
     assert CANARY not in (services.state / f"log/containerize-{NAMESPACE}+compass@latest.log").read_text()
 
     (tmp_path / "chk").mkdir()
+    shutil.copy(ROOT / "components/part/list-files.sh", tmp_path / "chk")
+    for target in ("run", "slim"):
+        document, files = attached(services, found[target])
+        apt = [item for item in document["components"] if item.get("purl", "").startswith("pkg:deb/")]
+        lines = sorted(f"{item['name']} {item['version']}" for item in apt)
+        (tmp_path / f"chk/{target}-apt").write_text("\n".join([*lines, ""]))
+        (tmp_path / f"chk/{target}-files").write_bytes(files)
+        [ros] = [item for item in document["components"] if item.get("purl", "").startswith("pkg:generic/ros/")]
+        assert (ros["name"], ros["licenses"]) == ("compass", [{"license": {"name": "Apache-2.0"}}])
     (tmp_path / "chk/Dockerfile").write_text(
         f"""FROM {run_image} AS run
 RUN bash -c '(timeout --signal=INT 20 /tini -s -- /entrypoint.sh bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
@@ -108,6 +140,7 @@ RUN bash -c '(timeout --signal=INT 20 /tini -s -- /entrypoint.sh bash -c "exec b
     sort -u /said && test "$(grep -c -E "east|north|west|south" /said)" -ge 4
 RUN test -e /var/lib/dpkg/status.d/python3-angles && ! grep -q libangles /var/lib/dpkg/status && \\
     test ! -e /docker-ros/ws/src && test ! -e /docker-ros/ws/build
+{WITHOUT_A_SCAN.format("run", run_image)}
 FROM {slim_image} AS slim
 # After the other one: builders may run both steps at once, on one network.
 COPY --from=run /said /said
@@ -115,6 +148,7 @@ RUN bash -c '(timeout --signal=INT 20 /tini -s -- /entrypoint.sh bash -c "exec b
       for try in {{1..200}}; do /entrypoint.sh timeout 5 rostopic echo -n 1 /direction && break; done >/slim; wait) 2>&1' && \\
     grep -E "east|north|west|south" /slim && ! command -v g++ && ! find /usr/include -type f | grep . && test -e /var/lib/dpkg/status.d/python3-angles && \\
     ! test -e /var/lib/dpkg/status.d/libangles-dev
+{WITHOUT_A_SCAN.format("slim", slim_image)}
 FROM {dev_image} AS dev
 RUN test -e /docker-ros/ws/src/target/src/compass/package.xml && ! grep -r {CANARY} /docker-ros && \\
     test -z "$(find /docker-ros -name .git -o -name .env)"
@@ -186,6 +220,31 @@ def test_an_app_is_a_base_image_as_well(published: Publish, services: Services, 
         f"""FROM {images[-1]}
 RUN /entrypoint.sh bash -c 'rospack find level_1 && rospack find level_2' && \\
     test -e install/level_1/share/level_1/said -a -e install/level_2/share/level_2/said
+"""
+    )
+    build_folder(services, tmp_path / "chk")
+
+
+def test_a_framework_is_added_to_an_app(published: Publish, services: Services, tmp_path: Path) -> None:
+    """Without a build and in some kilobytes: by the list of files that is attached to the app."""
+    folder, framework = tmp_path / "robot", published("ros1-bookworm-core-tensorflow-cpu")
+    folder.mkdir()
+    (folder / "package.xml").write_text(PACKAGE.format(folder.name, "<exec_depend>angles</exec_depend>"))
+    (folder / "CMakeLists.txt").write_text(CMAKE.format(folder.name))
+    options = ("--base-image", published(BASE).reference, "--image-name", f"{NAMESPACE}/robot", "--target", "run")
+    app = made(folder, *options, "--command", "rospack find robot")["run"]
+    parts = [f"{services.registry}/{NAMESPACE}/part:{name}" for name in framework.image.parts]
+    tag = f"{services.registry}/{NAMESPACE}/robot:learned"
+    joined = run(
+        sys.executable, str(ROOT / "src"), "join", app["reference"], *parts, "--tag", tag, "--json", cwd=tmp_path
+    )
+    assert joined.code == 0, joined.err
+    assert json.loads(joined.out)["uploaded"] < 15_000
+    (tmp_path / "chk").mkdir()
+    (tmp_path / "chk/Dockerfile").write_text(
+        f"""FROM {tag}
+RUN /entrypoint.sh bash -c 'exec bash -c "$DEFAULT_CMD"' | grep ws/install && \\
+    /entrypoint.sh python3 -c 'import angles, tensorflow; print(tensorflow.constant(1) + 1)'
 """
     )
     build_folder(services, tmp_path / "chk")

@@ -19,6 +19,7 @@ from registry_stand_in import DROP, Fault, StandIn, standing_in
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli import join as script
+from rosml.images import labels
 from rosml.join import file_lists
 from rosml.join.file_lists import Files
 from rosml.join.joiner import Joiner, JoinReport
@@ -149,6 +150,15 @@ def test_an_image(place: Place) -> None:
     assert index.digest == found.digest
     assert index.content["annotations"]["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-cu128"
     assert not any(name.startswith("io.rosml.") for name in index.content["annotations"])
+
+
+def test_an_app_keeps_its_title(place: Place) -> None:
+    app = ros()
+    app = replace(app, labels={**app.labels, labels.TITLE: "robot", labels.APP: "run"})
+    found = place.join(app.put(place.registry, "me/robot", "latest", BOTH[:1]), *place.stack())
+    _, config = place.image(found.manifests["linux/amd64"])
+    told = config["config"]["Labels"]
+    assert (told[labels.TITLE], told["io.rosml.framework"]) == ("robot", "torch")
 
 
 @pytest.mark.parametrize(

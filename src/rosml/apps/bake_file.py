@@ -13,7 +13,7 @@ from rosml import ROOT
 from rosml.apps.base import Base
 from rosml.apps.names import SLIM, Names
 from rosml.build.push import COMPRESSION
-from rosml.images.labels import PREFIX, REVISION, TITLE
+from rosml.images.labels import APP, PREFIX, REVISION, TITLE
 from rosml.machine.services import Services
 
 SCRIPTS = ROOT / "components"
@@ -189,5 +189,5 @@ def _labels(inputs: Inputs, name: str, target: str) -> dict[str, str]:
         BASE_NAME: base.name,
         BASE_DIGEST: base.digest,
         REVISION: inputs.commit,
-        f"{PREFIX}app": target,
+        APP: target,
     }

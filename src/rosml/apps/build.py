@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rosml.apps import bake_file, junit, lock, rosdep_index, sources, workspace
+from rosml.apps import bake_file, contents, junit, lock, rosdep_index, sources, workspace
 from rosml.apps import base as bases
 from rosml.apps import cache as caches
 from rosml.apps.git import Access
@@ -24,9 +24,14 @@ from rosml.base.file_lock import turn
 from rosml.base.units import duration
 from rosml.machine import buildx
 from rosml.machine.services import Services
+from rosml.registry import oci
 
 TIME = 1767225600
 """2026-01-01T00:00:00Z: of images whose sources are in no commit."""
+
+
+DESCRIBED = ("run", SLIM)
+"""Images that get an SBOM and a list of files."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +60,7 @@ class Built:
         upstream: repositories that were imported. downstream: those of the downstream workspace.
         added: the packages of apt and pip that were added, with their versions, as `lock.Packages` has them.
         lock: what the images were built from, as a lock file says it. locked: the lock file, if it was written.
+        described: images that have an SBOM and a list of files beside them in the registry.
         tests: of the packages. slim_tests: the same, as they ran in the slim image. downstream_tests: of packages that use them.
         reports: folder of their JUnit files; empty where an earlier build passed them.
         seconds: what it took.
@@ -74,6 +80,7 @@ class Built:
     added: dict[str, Any] = field(default_factory=dict)
     lock: lock.Lock | None = None
     locked: str = ""
+    described: list[str] = field(default_factory=list)
     tests: junit.Tests = field(default_factory=junit.Tests)
     slim_tests: junit.Tests = field(default_factory=junit.Tests)
     downstream_tests: junit.Tests = field(default_factory=junit.Tests)
@@ -128,6 +135,8 @@ class Built:
                 yield "", f"{where}: {tests.count - tests.skipped} passed, {tests.skipped} skipped"
         if self.locked:
             yield "lock", self.locked
+        if self.described:
+            yield "sbom", f"beside {' and '.join(self.described)} in the registry"
         yield "time", duration(self.seconds)
 
 
@@ -235,7 +244,7 @@ class App:
             self._read(report, built, slim=inputs.slim is not None)
             self._require_passed(built)
             if cache:
-                cache.keep(keys, built.facts())
+                self._keep(cache, keys, built)
         unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
         made = self._locked(inputs, built)
         if locked and not locked.lacks(self._names.platforms):
@@ -247,6 +256,40 @@ class App:
             _progress, metadata = buildx.run(self._services, call)
             digest = metadata.get(f"containerimage.{'config.' if self._names.loads else ''}digest", "")
             built.images.append(Made(target, self._names.reference(target), digest))
+        if self._values["sbom"] == "true" and not self._names.loads:
+            self._describe(built, functools.partial(cache.contents, keys) if cache and facts else self._reported)
+
+    def _keep(self, cache: caches.Cache, keys: caches.Keys, built: Built) -> None:
+        """Keeps what a build says for others; last what makes them believe that all is there."""
+        for target in DESCRIBED:
+            for platform in self._names.platforms:
+                for kind in contents.KINDS:
+                    if data := self._reported(target, platform, kind):
+                        cache.keep_contents(keys, target, platform, kind, data)
+        cache.keep(keys, built.facts())
+
+    def _describe(self, built: Built, load: Callable[[str, str, str], bytes | None]) -> None:
+        """Attaches an SBOM and a list of files to the images to run. Some registries take no such thing."""
+        owners = {
+            name: repository
+            for repository in built.upstream
+            for name in workspace.names(self._state / "manifests" / "upstream" / repository.path)
+        }
+        with oci.Registries(self._services.ca_bundle) as registries:
+            for image in built.images:
+                if image.target not in DESCRIBED:
+                    continue
+                place = oci.parse(image.reference)
+                found = functools.partial(load, image.target)
+                try:
+                    whole = contents.attach(registries(place.host), place.repository, image.digest, found, owners)
+                except RosmlError as error:
+                    self._say(f"no SBOM beside {image.reference}: {error.message}")
+                    continue
+                if whole:
+                    built.described.append(image.reference)
+                else:
+                    self._say(f"no SBOM beside {image.reference}: {self._values['cache']} lost it")
 
     def _write_lock(self, made: lock.Lock) -> None:
         """Writes the lock file; says what of it is lost."""
@@ -416,10 +459,20 @@ class App:
             return ""
         return done.stdout.strip() if done.returncode == 0 else ""
 
+    def _report_of(self, platform: str) -> Path:
+        """What the build says of one platform."""
+        return self.report if len(self._names.platforms) == 1 else self.report / platform.replace("/", "_")
+
+    def _reported(self, target: str, platform: str, kind: str) -> bytes | None:
+        """What the build says of an image's contents; None if it has none of that name."""
+        try:
+            return (self._report_of(platform) / contents.FOLDER / target / kind).read_bytes()
+        except FileNotFoundError:
+            return None
+
     def _read(self, report: Path, built: Built, slim: bool) -> None:
         """Reads what the build says of the app, and of its tests on all platforms. `slim`: also of the slim image."""
-        platforms = self._names.platforms
-        folders = [report] if len(platforms) == 1 else [report / name.replace("/", "_") for name in platforms]
+        folders = [self._report_of(name) for name in self._names.platforms]
         try:
             dependencies = json.loads((folders[0] / "dependencies.json").read_text())
             apps = [json.loads((folder / "app.json").read_text()) for folder in folders]

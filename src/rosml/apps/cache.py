@@ -28,6 +28,7 @@ FORMAT = 3
 """Of reports. Another number makes those that are in registries no reports: change it with their fields."""
 
 _TYPE = "application/vnd.rosml.app.report.v1+json"
+_CONTENTS_TYPE = "application/vnd.rosml.app.contents.v1"
 _LEFT_OUT = (".git", ".env")
 """What is no source, and never reaches an image."""
 
@@ -172,16 +173,40 @@ class Cache:
     def report(self, keys: Keys) -> dict[str, Any] | None:
         """What a build from the same came to. None if none passed, or if what is there cannot be read or has another form."""
         try:
-            manifest = self._registry.manifest(self._place.repository, f"{REPORT}-{keys.app}")
-            if manifest is None or manifest.content.get("artifactType") != _TYPE:
-                return None
-            [layer] = manifest.content.get("layers") or [None]
-            content = self._registry.json_blob(self._place.repository, layer["digest"])
+            content = json.loads(self._artifact(f"{REPORT}-{keys.app}", _TYPE) or b"null")
             if content.pop("format", None) != FORMAT:
                 return None
             return _Report.model_validate(content).model_dump()
-        except (RosmlError, TypeError, ValueError):
+        except (RosmlError, AttributeError, TypeError, ValueError):
             return None
+
+    def contents(self, keys: Keys, target: str, platform: str, kind: str) -> bytes | None:
+        """What a build from the same said of the contents of an image; None if it is not there any more.
+
+        Args:
+            kind: one of `contents.KINDS`.
+
+        Raises:
+            RosmlError: the registry does not answer or refuses.
+        """
+        return self._artifact(_contents_tag(keys, target, platform, kind), _CONTENTS_TYPE)
+
+    def _artifact(self, tag: str, artifact_type: str) -> bytes | None:
+        """The one layer of an artifact; None if under the tag there is none of the type."""
+        manifest = self._registry.manifest(self._place.repository, tag)
+        if manifest is None or manifest.content.get("artifactType") != artifact_type:
+            return None
+        layers = manifest.content.get("layers") or []
+        return self._registry.blob(self._place.repository, layers[0]["digest"]) if len(layers) == 1 else None
+
+    def keep_contents(self, keys: Keys, target: str, platform: str, kind: str, data: bytes) -> None:
+        """Keeps what a build said of the contents of an image.
+
+        Raises:
+            RosmlError: the registry refuses.
+        """
+        tag = _contents_tag(keys, target, platform, kind)
+        self._registry.put_artifact(self._place.repository, tag, _CONTENTS_TYPE, data, "application/octet-stream")
 
     def keep(self, keys: Keys, report: Mapping[str, Any]) -> None:
         """Keeps what a build came to.
@@ -192,3 +217,7 @@ class Cache:
         content = oci.encoded({**report, "format": FORMAT})
         tag = f"{REPORT}-{keys.app}"
         self._registry.put_artifact(self._place.repository, tag, _TYPE, content, "application/json")
+
+
+def _contents_tag(keys: Keys, target: str, platform: str, kind: str) -> str:
+    return f"{kind}-{target}-{platform.replace('/', '_')}-{keys.app}"

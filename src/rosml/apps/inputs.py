@@ -88,6 +88,12 @@ TABLE = (
         "rosdep's lists: of a registry, such as ghcr.io/me/rosml/rosdep:latest, or of a checkout of ros/rosdistro; the newest"
         " beside the base image if left out",
     ),
+    Input(
+        "sbom",
+        "attach an SBOM and a list of files to the images to run; in a registry, not in Docker",
+        "true",
+        flag=True,
+    ),
     Input("lock-file", "what the images are built from, if it is there; --lock writes it", "containerize.lock"),
     Input("additional-debs-file", "packages for apt, one a line", "docker/additional-debs.txt"),
     Input("enable-recursive-additional-debs", _RECURSIVE, "false", flag=True),
@@ -128,7 +134,10 @@ TABLE = (
         "enable-industrial-ci",
         "tests run here without it; its ROSDEP_SKIP_KEYS, NOT_TEST_BUILD, CMAKE_ARGS and DOWNSTREAM_WORKSPACE count",
     ),
-    _gone("buildx-attestations", "images have none, so that the same sources have the same digest"),
+    _gone(
+        "buildx-attestations",
+        "an SBOM is attached to images, and is not in them, so that the same sources have the same digest",
+    ),
     _gone("docker-ros-git-ref", "the version of rosml decides"),
 )
 """All inputs, in the order in which they are documented."""

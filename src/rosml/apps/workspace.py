@@ -32,6 +32,15 @@ def manifests(root: Path) -> Iterator[Path]:
             folders.clear()
 
 
+def names(root: Path) -> Iterator[str]:
+    """The names of the packages below a folder."""
+    for path in manifests(root):
+        if path.name not in IGNORED and (
+            found := re.search(r"<name>\s*([^<\s]+)\s*</name>", path.read_text(errors="replace"))
+        ):
+            yield found[1]
+
+
 def write_manifests(roots: Mapping[str, Path], out: Path) -> dict[str, int]:
     """Copies the manifests of some folders, each below its name; gives the number of packages in each.
 

@@ -46,7 +46,7 @@ def attach_files(
         RosmlError: the image is not there; the build failed; the registry refuses.
     """
     attached = []
-    for manifest in _manifests(registry, repository, digest):
+    for manifest in manifests(registry, repository, digest):
         if registry.referrers(repository, manifest.digest, ARTIFACT):
             continue
         say(f"list the files of {repository}@{manifest.digest}")
@@ -55,15 +55,19 @@ def attach_files(
     return attached
 
 
-def _manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
-    """A manifest itself, or those of an index that are for a platform."""
+def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
+    """A manifest itself, or those of an index that are for a platform.
+
+    Raises:
+        RosmlError: the image is not there.
+    """
     found = registry.manifest(repository, digest)
     if found is None:
         raise RosmlError(f"{registry.host}/{repository}@{digest} is not there", "push it first")
     if not found.is_index:
         return [found]
     entries = [entry for entry in found.content["manifests"] if "unknown" not in platform(entry.get("platform", {}))]
-    return [manifest for entry in entries for manifest in _manifests(registry, repository, entry["digest"])]
+    return [manifest for entry in entries for manifest in manifests(registry, repository, entry["digest"])]
 
 
 def _made(services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest) -> bytes:

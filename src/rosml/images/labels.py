@@ -26,6 +26,9 @@ OCI = "org.opencontainers.image."
 BRINGS = f"{PREFIX}brings"
 """The label of a part that says what it brings, with how tags and descriptions call it: `tensorflow:tf:TensorFlow`."""
 
+APP = f"{PREFIX}app"
+"""The label of an image with an app: which of its images it is, such as `run`. Its title is the app's name."""
+
 GPU = f"{PREFIX}gpu."
 """Prefix of the labels that say which driver and which GPUs: `driver`, `torch.amd64`."""
 

@@ -1,0 +1,102 @@
+"""What is in an image: its packages and its files, for those who do not want to pull it to know."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import os
+import re
+import stat
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from typing import Any, Iterable, Sequence
+
+PYTHON = re.compile(r"(?!usr/lib/python3/|docker-ros/ws/).*\.(dist-info/METADATA|egg-info/PKG-INFO|egg-info)")
+"""What pip or uv installed says of itself. The other folders belong to packages of apt, and to ROS packages of an app."""
+
+ROS = re.compile(r"docker-ros/ws/install/(.+/)?share/(?P<name>[^/]+)/package\.xml")
+"""What a ROS package of an app says of itself."""
+
+EMPTY_SLOT = re.compile(r".*/rosml/constraints\.d/[^/]+")
+"""Files that count where they are not empty: before, they are nobody's, and a part may fill one."""
+
+
+def files(roots: Sequence[Path]) -> dict[str, Path]:
+    """All files and links of layers, the lowest first: by path, with the place where an image has them from."""
+    found = {}
+    for root in roots:
+        for folder, folders, names in os.walk(root):
+            for name in folders + names:
+                place = os.path.join(folder, name)
+                facts = os.lstat(place)
+                path = os.path.relpath(place, root)
+                if stat.S_ISLNK(facts.st_mode) or (
+                    stat.S_ISREG(facts.st_mode) and (facts.st_size or not EMPTY_SLOT.fullmatch(path))
+                ):
+                    found[path] = Path(place)
+    return found
+
+
+def packages(known: dict[str, Path], entries: Iterable[str]) -> dict[str, Any]:
+    """The packages of an image: of the operating system, of Python, and of the apps in it.
+
+    known: its files. entries: of its packages, as dpkg has them.
+    """
+    return {
+        "system": _system(known),
+        "apt": _sorted(map(_debian, entries)),
+        "python": _sorted(_python(place) for path, place in known.items() if PYTHON.fullmatch(path)),
+        "ros": _sorted(_ros(place) for path, place in known.items() if ROS.fullmatch(path)),
+    }
+
+
+def write(known: dict[str, Path], entries: Iterable[str], out: Path) -> None:
+    """Writes OUT/packages.json and OUT/files.gz: the same for the same image, on any day."""
+    (out / "packages.json").write_text(json.dumps(packages(known, entries), indent=1) + "\n")
+    with open(out / "files.gz", "wb") as raw, gzip.GzipFile("", "wb", 9, raw, 0) as file:
+        file.writelines(path + b"\n" for path in sorted(map(os.fsencode, known)))
+
+
+def _system(known: dict[str, Path]) -> dict[str, str]:
+    place = known.get("usr/lib/os-release")
+    text = place.read_text(errors="replace") if place else ""
+    fields = {name: value.strip("\"'") for name, value in re.findall(r"^(\w+)=(.*)$", text, re.MULTILINE)}
+    return {"name": fields.get("ID", ""), "version": fields.get("VERSION_ID", "")}
+
+
+def _debian(text: str) -> dict[str, str]:
+    fields = dict(re.findall(r"^(Package|Architecture|Version|Source): (.*)$", text, re.MULTILINE))
+    if not fields.keys() >= {"Package", "Architecture", "Version"}:
+        return {}
+    source, _, version = fields.get("Source", "").partition(" ")
+    return {
+        "name": fields["Package"],
+        "version": fields["Version"],
+        "architecture": fields["Architecture"],
+        "source": source or fields["Package"],
+        "source_version": version.strip("()") or fields["Version"],
+    }
+
+
+def _python(place: Path) -> dict[str, str]:
+    if not place.is_file():  # a link that leads nowhere, or a folder
+        return {}
+    head = place.read_text(errors="replace").partition("\n\n")[0]
+    fields = dict(re.findall(r"^(Name|Version): *(.*?) *$", head, re.MULTILINE))
+    return {"name": fields["Name"], "version": fields["Version"]} if len(fields) == 2 else {}
+
+
+def _ros(place: Path) -> dict[str, Any]:
+    try:
+        root = ElementTree.parse(str(place)).getroot()
+    except (ElementTree.ParseError, OSError):
+        return {}
+    name, version = (root.findtext(tag, "").strip() for tag in ("name", "version"))
+    licenses = [text.strip() for text in (item.text for item in root.findall("license")) if text and text.strip()]
+    return {"name": name, "version": version, "licenses": licenses} if name else {}
+
+
+def _sorted(found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Each once, without those that say nothing."""
+    by_name = {(item["name"], item["version"], item.get("architecture", "")): item for item in found if item}
+    return [by_name[name] for name in sorted(by_name)]

@@ -1,0 +1,237 @@
+"""What is in an app's images: read from their files, and written as an SBOM beside them."""
+
+from __future__ import annotations
+
+import gzip
+import importlib.util
+import json
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from registry_stand_in import Fault, StandIn
+
+from rosml import ROOT
+from rosml.apps import contents, workspace
+from rosml.apps.cache import Cache, Keys
+from rosml.apps.sources import Repository
+from rosml.base.errors import RosmlError
+from rosml.join import file_lists
+from rosml.registry import oci
+from rosml.scan.sbom import MEDIA_TYPE, Sbom
+
+ROBOT = "me/robot"
+SITE = "usr/local/lib/python3.11/dist-packages"
+LIBC = "Package: libc6\nSource: glibc (2.36-9)\nArchitecture: amd64\nVersion: 2.36-9+b1\n"
+TREE = "Package: tree\nArchitecture: all\nVersion: 1:2.1\n"
+PACKAGES = {
+    "system": {"name": "debian", "version": "12"},
+    "apt": [
+        {
+            "name": "libc6",
+            "version": "2.36-9+b1",
+            "architecture": "amd64",
+            "source": "glibc",
+            "source_version": "2.36-9",
+        },
+        {"name": "tree", "version": "1:2.1", "architecture": "all", "source": "tree", "source_version": "1:2.1"},
+    ],
+    "python": [{"name": "Some_Thing", "version": "1.0+cpu"}],
+    "ros": [
+        {"name": "filters", "version": "1.9.1", "licenses": ["BSD", "MIT"]},
+        {"name": "robot", "version": "0.1.0", "licenses": []},
+    ],
+}
+
+
+@pytest.fixture(scope="module")
+def script() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("contents_of_image", ROOT / "components/containerize/contents.py")
+    assert spec and spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def write(root: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text)
+    return root
+
+
+def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) -> None:
+    """The upper layer counts where both have a file; what others hold for their own is not counted twice."""
+    share = "docker-ros/ws/install/share"
+    lower = write(
+        tmp_path / "lower",
+        {
+            "usr/lib/os-release": 'ID=debian\nVERSION_ID="12"\n',
+            "usr/lib/python3/dist-packages/six-1.egg-info/PKG-INFO": "Name: six\nVersion: 1\n",
+            "usr/local/share/rosml/constraints.d/01.txt": "",
+            f"{share}/robot/package.xml": "<package><name>robot</name><version>0.0.9</version></package>",
+            f"{share}/damaged/package.xml": "<package>",
+        },
+    )
+    upper = write(
+        tmp_path / "upper",
+        {
+            f"{SITE}/some_thing-1.0.dist-info/METADATA": "Name: Some_Thing\nVersion: 1.0+cpu\n\nVersion: of a text\n",
+            f"{SITE}/nameless.dist-info/METADATA": "Version: 3\n",
+            f"{share}/robot/package.xml": "<package><name> robot </name><version>0.1.0</version></package>",
+            "docker-ros/ws/install/filters/share/filters/package.xml": "<package format='2'><name>filters</name>"
+            "<version>1.9.1</version><license>BSD</license><license file='x'> MIT </license></package>",
+            "docker-ros/ws/install/lib/python3/site-packages/robot-0.1.0.egg-info/PKG-INFO": "Name: robot\nVersion: 0.1.0\n",
+        },
+    )
+    (upper / "etc").mkdir()
+    (upper / "etc/os-release").symlink_to("../usr/lib/os-release")
+    (upper / "etc/nowhere.egg-info").symlink_to("/nothing")
+    out = tmp_path / "out"
+    out.mkdir()
+    script.write(script.files([lower, upper]), [TREE, LIBC, "Package: half\n", TREE], out)
+    assert json.loads((out / "packages.json").read_text()) == PACKAGES
+    listed = gzip.decompress((out / "files.gz").read_bytes()).decode().splitlines()
+    assert listed == sorted(
+        str(path.relative_to(root))
+        for root in (lower, upper)
+        for path in root.rglob("*")
+        if (path.is_symlink() or path.is_file())
+        and path.name != "01.txt"
+        and (root == upper or path.parent.name != "robot")
+    )
+
+
+def made(packages: object = PACKAGES) -> dict[str, Any]:
+    sources = {"filters": Repository("filters", "https://example.org/filters", "noetic", "c0ffee", ".repos", True)}
+    found: dict[str, Any] = json.loads(contents.sbom(json.dumps(packages).encode(), "example.org/robot@x", sources))
+    return found
+
+
+def test_an_sbom() -> None:
+    document = made()
+    assert document["metadata"]["component"]["name"] == "example.org/robot@x"
+    by_name = {item["name"]: item for item in document["components"]}
+    assert by_name["debian"]["type"] == "operating-system"
+    assert [by_name[name]["purl"] for name in ("libc6", "tree", "Some_Thing", "filters")] == [
+        "pkg:deb/debian/libc6@2.36-9%2Bb1?arch=amd64&distro=debian-12",
+        "pkg:deb/debian/tree@1%3A2.1?arch=all&distro=debian-12",
+        "pkg:pypi/some-thing@1.0%2Bcpu",
+        "pkg:generic/ros/filters@1.9.1",
+    ]
+    assert {item["name"]: item["value"] for item in by_name["libc6"]["properties"]} == {
+        "aquasecurity:trivy:PkgType": "debian",
+        "aquasecurity:trivy:SrcName": "glibc",
+        "aquasecurity:trivy:SrcVersion": "2.36-9",
+    }
+    assert by_name["filters"]["licenses"] == [{"license": {"name": "BSD"}}, {"license": {"name": "MIT"}}]
+    assert by_name["filters"]["externalReferences"] == [
+        {"type": "vcs", "url": "https://example.org/filters", "comment": "noetic c0ffee"}
+    ]
+    assert "externalReferences" not in by_name["robot"]
+
+
+def test_names_of_python_that_are_the_same_count_once() -> None:
+    wheels = [{"name": name, "version": "1"} for name in ("some_thing", "Some-Thing")]
+    assert len(made(PACKAGES | {"python": wheels, "apt": [], "ros": []})["components"]) == 2
+
+
+def test_the_scan_reads_it() -> None:
+    reference = f"example.org/robot@sha256:{'1' * 64}"
+    found = Sbom(contents.sbom(json.dumps(PACKAGES).encode(), reference, {}))
+    assert found.system == "debian 12" and found.is_of(f"sha256:{'1' * 64}")
+    assert len(found.packages) == 5
+
+
+@pytest.mark.parametrize("data", [b"", b"[]", b'{"apt": []}'])
+def test_a_damaged_list_of_packages(data: bytes) -> None:
+    with pytest.raises(RosmlError, match="is damaged"):
+        contents.sbom(data, "example.org/robot@x", {})
+
+
+DATA = {contents.PACKAGES: json.dumps(PACKAGES).encode(), contents.FILES: gzip.compress(b"etc/motd\n")}
+
+
+def image(client: oci.Registry, architecture: str) -> dict[str, Any]:
+    config = oci.encoded({"os": "linux", "architecture": architecture, "rootfs": {"type": "layers", "diff_ids": []}})
+    client.put_blob(ROBOT, config)
+    content = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, config), "layers": []}
+    client.put_manifest(ROBOT, f"latest-{architecture}", content)
+    entry = oci.descriptor(oci.IMAGE, oci.encoded(content))
+    return entry | {"platform": {"os": "linux", "architecture": architecture}}
+
+
+def index(client: oci.Registry) -> str:
+    entries = [image(client, architecture) for architecture in ("amd64", "arm64")]
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+    return client.put_manifest(ROBOT, "latest", content, oci.INDEX)
+
+
+@pytest.mark.parametrize("referrers", [True, False])
+def test_what_is_attached(referrers: bool, stand_in: StandIn) -> None:
+    """To each platform its own, once; a second call sends nothing."""
+    stand_in.referrers = referrers
+    asked: list[tuple[str, str]] = []
+
+    def load(platform: str, kind: str) -> bytes:
+        asked.append((platform, kind))
+        return DATA[kind].replace(b"amd64", platform.rpartition("/")[2].encode())
+
+    with oci.Registry(stand_in.address) as client:
+        digest = index(client)
+        assert contents.attach(client, ROBOT, digest, load, {})
+        assert asked == [(f"linux/{one}", kind) for one in ("amd64", "arm64") for kind in contents.KINDS]
+        found = client.manifest(ROBOT, digest)
+        assert found
+        for entry in found.content["manifests"]:
+            [artifact] = client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)
+            manifest = client.manifest(ROBOT, artifact["digest"])
+            assert manifest and manifest.content["subject"]["digest"] == entry["digest"]
+            sbom = Sbom(client.blob(ROBOT, manifest.content["layers"][0]["digest"]))
+            assert sbom.is_of(entry["digest"])
+            assert f"arch={entry['platform']['architecture']}&" in sbom.content.decode()
+            files = file_lists.Lists().of(client, ROBOT, entry["digest"])
+            assert files and files.entries == {b"etc/motd".decode()}
+        stand_in.requests.clear()
+        assert contents.attach(client, ROBOT, digest, load, {})
+        assert not [line for line in stand_in.requests if line.split()[0] not in ("GET", "HEAD")]
+
+
+def test_what_nobody_knows_is_not_attached(stand_in: StandIn) -> None:
+    with oci.Registry(stand_in.address) as client:
+        digest = image(client, "amd64")["digest"]
+        assert not contents.attach(client, ROBOT, digest, lambda *_: None, {})
+        assert client.referrers(ROBOT, digest) == []
+
+
+def test_a_registry_that_takes_no_such_thing(stand_in: StandIn) -> None:
+    with oci.Registry(stand_in.address) as client:
+        digest = image(client, "amd64")["digest"]
+        stand_in.faults.append(Fault("PUT", "manifests", 400, body=b"{}"))
+        with pytest.raises(RosmlError):
+            contents.attach(client, ROBOT, digest, lambda platform, kind: DATA[kind], {})
+
+
+def test_a_cache_keeps_it(stand_in: StandIn) -> None:
+    keys = Keys("e", "u", "a", True)
+    with Cache(f"{stand_in.address}/{ROBOT}-cache", "") as cache:
+        for target in ("run", "slim"):
+            for kind, data in DATA.items():
+                cache.keep_contents(keys, target, "linux/arm64", kind, target.encode() + data)
+        assert cache.contents(keys, "slim", "linux/arm64", contents.FILES) == b"slim" + DATA[contents.FILES]
+        assert cache.contents(keys, "slim", "linux/amd64", contents.FILES) is None
+        assert cache.contents(Keys("e", "u", "b", True), "run", "linux/arm64", contents.FILES) is None
+
+
+def test_the_names_of_packages(tmp_path: Path) -> None:
+    write(
+        tmp_path,
+        {
+            "a/package.xml": "<package>\n <name> one </name></package>",
+            "b/package.xml": "<package/>",
+            "c/COLCON_IGNORE": "",
+            "c/package.xml": "<package><name>hidden</name></package>",
+        },
+    )
+    assert [*workspace.names(tmp_path)] == ["one"]
