@@ -17,7 +17,7 @@ import pytest
 from registry_stand_in import StandIn
 
 from rosml import ROOT
-from rosml.apps import bake_file, base, build, inputs, junit, lock, names, sources, workspace
+from rosml.apps import bake_file, base, build, cache, inputs, junit, lock, names, rosdep_index, sources, workspace
 from rosml.base.errors import RosmlError
 from rosml.machine import buildx
 from rosml.machine.base_images import native_architecture
@@ -501,6 +501,23 @@ def test_a_relative_index_of_rosdep_is_one_of_the_folder(
     (repository / "lists/rosdep/own.yaml").write_text("a: {}\n")
     app(repository, services, base_image="ros:jazzy", command="true", rosdep_index="lists").build()
     assert (Path(calls[0]["contexts"]["rosdep"]) / "rosdep/own.yaml").read_text() == "a: {}\n"
+
+
+def test_a_cache_that_knows_the_dependencies_is_asked_for_no_lists_of_rosdep(
+    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    asked: list[str] = []
+    monkeypatch.setattr(rosdep_index.Finder, "find", lambda _self, named, *_: asked.append(named))
+    known: dict[str, str] = {}
+    monkeypatch.setattr(cache.Cache, "found", lambda *_: known)
+    given = {"base_image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
+    app(repository, services, **given).build()
+    known["identified"] = f"{services.registry}/me/cache@sha256:{'1' * 64}"
+    app(repository, services, **given).build()
+    assert asked == [""]
+    app(repository, services, **given, rosdep_index="rosdep:1").build()
+    assert asked == ["", "rosdep:1"], "its digest is a part of the key"
 
 
 def test_names_and_tags_are_those_of_docker_ros(

@@ -9,13 +9,14 @@ import shutil
 import subprocess
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
 from rosml.apps import bake_file, contents, junit, lock, rosdep_index, sources, workspace
 from rosml.apps import base as bases
 from rosml.apps import cache as caches
+from rosml.apps.cache import IDENTIFIED
 from rosml.apps.git import Access
 from rosml.apps.names import SLIM, Names
 from rosml.base import files
@@ -227,11 +228,16 @@ class App:
         known: dict[str, str] = {}
         kept: dict[str, str] = {}
         facts = None
+        named = bool(self._values["rosdep-index"])
+        if named or not cache:
+            inputs = self._with_lists(inputs, locked)
         if cache:
             keys = self._keys(inputs)
             known, facts = cache.found(keys), cache.report(keys)
             if {*inputs.stages} - known.keys():
                 facts = None
+            if not named and IDENTIFIED not in known:  # it is what reads them
+                inputs = self._with_lists(inputs, locked)
             kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
         arguments = (inputs, self._names, self._services, [*self._environment], report, known, kept)
         if facts:
@@ -407,11 +413,6 @@ class App:
             packages += f", and {counts['downstream']} that use them,"
         self._say(f"{packages} for {', '.join(self._names.platforms)}")
         additional = workspace.additional_files(values["additional-files-dir"], folder)
-        pin = locked.rosdep_index.of(values["rosdep-index"]) if locked and locked.rosdep_index else ""
-        lists = rosdep_index.Finder(self._services, folder, self._say)
-        index, digest = lists.find(values["rosdep-index"], base, pin, locked is not None) or (empty, "")
-        if index != empty and not digest:
-            index = rosdep_index.copied(index, state / "rosdep")
         contexts = {
             "manifests": manifests,
             "target": state / "staged",
@@ -419,12 +420,25 @@ class App:
             "downstream": downstream,
             "requests": requests,
             "additional": additional or empty,
-            "rosdep": index,
+            "rosdep": empty,
         }
         hooked = (requests / "identification.sh").stat().st_size > 0
         moment = int(self._git("log", "-1", "--format=%ct") or TIME)
         commit = self._git("rev-parse", "HEAD")
-        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit, moment, slim, digest)
+        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit, moment, slim)
+
+    def _with_lists(self, inputs: bake_file.Inputs, locked: lock.Lock | None) -> bake_file.Inputs:
+        """The same with rosdep's lists, if there are some beside those of the image."""
+        named = self._values["rosdep-index"]
+        pin = locked.rosdep_index.of(named) if locked and locked.rosdep_index else ""
+        finder = rosdep_index.Finder(self._services, self._folder, self._say)
+        found = finder.find(named, inputs.base, pin, locked is not None)
+        if not found:
+            return inputs
+        index, digest = found
+        if not digest:
+            index = rosdep_index.copied(index, self._state / "rosdep")
+        return replace(inputs, contexts={**inputs.contexts, "rosdep": index}, rosdep=digest)
 
     def _keys(self, inputs: bake_file.Inputs) -> caches.Keys:
         """What the stages of the build are made from."""

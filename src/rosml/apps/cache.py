@@ -21,6 +21,9 @@ from pydantic import BaseModel, ConfigDict, Field
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
 
+IDENTIFIED = "identified"
+"""The stage that says which packages the sources need."""
+
 REPORT = "report"
 """The tag of what a build came to begins with this."""
 
@@ -50,7 +53,7 @@ class Keys:
     @property
     def stages(self) -> Mapping[str, str]:
         """The tag of each stage, by its name in the Dockerfile."""
-        environment = ("identified", "environment", "runtime", *(["slim-runtime"] if self.slim else []))
+        environment = (IDENTIFIED, "environment", "runtime", *(["slim-runtime"] if self.slim else []))
         return {
             **{name: f"{name}-{self.environment}" for name in environment},
             "upstream-built": f"upstream-{self.upstream}",
