@@ -26,7 +26,7 @@ import stat
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Iterator, Sequence
+from typing import Any, Sequence
 
 import contents
 
@@ -48,6 +48,9 @@ WORKING = re.compile(r"docker-ros/ws(/.*)?|root/\.(ros|colcon|cache|ccache)(/.*)
 
 STATUS = "var/lib/dpkg/status"
 """dpkg's database."""
+
+INSTALLED = re.compile(r"(install|hold) ok (installed|triggers-awaited|triggers-pending)")
+"""What dpkg says of a package that is there; some are held back from upgrades."""
 
 CAPABILITY = "security.capability"
 """What lets a program do without root, such as ping."""
@@ -101,15 +104,9 @@ def status(root: Path) -> dict[str, str]:
     path = root / STATUS
     for text in path.read_text().split("\n\n") if path.exists() else []:
         fields = dict(re.findall(r"^(Package|Architecture|Status): (.*)$", text, re.MULTILINE))
-        if fields.get("Status") == "install ok installed":
+        if INSTALLED.fullmatch(fields.get("Status", "")):
             entries[f"{fields['Package']}:{fields['Architecture']}"] = text.strip() + "\n"
     return entries
-
-
-def distroless(root: Path) -> Iterator[str]:
-    """dpkg's entries of the packages that apps brought: that image is a base image again."""
-    for path in sorted(root.glob("var/lib/dpkg/status.d/*")):
-        yield from filter(None, path.read_text().split("\n\n"))
 
 
 def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:
@@ -233,7 +230,7 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
             os.utime(os.path.join(above, name), (TIME, TIME), follow_symlinks=False)
     (out / "app.json").write_text(json.dumps(facts, indent=2) + "\n")
     below = runtime if facts["replaced"] or facts["removed"] else base
-    contents.write(contents.files([below, root]), [*status(runtime).values(), *distroless(runtime)], out)
+    contents.write(contents.files([below, root]), status(runtime).values(), contents.owned(runtime), out)
 
 
 if __name__ == "__main__":

@@ -8,14 +8,18 @@ import os
 import re
 import stat
 import xml.etree.ElementTree as ElementTree
+from email.parser import HeaderParser
 from pathlib import Path
-from typing import Any, Iterable, Sequence
+from typing import Any, Container, Iterable, Sequence
 
-PYTHON = re.compile(r"(?!usr/lib/python3/|docker-ros/ws/).*\.(dist-info/METADATA|egg-info/PKG-INFO|egg-info)")
-"""What pip or uv installed says of itself. The other folders belong to packages of apt, and to ROS packages of an app."""
+PYTHON = re.compile(r"(?!docker-ros/ws/).*\.(dist-info/METADATA|egg-info/PKG-INFO|egg-info)")
+"""What a package of Python says of itself. Those in the workspace are ROS packages."""
 
 ROS = re.compile(r"docker-ros/ws/install/(.+/)?share/(?P<name>[^/]+)/package\.xml")
 """What a ROS package of an app says of itself."""
+
+APT = re.compile(r"var/lib/dpkg/status\.d/[^/]+")
+"""What packages of apt say of themselves that an app brought."""
 
 EMPTY_SLOT = re.compile(r".*/rosml/constraints\.d/[^/]+")
 """Files that count where they are not empty: before, they are nobody's, and a part may fill one."""
@@ -37,24 +41,36 @@ def files(roots: Sequence[Path]) -> dict[str, Path]:
     return found
 
 
-def packages(known: dict[str, Path], entries: Iterable[str]) -> dict[str, Any]:
+def owned(root: Path) -> set[str]:
+    """The files of packages of the operating system, as dpkg lists them."""
+    lists = root.glob("var/lib/dpkg/info/*.list")
+    return {line[1:] for file in lists for line in file.read_text(errors="surrogateescape").splitlines()}
+
+
+def packages(known: dict[str, Path], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
     """The packages of an image: of the operating system, of Python, and of the apps in it.
 
-    known: its files. entries: of its packages, as dpkg has them.
+    known: its files. entries: of its packages, as dpkg has them. others: files of these packages.
     """
+    python = [place for path, place in known.items() if PYTHON.fullmatch(path) and path not in others]
+    apt = [*entries, *(text for path, place in known.items() if APT.fullmatch(path) for text in _paragraphs(place))]
     return {
         "system": _system(known),
-        "apt": _sorted(map(_debian, entries)),
-        "python": _sorted(_python(place) for path, place in known.items() if PYTHON.fullmatch(path)),
+        "apt": _sorted(map(_debian, apt)),
+        "python": _sorted(map(_python, python)),
         "ros": _sorted(_ros(place) for path, place in known.items() if ROS.fullmatch(path)),
     }
 
 
-def write(known: dict[str, Path], entries: Iterable[str], out: Path) -> None:
+def write(known: dict[str, Path], entries: Iterable[str], others: Container[str], out: Path) -> None:
     """Writes OUT/packages.json and OUT/files.gz: the same for the same image, on any day."""
-    (out / "packages.json").write_text(json.dumps(packages(known, entries), indent=1) + "\n")
+    (out / "packages.json").write_text(json.dumps(packages(known, entries, others), indent=1) + "\n")
     with open(out / "files.gz", "wb") as raw, gzip.GzipFile("", "wb", 9, raw, 0) as file:
         file.writelines(path + b"\n" for path in sorted(map(os.fsencode, known)))
+
+
+def _paragraphs(place: Path) -> list[str]:
+    return place.read_text(errors="replace").split("\n\n")
 
 
 def _system(known: dict[str, Path]) -> dict[str, str]:
@@ -81,19 +97,21 @@ def _debian(text: str) -> dict[str, str]:
 def _python(place: Path) -> dict[str, str]:
     if not place.is_file():  # a link that leads nowhere, or a folder
         return {}
-    head = place.read_text(errors="replace").partition("\n\n")[0]
-    fields = dict(re.findall(r"^(Name|Version): *(.*?) *$", head, re.MULTILINE))
-    return {"name": fields["Name"], "version": fields["Version"]} if len(fields) == 2 else {}
+    said = HeaderParser().parsestr(place.read_text("utf-8-sig", "replace"))
+    name, version = (str(said.get(field, "")).strip() for field in ("Name", "Version"))
+    return {"name": name, "version": version} if name and version else {}
 
 
 def _ros(place: Path) -> dict[str, Any]:
     try:
         root = ElementTree.parse(str(place)).getroot()
-    except (ElementTree.ParseError, OSError):
+    except (ElementTree.ParseError, LookupError, ValueError, OSError):
         return {}
-    name, version = (root.findtext(tag, "").strip() for tag in ("name", "version"))
-    licenses = [text.strip() for text in (item.text for item in root.findall("license")) if text and text.strip()]
-    return {"name": name, "version": version, "licenses": licenses} if name else {}
+    found = [(item.tag.rpartition("}")[2], (item.text or "").strip()) for item in root if isinstance(item.tag, str)]
+    said = dict(found[::-1])
+    licenses = [text for tag, text in found if tag == "license" and text]
+    name = said.get("name", "")
+    return {"name": name, "version": said.get("version", ""), "licenses": licenses} if name else {}
 
 
 def _sorted(found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:

@@ -103,8 +103,11 @@ def test_gits_folder_of_sources_does_not_count(folder: Path) -> None:
 def test_a_report_is_found_again(stand_in: StandIn) -> None:
     with Cache(f"{stand_in.address}/me/robot-cache", "") as cache:
         assert (cache.found(KEYS), cache.report(KEYS)) == ({}, None)
-        cache.keep(KEYS, REPORT)
+        cache.keep(KEYS, REPORT, {"run/linux/amd64/files.gz": b"some", "slim/linux/amd64/files.gz": b"others"})
         assert cache.report(KEYS) == REPORT
+        assert cache.detail(KEYS, "slim/linux/amd64/files.gz") == b"others"
+        with pytest.raises(RosmlError, match="has no other"):
+            cache.detail(KEYS, "other")
         assert cache.report(Keys("e", "u", "other", False)) is None
         assert cache.reference("app-a") == f"{stand_in.address}/me/robot-cache:app-a"
 
@@ -127,7 +130,7 @@ ROBOT = "me/robot-cache"
 )
 def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
     with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
-        cache.keep(KEYS, REPORT)
+        cache.keep(KEYS, REPORT, {})
         [tag] = stand_in.tags[ROBOT]
         manifest = json.loads(stand_in.manifests[ROBOT, stand_in.tags[ROBOT][tag]][1])
         stand_in.blobs[ROBOT, oci.digest_of(content)] = content
@@ -147,7 +150,7 @@ def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
 )
 def test_another_manifest_is_no_report(manifest: dict[str, Any], stand_in: StandIn) -> None:
     with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
-        cache.keep(KEYS, REPORT)
+        cache.keep(KEYS, REPORT, {})
         [tag] = stand_in.tags[ROBOT]
         with oci.Registry(stand_in.address) as client:
             client.put_manifest(ROBOT, tag, manifest, manifest["mediaType"])

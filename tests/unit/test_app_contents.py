@@ -14,7 +14,6 @@ from registry_stand_in import Fault, StandIn
 
 from rosml import ROOT
 from rosml.apps import contents, workspace
-from rosml.apps.cache import Cache, Keys
 from rosml.apps.sources import Repository
 from rosml.base.errors import RosmlError
 from rosml.join import file_lists
@@ -25,6 +24,7 @@ ROBOT = "me/robot"
 SITE = "usr/local/lib/python3.11/dist-packages"
 LIBC = "Package: libc6\nSource: glibc (2.36-9)\nArchitecture: amd64\nVersion: 2.36-9+b1\n"
 TREE = "Package: tree\nArchitecture: all\nVersion: 1:2.1\n"
+WHEELS = [{"name": "Some_Thing", "version": "1.0+cpu"}]
 PACKAGES = {
     "system": {"name": "debian", "version": "12"},
     "apt": [
@@ -37,7 +37,7 @@ PACKAGES = {
         },
         {"name": "tree", "version": "1:2.1", "architecture": "all", "source": "tree", "source_version": "1:2.1"},
     ],
-    "python": [{"name": "Some_Thing", "version": "1.0+cpu"}],
+    "python": WHEELS,
     "ros": [
         {"name": "filters", "version": "1.9.1", "licenses": ["BSD", "MIT"]},
         {"name": "robot", "version": "0.1.0", "licenses": []},
@@ -68,7 +68,9 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
         tmp_path / "lower",
         {
             "usr/lib/os-release": 'ID=debian\nVERSION_ID="12"\n',
-            "usr/lib/python3/dist-packages/six-1.egg-info/PKG-INFO": "Name: six\nVersion: 1\n",
+            "opt/ros/jazzy/lib/python3.12/site-packages/rclpy-7.egg-info/PKG-INFO": "Name: rclpy\nVersion: 7\n",
+            "usr/lib/python3/dist-packages/.keep": "",
+            "var/lib/dpkg/status.d/tree": TREE.replace("2.1", "1.9"),
             "usr/local/share/rosml/constraints.d/01.txt": "",
             f"{share}/robot/package.xml": "<package><name>robot</name><version>0.0.9</version></package>",
             f"{share}/damaged/package.xml": "<package>",
@@ -78,8 +80,13 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
         tmp_path / "upper",
         {
             f"{SITE}/some_thing-1.0.dist-info/METADATA": "Name: Some_Thing\nVersion: 1.0+cpu\n\nVersion: of a text\n",
-            f"{SITE}/nameless.dist-info/METADATA": "Version: 3\n",
-            f"{share}/robot/package.xml": "<package><name> robot </name><version>0.1.0</version></package>",
+            f"{SITE}/nameless.dist-info/METADATA": "Name: \nVersion: 3\n",
+            f"{SITE}/small.dist-info/METADATA": "\ufeffname: small\r\nversion: 3\r\n\r\nName: x\r\n",
+            f"{share}/odd/package.xml": "<?xml version='1.0' encoding='x-odd'?><package/>",
+            "var/lib/dpkg/status.d/tree": f"{TREE}\n{LIBC}",
+            "var/lib/dpkg/status.d/tree.md5sums": "0123  usr/bin/tree\n",
+            f"{share}/robot/package.xml": "<package xmlns='https://ros.org'><name> robot </name><version>0.1.0</version>"
+            "<export><name>other</name></export></package>",
             "docker-ros/ws/install/filters/share/filters/package.xml": "<package format='2'><name>filters</name>"
             "<version>1.9.1</version><license>BSD</license><license file='x'> MIT </license></package>",
             "docker-ros/ws/install/lib/python3/site-packages/robot-0.1.0.egg-info/PKG-INFO": "Name: robot\nVersion: 0.1.0\n",
@@ -90,8 +97,13 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
     (upper / "etc/nowhere.egg-info").symlink_to("/nothing")
     out = tmp_path / "out"
     out.mkdir()
-    script.write(script.files([lower, upper]), [TREE, LIBC, "Package: half\n", TREE], out)
-    assert json.loads((out / "packages.json").read_text()) == PACKAGES
+    dpkg = write(
+        tmp_path / "dpkg",
+        {"var/lib/dpkg/info/rclpy.list": "/.\n/opt/ros/jazzy/lib/python3.12/site-packages/rclpy-7.egg-info/PKG-INFO\n"},
+    )
+    script.write(script.files([lower, upper]), [LIBC, "Package: half\n"], script.owned(dpkg), out)
+    small = {"name": "small", "version": "3"}
+    assert json.loads((out / "packages.json").read_text()) == PACKAGES | {"python": [*WHEELS, small]}
     listed = gzip.decompress((out / "files.gz").read_bytes()).decode().splitlines()
     assert listed == sorted(
         str(path.relative_to(root))
@@ -99,7 +111,7 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
         for path in root.rglob("*")
         if (path.is_symlink() or path.is_file())
         and path.name != "01.txt"
-        and (root == upper or path.parent.name != "robot")
+        and (root == upper or (path.name != "tree" and path.parent.name != "robot"))
     )
 
 
@@ -116,7 +128,7 @@ def test_an_sbom() -> None:
     assert by_name["debian"]["type"] == "operating-system"
     assert [by_name[name]["purl"] for name in ("libc6", "tree", "Some_Thing", "filters")] == [
         "pkg:deb/debian/libc6@2.36-9%2Bb1?arch=amd64&distro=debian-12",
-        "pkg:deb/debian/tree@1%3A2.1?arch=all&distro=debian-12",
+        "pkg:deb/debian/tree@1:2.1?arch=all&distro=debian-12",
         "pkg:pypi/some-thing@1.0%2Bcpu",
         "pkg:generic/ros/filters@1.9.1",
     ]
@@ -130,6 +142,36 @@ def test_an_sbom() -> None:
         {"type": "vcs", "url": "https://example.org/filters", "comment": "noetic c0ffee"}
     ]
     assert "externalReferences" not in by_name["robot"]
+
+
+@pytest.mark.parametrize(
+    ("url", "written"),
+    [
+        ("https://example.org/a b", "https://example.org/a%20b"),
+        ("git@example.org:me/x.git", "ssh://git@example.org/me/x.git"),
+        ("ssh://git@example.org:22/x", "ssh://git@example.org:22/x"),
+        ("file:///home/me/x", None),
+        ("/home/me/a:x", None),
+    ],
+)
+def test_where_a_ros_package_is_from(url: str, written: str | None) -> None:
+    """As a URL, which CycloneDX wants; a folder of this machine is nobody's business."""
+    sources = {"filters": Repository("filters", url, "", "c0ffee", ".repos", True)}
+    document = json.loads(contents.sbom(json.dumps(PACKAGES).encode(), "example.org/robot@x", sources))
+    [found] = [item for item in document["components"] if item["name"] == "filters"]
+    assert [item["url"] for item in found.get("externalReferences", [])] == ([written] if written else [])
+
+
+def test_what_nobody_knows_is_left_out() -> None:
+    document = made(
+        {
+            "system": {"name": "debian", "version": ""},
+            "apt": [],
+            "python": [],
+            "ros": [{"name": "a", "version": "", "licenses": []}],
+        }
+    )
+    assert [item["bom-ref"] for item in document["components"]] == ["debian", "pkg:generic/ros/a"]
 
 
 def test_names_of_python_that_are_the_same_count_once() -> None:
@@ -180,8 +222,8 @@ def test_what_is_attached(referrers: bool, stand_in: StandIn) -> None:
 
     with oci.Registry(stand_in.address) as client:
         digest = index(client)
-        assert contents.attach(client, ROBOT, digest, load, {})
-        assert asked == [(f"linux/{one}", kind) for one in ("amd64", "arm64") for kind in contents.KINDS]
+        contents.attach(client, ROBOT, digest, load, {})
+        assert sorted(asked) == sorted((f"linux/{one}", kind) for one in ("amd64", "arm64") for kind in contents.KINDS)
         found = client.manifest(ROBOT, digest)
         assert found
         for entry in found.content["manifests"]:
@@ -194,15 +236,16 @@ def test_what_is_attached(referrers: bool, stand_in: StandIn) -> None:
             files = file_lists.Lists().of(client, ROBOT, entry["digest"])
             assert files and files.entries == {b"etc/motd".decode()}
         stand_in.requests.clear()
-        assert contents.attach(client, ROBOT, digest, load, {})
+        contents.attach(client, ROBOT, digest, load, {})
         assert not [line for line in stand_in.requests if line.split()[0] not in ("GET", "HEAD")]
 
 
-def test_what_nobody_knows_is_not_attached(stand_in: StandIn) -> None:
+def test_an_sbom_of_others_is_none_of_ours(stand_in: StandIn) -> None:
     with oci.Registry(stand_in.address) as client:
-        digest = image(client, "amd64")["digest"]
-        assert not contents.attach(client, ROBOT, digest, lambda *_: None, {})
-        assert client.referrers(ROBOT, digest) == []
+        entry = image(client, "amd64")
+        client.attach(ROBOT, entry, MEDIA_TYPE, b"{}", MEDIA_TYPE)
+        contents.attach(client, ROBOT, entry["digest"], lambda platform, kind: DATA[kind], {})
+        assert len(client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)) == 2
 
 
 def test_a_registry_that_takes_no_such_thing(stand_in: StandIn) -> None:
@@ -213,25 +256,16 @@ def test_a_registry_that_takes_no_such_thing(stand_in: StandIn) -> None:
             contents.attach(client, ROBOT, digest, lambda platform, kind: DATA[kind], {})
 
 
-def test_a_cache_keeps_it(stand_in: StandIn) -> None:
-    keys = Keys("e", "u", "a", True)
-    with Cache(f"{stand_in.address}/{ROBOT}-cache", "") as cache:
-        for target in ("run", "slim"):
-            for kind, data in DATA.items():
-                cache.keep_contents(keys, target, "linux/arm64", kind, target.encode() + data)
-        assert cache.contents(keys, "slim", "linux/arm64", contents.FILES) == b"slim" + DATA[contents.FILES]
-        assert cache.contents(keys, "slim", "linux/amd64", contents.FILES) is None
-        assert cache.contents(Keys("e", "u", "b", True), "run", "linux/arm64", contents.FILES) is None
-
-
 def test_the_names_of_packages(tmp_path: Path) -> None:
     write(
         tmp_path,
         {
             "a/package.xml": "<package>\n <name> one </name></package>",
             "b/package.xml": "<package/>",
+            "d/package.xml": "<package><!-- <name>old</name> --><name>new</name></package>",
+            "e/package.xml": "<package>",
             "c/COLCON_IGNORE": "",
             "c/package.xml": "<package><name>hidden</name></package>",
         },
     )
-    assert [*workspace.names(tmp_path)] == ["one"]
+    assert [*workspace.names(tmp_path)] == ["one", "new"]

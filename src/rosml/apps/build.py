@@ -250,7 +250,8 @@ class App:
             self._read(report, built, slim=inputs.slim is not None)
             self._require_passed(built)
             if cache:
-                self._keep(cache, keys, built)
+                details = {name: path.read_bytes() for name, path in self._details().items() if path.exists()}
+                cache.keep(keys, built.facts(), details)
         unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
         made = self._locked(inputs, built)
         if locked and not locked.lacks(self._names.platforms):
@@ -263,19 +264,26 @@ class App:
             digest = metadata.get(f"containerimage.{'config.' if self._names.loads else ''}digest", "")
             built.images.append(Made(target, self._names.reference(target), digest))
         if self._values["sbom"] == "true" and not self._names.loads:
-            self._describe(built, functools.partial(cache.contents, keys) if cache and facts else self._reported)
+            self._describe(built, functools.partial(cache.detail, keys) if cache and facts else self._detail)
 
-    def _keep(self, cache: caches.Cache, keys: caches.Keys, built: Built) -> None:
-        """Keeps what a build says for others; last what makes them believe that all is there."""
-        for target in DESCRIBED:
-            for platform in self._names.platforms:
-                for kind in contents.KINDS:
-                    if data := self._reported(target, platform, kind):
-                        cache.keep_contents(keys, target, platform, kind, data)
-        cache.keep(keys, built.facts())
+    def _details(self) -> dict[str, Path]:
+        """Where the build says what is in the images, by the name for it in a cache."""
+        return {
+            f"{target}/{platform}/{kind}": self._report_of(platform) / f"contents-{target}" / kind
+            for target in DESCRIBED
+            for platform in self._names.platforms
+            for kind in contents.KINDS
+        }
 
-    def _describe(self, built: Built, load: Callable[[str, str, str], bytes | None]) -> None:
-        """Attaches an SBOM and a list of files to the images to run. Some registries take no such thing."""
+    def _detail(self, name: str) -> bytes:
+        return self._details()[name].read_bytes()
+
+    def _describe(self, built: Built, load: Callable[[str], bytes]) -> None:
+        """Attaches an SBOM and a list of files to the images to run. Some registries take no such thing.
+
+        Args:
+            load: gives what a build says of an image's contents, by a name as in `_details`.
+        """
         owners = {
             name: repository
             for repository in built.upstream
@@ -286,16 +294,16 @@ class App:
                 if image.target not in DESCRIBED:
                     continue
                 place = oci.parse(image.reference)
-                found = functools.partial(load, image.target)
+
+                def said(platform: str, kind: str, target: str = image.target) -> bytes:
+                    return load(f"{target}/{platform}/{kind}")
+
                 try:
-                    whole = contents.attach(registries(place.host), place.repository, image.digest, found, owners)
+                    contents.attach(registries(place.host), place.repository, image.digest, said, owners)
                 except RosmlError as error:
-                    self._say(f"no SBOM beside {image.reference}: {error.message}")
-                    continue
-                if whole:
-                    built.described.append(image.reference)
+                    self._say(f"{image.reference} lacks its SBOM or its list of files: {error.message}")
                 else:
-                    self._say(f"no SBOM beside {image.reference}: {self._values['cache']} lost it")
+                    built.described.append(image.reference)
 
     def _write_lock(self, made: lock.Lock) -> None:
         """Writes the lock file; says what of it is lost."""
@@ -476,13 +484,6 @@ class App:
     def _report_of(self, platform: str) -> Path:
         """What the build says of one platform."""
         return self.report if len(self._names.platforms) == 1 else self.report / platform.replace("/", "_")
-
-    def _reported(self, target: str, platform: str, kind: str) -> bytes | None:
-        """What the build says of an image's contents; None if it has none of that name."""
-        try:
-            return (self._report_of(platform) / contents.FOLDER / target / kind).read_bytes()
-        except FileNotFoundError:
-            return None
 
     def _read(self, report: Path, built: Built, slim: bool) -> None:
         """Reads what the build says of the app, and of its tests on all platforms. `slim`: also of the slim image."""

@@ -27,11 +27,12 @@ IDENTIFIED = "identified"
 REPORT = "report"
 """The tag of what a build came to begins with this."""
 
-FORMAT = 3
+FORMAT = 4
 """Of reports. Another number makes those that are in registries no reports: change it with their fields."""
 
 _TYPE = "application/vnd.rosml.app.report.v1+json"
-_CONTENTS_TYPE = "application/vnd.rosml.app.contents.v1"
+_DETAIL = "application/octet-stream"
+_TITLE = "org.opencontainers.image.title"
 _LEFT_OUT = (".git", ".env")
 """What is no source, and never reaches an image."""
 
@@ -176,51 +177,54 @@ class Cache:
     def report(self, keys: Keys) -> dict[str, Any] | None:
         """What a build from the same came to. None if none passed, or if what is there cannot be read or has another form."""
         try:
-            content = json.loads(self._artifact(f"{REPORT}-{keys.app}", _TYPE) or b"null")
+            layers = self._layers(keys)
+            if not layers:
+                return None
+            content = self._registry.json_blob(self._place.repository, layers[0]["digest"])
             if content.pop("format", None) != FORMAT:
                 return None
             return _Report.model_validate(content).model_dump()
-        except (RosmlError, AttributeError, TypeError, ValueError):
+        except (RosmlError, KeyError, TypeError, ValueError):
             return None
 
-    def contents(self, keys: Keys, target: str, platform: str, kind: str) -> bytes | None:
-        """What a build from the same said of the contents of an image; None if it is not there any more.
+    def detail(self, keys: Keys, name: str) -> bytes:
+        """What a build from the same said besides.
 
         Args:
-            kind: one of `contents.KINDS`.
+            name: as in `keep`.
 
         Raises:
-            RosmlError: the registry does not answer or refuses.
+            RosmlError: it said nothing of that name; or the registry does not answer or refuses.
         """
-        return self._artifact(_contents_tag(keys, target, platform, kind), _CONTENTS_TYPE)
+        for layer in self._layers(keys):
+            if (layer.get("annotations") or {}).get(_TITLE) == name:
+                return self._registry.blob(self._place.repository, layer["digest"])
+        raise RosmlError(f"{self.reference(_tag(keys))} has no {name}", "delete that tag, and build again")
 
-    def _artifact(self, tag: str, artifact_type: str) -> bytes | None:
-        """The one layer of an artifact; None if under the tag there is none of the type."""
-        manifest = self._registry.manifest(self._place.repository, tag)
-        if manifest is None or manifest.content.get("artifactType") != artifact_type:
-            return None
-        layers = manifest.content.get("layers") or []
-        return self._registry.blob(self._place.repository, layers[0]["digest"]) if len(layers) == 1 else None
+    def _layers(self, keys: Keys) -> list[dict[str, Any]]:
+        """The layers of a report: what it came to, and details; none if there is no report."""
+        manifest = self._registry.manifest(self._place.repository, _tag(keys))
+        if manifest is None or manifest.content.get("artifactType") != _TYPE:
+            return []
+        return list(manifest.content.get("layers") or [])
 
-    def keep_contents(self, keys: Keys, target: str, platform: str, kind: str, data: bytes) -> None:
-        """Keeps what a build said of the contents of an image.
-
-        Raises:
-            RosmlError: the registry refuses.
-        """
-        tag = _contents_tag(keys, target, platform, kind)
-        self._registry.put_artifact(self._place.repository, tag, _CONTENTS_TYPE, data, "application/octet-stream")
-
-    def keep(self, keys: Keys, report: Mapping[str, Any]) -> None:
+    def keep(self, keys: Keys, report: Mapping[str, Any], details: Mapping[str, bytes]) -> None:
         """Keeps what a build came to.
+
+        Args:
+            details: what it said besides, by name.
 
         Raises:
             RosmlError: the registry refuses.
         """
         content = oci.encoded({**report, "format": FORMAT})
-        tag = f"{REPORT}-{keys.app}"
-        self._registry.put_artifact(self._place.repository, tag, _TYPE, content, "application/json")
+        manifest = oci.artifact(_TYPE, content, "application/json")
+        for name, data in details.items():
+            manifest["layers"].append(oci.descriptor(_DETAIL, data) | {"annotations": {_TITLE: name}})
+        for data in (oci.EMPTY_BLOB, content, *details.values()):
+            self._registry.put_blob(self._place.repository, data)
+        self._registry.put_manifest(self._place.repository, _tag(keys), manifest)
 
 
-def _contents_tag(keys: Keys, target: str, platform: str, kind: str) -> str:
-    return f"{kind}-{target}-{platform.replace('/', '_')}-{keys.app}"
+def _tag(keys: Keys) -> str:
+    return f"{REPORT}-{keys.app}"

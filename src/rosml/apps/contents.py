@@ -19,9 +19,6 @@ from rosml.join.layers import platform
 from rosml.registry import oci
 from rosml.scan.sbom import MEDIA_TYPE
 
-FOLDER = "contents"
-"""Of a build's report: a folder for each image."""
-
 PACKAGES = "packages.json"
 """The packages of an image, as components/containerize/contents.py writes them."""
 
@@ -29,6 +26,10 @@ FILES = "files.gz"
 """The list of its files."""
 
 KINDS = (PACKAGES, FILES)
+
+
+FORMAT = {"io.rosml.sbom.format": "1"}
+"""The annotation of our SBOMs. With another number all images get a new one, although their digests stay the same."""
 
 
 class _Model(BaseModel):
@@ -99,11 +100,11 @@ def sbom(data: bytes, reference: str, sources: Mapping[str, Repository]) -> byte
 
 def _components(found: Packages, sources: Mapping[str, Repository]) -> Iterator[dict[str, Any]]:
     system = found.system
-    if system.name:
-        whole = f"{system.name}-{system.version}"
+    whole = "-".join(filter(None, (system.name, system.version)))
+    if whole:
         yield {"bom-ref": whole, "type": "operating-system", "name": system.name, "version": system.version}
     for package in found.apt:
-        qualifiers = f"arch={package.architecture}&distro={system.name}-{system.version}"
+        qualifiers = f"arch={package.architecture}&distro={whole}"
         yield _library(
             package.name,
             package.version,
@@ -122,16 +123,26 @@ def _components(found: Packages, sources: Mapping[str, Repository]) -> Iterator[
         yield _library(wheel.name, wheel.version, "pypi")
     for ros in found.ros:
         made: dict[str, Any] = {"licenses": [{"license": {"name": name}} for name in ros.licenses]}
-        if source := sources.get(ros.name):
-            made["externalReferences"] = [
-                {"type": "vcs", "url": source.url, "comment": f"{source.version} {source.commit}".strip()}
-            ]
+        source = sources.get(ros.name)
+        if source and (url := _public(source.url)):
+            comment = f"{source.version} {source.commit}".strip()
+            made["externalReferences"] = [{"type": "vcs", "url": url, "comment": comment}]
         yield _library(ros.name, ros.version, "generic/ros", **made)
+
+
+def _public(url: str) -> str:
+    """The URL of a repository as CycloneDX takes it; empty for one of this machine."""
+    if "://" in url:
+        return "" if url.startswith("file:") else quote(url, safe=":/?#[]@!$&'()*+,;=~%")
+    host, colon, path = url.partition(":")
+    return f"ssh://{host}/{quote(path.lstrip('/'))}" if colon and not url.startswith("/") else ""
 
 
 def _library(name: str, version: str, kind: str, qualifiers: str = "", **more: Any) -> dict[str, Any]:
     called = name.lower().replace("_", "-") if kind == "pypi" else name
-    url = f"pkg:{kind}/{quote(called, safe='')}@{quote(version, safe='')}" + (f"?{qualifiers}" if qualifiers else "")
+    url = f"pkg:{kind}/{quote(called, safe='')}"
+    url += f"@{quote(version, safe=':')}" if version else ""
+    url += f"?{qualifiers}" if qualifiers else ""
     return {"bom-ref": url, "type": "library", "name": name, "version": version, "purl": url, **more}
 
 
@@ -139,9 +150,9 @@ def attach(
     registry: oci.Registry,
     repository: str,
     digest: str,
-    load: Callable[[str, str], bytes | None],
+    load: Callable[[str, str], bytes],
     sources: Mapping[str, Repository],
-) -> bool:
+) -> None:
     """Attaches an SBOM and a list of files to an image, for each of its platforms. What is there stays.
 
     Args:
@@ -149,27 +160,28 @@ def attach(
         load: what a build said of it: from a platform, and `PACKAGES` or `FILES`.
         sources: as `sbom` has them.
 
-    Returns:
-        Whether it has both now. It has not if nobody knows what a build said.
-
     Raises:
         RosmlError: the registry does not answer or refuses.
     """
-    complete = True
     for manifest in file_list.manifests(registry, repository, digest):
-        config: dict[str, Any] = {}
-        for kind, artifact_type, media_type in (
-            (PACKAGES, MEDIA_TYPE, MEDIA_TYPE),
-            (FILES, file_lists.ARTIFACT, file_lists.MEDIA_TYPE),
-        ):
-            if registry.referrers(repository, manifest.digest, artifact_type):
-                continue
-            config = config or registry.json_blob(repository, manifest.content["config"]["digest"])
-            data = load(platform(config), kind)
-            if data is None:
-                complete = False
-                continue
-            reference = f"{registry.host}/{repository}@{manifest.digest}"
-            part = sbom(data, reference, sources) if kind == PACKAGES else data
-            registry.attach(repository, manifest.descriptor, artifact_type, part, media_type)
-    return complete
+        has_files = bool(registry.referrers(repository, manifest.digest, file_lists.ARTIFACT))
+        has_sbom = _has_sbom(registry, repository, manifest.digest)
+        if has_files and has_sbom:
+            continue
+        name = platform(registry.json_blob(repository, manifest.content["config"]["digest"]))
+        subject = manifest.descriptor
+        if not has_files:
+            data = load(name, FILES)
+            registry.attach(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE)
+        if not has_sbom:
+            data = sbom(load(name, PACKAGES), f"{registry.host}/{repository}@{manifest.digest}", sources)
+            registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
+
+
+def _has_sbom(registry: oci.Registry, repository: str, digest: str) -> bool:
+    """Whether an SBOM of ours is attached; others may attach theirs."""
+    for entry in registry.referrers(repository, digest, MEDIA_TYPE):
+        manifest = registry.manifest(repository, entry["digest"])
+        if manifest and (manifest.content.get("annotations") or {}).items() >= FORMAT.items():
+            return True
+    return False

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import shutil
 import stat
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from xml.etree import ElementTree
 
 from rosml.apps import inputs, within
 from rosml.base.errors import RosmlError
@@ -33,12 +35,11 @@ def manifests(root: Path) -> Iterator[Path]:
 
 
 def names(root: Path) -> Iterator[str]:
-    """The names of the packages below a folder."""
+    """The names of the packages below a folder; without those whose manifests cannot be read."""
     for path in manifests(root):
-        if path.name not in IGNORED and (
-            found := re.search(r"<name>\s*([^<\s]+)\s*</name>", path.read_text(errors="replace"))
-        ):
-            yield found[1]
+        with contextlib.suppress(ElementTree.ParseError, LookupError, ValueError, OSError):
+            if path.name not in IGNORED and (name := ElementTree.parse(path).findtext("name", "").strip()):
+                yield name
 
 
 def write_manifests(roots: Mapping[str, Path], out: Path) -> dict[str, int]:

@@ -244,7 +244,7 @@ def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
 def _labels(ros: Source, framework: str, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
     named = labels.named(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS], framework, stack, brought)
     if labels.APP in ros.labels:
-        named[labels.TITLE] = ros.labels[labels.TITLE]
+        named[labels.TITLE] = ros.labels.get(labels.TITLE, "")
     counted = {labels.PREFIX + item.name: item.version for item in brought}
     return {**ros.labels, **named, _FRAMEWORK: framework, _STACK: stack, **counted}
 
