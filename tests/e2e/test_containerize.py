@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import os
+import random
 import re
 import secrets
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -289,6 +292,52 @@ def test_a_lock_file_holds_what_an_image_is_built_from(published: Publish, tmp_p
     (folder / "docker/additional-debs.txt").write_text("tree\n")
     outcome = containerize(folder, *options)
     assert outcome.code == 1 and "toolz" in outcome.out
+
+
+@pytest.mark.full(proof="kills")
+def test_a_call_that_is_killed_is_finished_by_the_next(published: Publish, services: Services, tmp_path: Path) -> None:
+    """SIGKILL at any moment, of rosml alone and of all that it started: tags stay on whole images."""
+    folder, upstream, name = tmp_path / "robot", tmp_path / "up", f"{NAMESPACE}/killed"
+    for place in (upstream, folder):
+        place.mkdir()
+        (place / "package.xml").write_text(PACKAGE.format(place.name, ""))
+        (place / "CMakeLists.txt").write_text(CMAKE.format(place.name))
+    subprocess.run(["git", "init", "--quiet", "--initial-branch=master", str(upstream)], check=True)
+    commit(upstream)
+    (folder / ".repos").write_text(f"repositories: {{up: {{type: git, url: 'file://{upstream}', version: master}}}}\n")
+    options = ("--base-image", published(BASE).reference, "--image-name", name, "--command", "true")
+    cache = ("--cache", f"{services.registry}/{name}-cache")
+    first = made(folder, *options, *cache)
+    chance, killed, tags = random.Random(36), 0, ("latest", "latest-dev")
+    for number in range(20):
+        (upstream / "new").write_text(f"{number}\n")
+        commit(upstream)
+        (folder / "CMakeLists.txt").write_text(
+            CMAKE.format("robot").replace("GREETING", f"GREETING}} {number} ${{GREETING")
+        )
+        process = subprocess.Popen(
+            [sys.executable, str(ROOT / "src"), "containerize", str(folder), *options, *cache],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
+        )  # fmt: skip
+        try:
+            process.wait(timeout=chance.uniform(0.2, first["seconds"]))
+        except subprocess.TimeoutExpired:
+            killed += 1
+            (os.killpg if number % 2 else os.kill)(process.pid, signal.SIGKILL)
+            process.wait()
+        with oci.Registry(services.registry) as registry:
+            for tag in tags:
+                manifest = registry.manifest(name, tag)
+                assert manifest
+                layers = [manifest.content["config"], *manifest.content["layers"]]
+                assert all(registry.has_blob(name, layer["digest"]) for layer in layers)
+    assert killed > 10
+    last = made(folder, *options, *cache)
+    (tmp_path / "chk").mkdir()
+    (tmp_path / "chk/Dockerfile").write_text(
+        f"FROM {last['run']['reference']}\nRUN grep {number} install/robot/share/robot/said\n"
+    )
+    build_folder(services, tmp_path / "chk")
 
 
 @pytest.mark.full(proof="wheels")
