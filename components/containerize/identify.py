@@ -190,10 +190,14 @@ def answers(packages: Packages, skipped: set[str], rosdep: Rosdep) -> dict[str, 
         for answer in found[key]:
             if answer.installer not in INSTALLERS:
                 fail(f"rosdep installs {key} by {answer.installer}", f"install it in a script, and --skip-keys {key}")
-    if unknown:
-        why = f"; its lists on the network could not be had: {rosdep.failure}" if rosdep.failure else ""
+    if unknown and rosdep.failure:
         fail(
-            f"rosdep does not know {', '.join(unknown)}{why}",
+            f"rosdep's lists could not be fetched: {rosdep.failure}; those of the image do not know {', '.join(unknown)}",
+            "check the network; or name lists with --rosdep-index, such as a checkout of ros/rosdistro",
+        )
+    if unknown:
+        fail(
+            f"rosdep does not know {', '.join(unknown)}",
             "check the names; put a package that is missing into a .repos file, name other lists with --rosdep-index, or"
             " leave a key out with --skip-keys",
         )

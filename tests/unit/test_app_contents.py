@@ -139,8 +139,9 @@ def test_an_sbom() -> None:
     }
     assert by_name["filters"]["licenses"] == [{"license": {"name": "BSD"}}, {"license": {"name": "MIT"}}]
     assert by_name["filters"]["externalReferences"] == [
-        {"type": "vcs", "url": "https://example.org/filters", "comment": "noetic c0ffee"}
+        {"type": "vcs", "url": "https://example.org/filters", "comment": "noetic"}
     ]
+    assert by_name["filters"]["properties"] == [{"name": "io.rosml.commit", "value": "c0ffee"}]
     assert "externalReferences" not in by_name["robot"]
 
 

@@ -83,7 +83,7 @@ def test_a_base_image_is_read_and_held_by_its_digest(services: Services) -> None
         base.find(f"{services.registry}/rosml/ros:jazzy", services, ("linux/amd64", "linux/riscv64"))
     with pytest.raises(RosmlError, match="there is no image") as caught:
         base.find(f"{services.registry}/rosml/ros:jazy", services, ("linux/amd64",))
-    assert "rosml list" in caught.value.remedy
+    assert "rosml list" in caught.value.remedy and "did you mean 'jazzy'?" in caught.value.remedy
 
 
 OURS = {"io.rosml.distribution": "jazzy", "io.rosml.runtime": "base-run"}

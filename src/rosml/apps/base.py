@@ -11,6 +11,7 @@ from typing import Any
 
 from rosml.apps import lock
 from rosml.base.errors import RosmlError
+from rosml.base.problems import unknown
 from rosml.images.labels import PREFIX, RUNTIME, VERSION
 from rosml.machine.services import NAMESPACE, Services
 from rosml.matrix.names import DATED, main_tag
@@ -67,6 +68,7 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
     """
     names = candidates(text, services)
     refused: RosmlError | None = None
+    near = ""
     with oci.Registries(services.ca_bundle) as registries:
         for name in names:
             place = oci.parse(name)
@@ -78,18 +80,21 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
                 continue
             if manifest is not None:
                 return _read(registry, place, manifest, platforms)
+            if place.host == services.registry and not digest:  # others may have thousands of tags
+                near = unknown("tag", place.reference, registry.tags(place.repository)).partition("; ")[2]
     if services.builder_kind != "buildkitd" and (found := _in_docker(text, digest)):
         return found
     if refused:
         if len(names) == 1:
             raise refused
-        raise RosmlError(f"there is no image {text} in the local registry, and {refused.message}", refused.remedy)
+        problem = f"there is no image {text} in the local registry, and {refused.message}"
+        raise RosmlError(problem, near or refused.remedy)
     if digest:
         text = f"there is no image {text} with the digest {digest} of the lock file (looked for {', '.join(names)})"
         raise RosmlError(text, lock.RENEW, exit_code=2)
     raise RosmlError(
         f"there is no image {text} (looked for {', '.join(names)})",
-        "check its name with 'rosml list'; 'rosml image TARGET' builds one of ours; 'docker login' for a private one",
+        f"{near} 'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one".strip(),
         exit_code=2,
     )
 

@@ -32,6 +32,10 @@ FORMAT = {"io.rosml.sbom.format": "1"}
 """The annotation of our SBOMs. With another number all images get a new one, although their digests stay the same."""
 
 
+COMMIT = "io.rosml.commit"
+"""The property of a ROS package that says which commit of its repository it was built from."""
+
+
 class _Model(BaseModel):
     model_config = ConfigDict(strict=True, extra="forbid")
 
@@ -123,10 +127,10 @@ def _components(found: Packages, sources: Mapping[str, Repository]) -> Iterator[
         yield _library(wheel.name, wheel.version, "pypi")
     for ros in found.ros:
         made: dict[str, Any] = {"licenses": [{"license": {"name": name}} for name in ros.licenses]}
-        source = sources.get(ros.name)
-        if source and (url := _public(source.url)):
-            comment = f"{source.version} {source.commit}".strip()
-            made["externalReferences"] = [{"type": "vcs", "url": url, "comment": comment}]
+        if source := sources.get(ros.name):
+            made["properties"] = [{"name": COMMIT, "value": source.commit}]
+            if url := _public(source.url):
+                made["externalReferences"] = [{"type": "vcs", "url": url, "comment": source.version}]
         yield _library(ros.name, ros.version, "generic/ros", **made)
 
 

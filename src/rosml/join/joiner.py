@@ -204,7 +204,8 @@ class Joiner:
                 f"{listed(unlisted)} has no list of its files: whether another image carries one of them is not known"
             )
             if not self.allow_unlisted:
-                raise RosmlError(text, "take one that was published with its list, or go on with --allow-unlisted")
+                remedy = "take one that has it: of an app, the run image, made without --no-sbom"
+                raise RosmlError(text, f"{remedy}; or go on with --allow-unlisted")
             self._say(text)
             result.unlisted += [name for name in unlisted if name not in result.unlisted]
         known: list[tuple[Source, Files]] = [
@@ -213,7 +214,11 @@ class Joiner:
         for (one, files), (other, others) in combinations(known, 2):
             if name := self._lists.clash(files, others):
                 text = f"{one.name} and {other.name} both carry /{name}: one would hide the other's"
-                raise RosmlError(text, "take the file out of one of them, and publish that anew", exit_code=2)
+                raise RosmlError(
+                    text,
+                    "take the file, or the package that has it, out of one of them, and publish that again",
+                    exit_code=2,
+                )
 
     def _push(self, image: Joined, host: str, repository: str, result: JoinReport) -> str:
         """Puts an image by its digest alone: layers, then config, then manifest."""

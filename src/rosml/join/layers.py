@@ -142,8 +142,10 @@ def _require_ros(ros: Source) -> None:
             raise RosmlError(text, "take one of the repository ros, or one that was built on it", exit_code=2)
     if stack := ros.labels.get(_STACK):
         carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {stack}"
-        plain = f"ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
-        raise RosmlError(f"{ros.name} has {carried} already", f"take the ROS image below it, {plain}", exit_code=2)
+        plain = f"the ROS image below it, ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
+        if labels.APP in ros.labels:
+            plain = "an image of the app without a framework"
+        raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
     _require_whole(ros)
 
 
