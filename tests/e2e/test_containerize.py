@@ -60,6 +60,19 @@ def commit(folder: Path) -> None:
         subprocess.run(["git", "-C", str(folder), *names, *command], check=True)
 
 
+def with_upstream(place: Path) -> tuple[Path, Path]:
+    """A repository with a package, and one that its `.repos` file names."""
+    folder, upstream = place / "robot", place / "upstream"
+    for root in (upstream, folder):
+        root.mkdir()
+        (root / "package.xml").write_text(PACKAGE.format(root.name, ""))
+        (root / "CMakeLists.txt").write_text(CMAKE.format(root.name))
+    subprocess.run(["git", "init", "--quiet", "--initial-branch=master", str(upstream)], check=True)
+    commit(upstream)
+    (folder / ".repos").write_text(f"repositories: {{up: {{type: git, url: 'file://{upstream}', version: master}}}}\n")
+    return folder, upstream
+
+
 def containerize(folder: Path, *options: str) -> Run:
     return run(sys.executable, str(ROOT / "src"), "containerize", str(folder), "--json", *options)
 
@@ -254,14 +267,7 @@ RUN /entrypoint.sh bash -c 'exec bash -c "$DEFAULT_CMD"' | grep ws/install && \\
 
 
 def test_a_lock_file_holds_what_an_image_is_built_from(published: Publish, tmp_path: Path) -> None:
-    upstream, folder = tmp_path / "upstream", tmp_path / "robot"
-    for place in (upstream, folder):
-        place.mkdir()
-        (place / "package.xml").write_text(PACKAGE.format(place.name, ""))
-        (place / "CMakeLists.txt").write_text(CMAKE.format(place.name))
-    subprocess.run(["git", "init", "--quiet", "--initial-branch=master", str(upstream)], check=True)
-    commit(upstream)
-    (folder / ".repos").write_text(f"repositories: {{up: {{type: git, url: 'file://{upstream}', version: master}}}}\n")
+    folder, upstream = with_upstream(tmp_path)
     (folder / "docker").mkdir()
     (folder / "docker/additional-debs.txt").write_text("tree\n")
     (folder / "docker/additional-pip-requirements.txt").write_text("toolz\n")
@@ -297,14 +303,7 @@ def test_a_lock_file_holds_what_an_image_is_built_from(published: Publish, tmp_p
 @pytest.mark.full(proof="kills")
 def test_a_call_that_is_killed_is_finished_by_the_next(published: Publish, services: Services, tmp_path: Path) -> None:
     """SIGKILL at any moment, of rosml alone and of all that it started: tags stay on whole images."""
-    folder, upstream, name = tmp_path / "robot", tmp_path / "up", f"{NAMESPACE}/killed"
-    for place in (upstream, folder):
-        place.mkdir()
-        (place / "package.xml").write_text(PACKAGE.format(place.name, ""))
-        (place / "CMakeLists.txt").write_text(CMAKE.format(place.name))
-    subprocess.run(["git", "init", "--quiet", "--initial-branch=master", str(upstream)], check=True)
-    commit(upstream)
-    (folder / ".repos").write_text(f"repositories: {{up: {{type: git, url: 'file://{upstream}', version: master}}}}\n")
+    (folder, upstream), name = with_upstream(tmp_path), f"{NAMESPACE}/killed"
     options = ("--base-image", published(BASE).reference, "--image-name", name, "--command", "true")
     cache = ("--cache", f"{services.registry}/{name}-cache")
     made(folder, *options, *cache)
