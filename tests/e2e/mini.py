@@ -237,8 +237,8 @@ SOURCE = "https://example.org/images"
 
 OCI = {
     "title": r"ros1-bookworm-(core|base)(-tensorflow-cpu)?",
-    "description": r"ROS 1 (core|base) \(ros1-bookworm\)(, TensorFlow 2\.20\.0)?",
-    "version": r"ros1-bookworm-(core|base)(-cpu-tf2\.20\.0)?",
+    "description": r"ROS 1 (core|base) \(ros1-bookworm\)(, TensorFlow 2\.21\.0)?",
+    "version": r"ros1-bookworm-(core|base)(-cpu-tf2\.21\.0)?",
     "created": r"2026-01-01T00:00:00Z",
     "licenses": r"Apache-2\.0",
     "base.name": r"\S*debian:bookworm",
