@@ -99,13 +99,14 @@ require_sync() {
 
 # Installs packages. What did not arrive is asked for again with a fresh index: a sync may have replaced it just then.
 #   apt_install PACKAGE…
+# NOT_FOUND: what to do about a name that no source has, if the name is not of matrix.yaml.
 apt_install() {
   local pause why
+  local unknown='check its name in matrix.yaml (past its end of life, a distribution is on the snapshot only: {channel: final})'
   for pause in "${pauses[@]}"; do
     if logged apt-get install --yes "$@"; then return; fi
     if why=$(said 'Unable to locate package|has no installation candidate'); then
-      fail "no apt source has a package ($why)" \
-        "check its name in matrix.yaml (past its end of life, a distribution is on the snapshot only: {channel: final})"
+      fail "no apt source has a package ($why)" "${NOT_FOUND:-$unknown}"
     elif said 'unmet dependencies' >/dev/null; then
       fail "no apt source has what a package needs ($(said 'Depends: '))" \
         "check that the base image has Ubuntu's universe, and that the mirror is whole"

@@ -508,7 +508,7 @@ def test_packages_may_replace_what_the_base_image_has(published: Publish, servic
         ("b/package.xml", PACKAGE.format("a", ""), "two packages are called a: a and b"),
         ("docker/blacklisted-packages.txt", "c", "no package is called c"),
         ("docker/custom.sh", "echo before; false; echo after", "the script after the installation of dependencies ended with 1"),
-        ("docker/additional-debs.txt", "no-such-package", "Unable to locate package no-such-package"),
+        ("docker/additional-debs.txt", "no-such-package", "Unable to locate package no-such-package); check its name in docker/additional-debs.txt"),
         ("docker/before_dependency_identification.sh", "#!/bin/sh\nexit 3", "identification of dependencies ended with 3"),
     ],
 )  # fmt: skip
