@@ -29,6 +29,7 @@ from pathlib import Path
 from typing import Any, Sequence
 
 import contents
+from contents import entries
 
 LEFT_OUT = re.compile(
     r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
@@ -57,16 +58,6 @@ CAPABILITY = "security.capability"
 
 TIME = 1767225600
 """2026-01-01T00:00:00Z, as the layers of all parts have it."""
-
-
-def entries(root: Path) -> dict[str, os.stat_result]:
-    """All files, links and folders below a root, by path."""
-    found = {}
-    for folder, folders, names in os.walk(root):
-        for name in folders + names:
-            path = os.path.join(folder, name)
-            found[os.path.relpath(path, root)] = os.lstat(path)
-    return found
 
 
 def same(path: str, one: Path, other: Path, before: os.stat_result, after: os.stat_result) -> bool:

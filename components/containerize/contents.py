@@ -15,7 +15,7 @@ from typing import Any, Container, Iterable, Sequence
 PYTHON = re.compile(r"(?!docker-ros/ws/).*\.(dist-info/METADATA|egg-info/PKG-INFO|egg-info)")
 """What a package of Python says of itself. Those in the workspace are ROS packages."""
 
-ROS = re.compile(r"docker-ros/ws/install/(.+/)?share/(?P<name>[^/]+)/package\.xml")
+ROS = re.compile(r"docker-ros/ws/install/(.+/)?share/[^/]+/package\.xml")
 """What a ROS package of an app says of itself."""
 
 APT = re.compile(r"var/lib/dpkg/status\.d/[^/]+")
@@ -25,20 +25,25 @@ EMPTY_SLOT = re.compile(r".*/rosml/constraints\.d/[^/]+")
 """Files that count where they are not empty: before, they are nobody's, and a part may fill one."""
 
 
+def entries(root: Path) -> dict[str, os.stat_result]:
+    """All files, links and folders below a root, by path."""
+    found = {}
+    for folder, folders, names in os.walk(root):
+        for name in folders + names:
+            path = os.path.join(folder, name)
+            found[os.path.relpath(path, root)] = os.lstat(path)
+    return found
+
+
 def files(roots: Sequence[Path]) -> dict[str, Path]:
     """All files and links of layers, the lowest first: by path, with the place where an image has them from."""
-    found = {}
-    for root in roots:
-        for folder, folders, names in os.walk(root):
-            for name in folders + names:
-                place = os.path.join(folder, name)
-                facts = os.lstat(place)
-                path = os.path.relpath(place, root)
-                if stat.S_ISLNK(facts.st_mode) or (
-                    stat.S_ISREG(facts.st_mode) and (facts.st_size or not EMPTY_SLOT.fullmatch(path))
-                ):
-                    found[path] = Path(place)
-    return found
+    return {path: root / path for root in roots for path, facts in entries(root).items() if _counts(path, facts)}
+
+
+def _counts(path: str, facts: os.stat_result) -> bool:
+    if stat.S_ISLNK(facts.st_mode):
+        return True
+    return stat.S_ISREG(facts.st_mode) and (facts.st_size > 0 or not EMPTY_SLOT.fullmatch(path))
 
 
 def owned(root: Path) -> set[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import json
 import os
 import pty
@@ -13,8 +14,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
+from rosml import ROOT
 from rosml.machine.services import Services
 
 NO_FORMAT_1 = (
@@ -56,6 +59,16 @@ done
 
 OFFLINE = [sys.executable, str(Path(__file__).resolve().parents[2] / "tools" / "offline")]
 """The command that is asked for base images where Docker Hub does not answer."""
+
+
+def script_of_a_build(name: str) -> ModuleType:
+    """A script that a step of a build calls, as a module."""
+    file = ROOT / "components" / name
+    spec = importlib.util.spec_from_file_location(f"{file.stem}_of_a_build", file)
+    assert spec and spec.loader
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def executable(path: Path, text: str) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gzip
-import importlib.util
 import json
 from pathlib import Path
 from types import ModuleType
@@ -11,8 +10,8 @@ from typing import Any
 
 import pytest
 from registry_stand_in import Fault, StandIn
+from stubs import script_of_a_build
 
-from rosml import ROOT
 from rosml.apps import contents, workspace
 from rosml.apps.sources import Repository
 from rosml.base.errors import RosmlError
@@ -47,11 +46,7 @@ PACKAGES = {
 
 @pytest.fixture(scope="module")
 def script() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("contents_of_image", ROOT / "components/containerize/contents.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return script_of_a_build("containerize/contents.py")
 
 
 def write(root: Path, files: dict[str, str]) -> Path:

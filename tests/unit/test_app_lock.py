@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import pytest
+from stubs import script_of_a_build
 
-from rosml import ROOT
 from rosml.apps import lock
 from rosml.apps.lock import Pin
 from rosml.base.errors import RosmlError
@@ -123,11 +122,7 @@ def test_the_first_of_two_versions_counts() -> None:
 
 @pytest.fixture
 def script() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("pip_install", ROOT / "components/containerize/pip_install.py")
-    assert spec and spec.loader
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return script_of_a_build("containerize/pip_install.py")
 
 
 HASH = {"hash": "sha256=aa", "hashes": {"sha256": "aa"}}

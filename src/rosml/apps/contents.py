@@ -27,10 +27,8 @@ FILES = "files.gz"
 
 KINDS = (PACKAGES, FILES)
 
-
 FORMAT = {"io.rosml.sbom.format": "1"}
 """The annotation of our SBOMs. With another number all images get a new one, although their digests stay the same."""
-
 
 COMMIT = "io.rosml.commit"
 """The property of a ROS package that says which commit of its repository it was built from."""
