@@ -7,7 +7,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Collection
-from typing import TYPE_CHECKING, Concatenate, ParamSpec
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, TextIO, cast
 
 import click
 
@@ -17,6 +17,50 @@ Given = ParamSpec("Given")
 if TYPE_CHECKING:
     from rich.console import Console
     from rich.table import Table
+
+
+_COLOUR = "(?:[0-79]|2[1-9]|3[1-69]|9[1-6])"
+_COLOURS = rf"\x1b\[(?:{_COLOUR}(?:;{_COLOUR})*)?m"
+"""What click and rich write for colours: nothing that hides text, and nothing that moves the cursor."""
+
+_CONTROL = re.compile(
+    f"({_COLOURS})"
+    r"|\x1b\[[0-?]*[ -/]*[@-~]"  # other sequences: https://ecma-international.org/publications-and-standards/standards/ecma-48/
+    r"|\x1b[\]PX^_](?:[^\x07\x1b\n]*(?:\x07|\x1b\\))?"  # commands to the terminal, such as one that sets the clipboard
+    r"|\x1b[ -/]*[0-~]?"
+    r"|[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]"
+)
+"""Characters that a terminal takes for a command, that change the order of others, or that nobody sees."""
+
+_COMMAND = re.compile(r"^([^\S\n]*):(?=:[\w-]+)|(?<=#)#(?=\[)", re.MULTILINE)
+"""What GitHub takes for a command in the output of a step: https://docs.github.com/actions/reference/workflows-and-actions/workflow-commands.
+It trims a line before it looks for `::`, and finds `##[` anywhere."""
+
+
+def shown(text: str) -> str:
+    """A text as it can be printed, whoever wrote it: without commands to the terminal, or to CI that reads the output."""
+    text = _CONTROL.sub(r"\1", text)
+    if os.environ.get("GITHUB_ACTIONS") == "true":
+        text = _COMMAND.sub(lambda found: f"{found[1]}: " if found[1] is not None else " #", text)
+    return text
+
+
+def echo(text: str = "", err: bool = False, nl: bool = True) -> None:
+    """Prints a text, on standard output or standard error: the way of all commands to print, since much of it comes from outside."""
+    click.echo(shown(text), err=err, nl=nl)
+
+
+class _Shown:
+    """A stream that gets all of a text as `shown` has it."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        return self._stream.write(shown(text))
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
 
 
 def table(*columns: str, right: Collection[str] = (), wrapped: Collection[str] = ()) -> Table:
@@ -52,7 +96,8 @@ def console() -> Console:
             raise BrokenPipeError
 
     as_it_is = functools.partial(Output, highlight=False, markup=False, emoji=False)
-    return as_it_is(soft_wrap=True) if sys.stdout.isatty() else as_it_is(width=400)
+    file = cast(TextIO, _Shown(sys.stdout))
+    return as_it_is(file=file, soft_wrap=True) if sys.stdout.isatty() else as_it_is(file=file, width=400)
 
 
 def show(table: Table) -> None:
@@ -60,7 +105,7 @@ def show(table: Table) -> None:
     out = console()
     with out.capture() as captured:
         out.print(table)
-    click.echo(_PADDING.sub(r"\1", captured.get()), nl=False)
+    echo(_PADDING.sub(r"\1", captured.get()), nl=False)
 
 
 _PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)

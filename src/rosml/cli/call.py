@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import click
 
 from rosml import ROOT
-from rosml.base import file_lock
+from rosml.base import file_lock, terminal
 from rosml.cli import options
 from rosml.cli.options import Function
 
@@ -29,7 +29,7 @@ KEPT = "interrupted: no tag points at what is not finished; what was finished is
 
 def say(line: str) -> None:
     """Tells people what begins now."""
-    click.echo(click.style(f"==> {line}", bold=True), err=True)
+    terminal.echo(click.style(f"==> {line}", bold=True), err=True)
 
 
 def wait_for_turn() -> None:
@@ -160,7 +160,7 @@ class Call:
         ci.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
         if not choice.built:
             if self.as_json:
-                click.echo(json.dumps({"counts": {}, "outcomes": []}))
+                terminal.echo(json.dumps({"counts": {}, "outcomes": []}))
             raise click.exceptions.Exit(0)
         return choice.built
 

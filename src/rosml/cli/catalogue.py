@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from rosml import ROOT, STATE
+from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command, options
 from rosml.cli.checkout import Command
@@ -57,14 +58,14 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     for remark in gatherer.remarks:
         command.warn(remark)
     if as_json:
-        click.echo(site.text(found), nl=False)
+        terminal.echo(site.text(found), nl=False)
         return
     try:
         written = site.write(output, found)
     except OSError as error:
         raise RosmlError(f"{output}: {error.strerror}", "name a folder that you may write to") from None
     published = sum(image.status == "built" for image in found.images)
-    click.echo(
+    terminal.echo(
         f"{counted(len(found.images), 'image')} described, {published} of them published in {found.registry}", err=True
     )
-    click.echo(next(file for file in written if file.name == "index.html").resolve().as_uri())
+    terminal.echo(next(file for file in written if file.name == "index.html").resolve().as_uri())

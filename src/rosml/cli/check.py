@@ -8,6 +8,7 @@ from dataclasses import asdict
 
 import click
 
+from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli.container import printing
 from rosml.run import check, engine, places
@@ -42,7 +43,7 @@ def show(context: Context, argv: Sequence[str], *, into: bool) -> None:
     found = check.findings(context, place, others, [name for name in installed if name != "rmw_implementation"])
     with printing():
         if context.line.asks("json"):
-            click.echo(json.dumps([asdict(it) for it in found], indent=2))
+            terminal.echo(json.dumps([asdict(it) for it in found], indent=2))
         else:
             print_findings(found)
     if any(it.state == check.PROBLEM for it in found):
@@ -54,6 +55,6 @@ def print_findings(found: Sequence[check.Finding]) -> None:
     width = max(len(it.what) for it in found)
     for it in found:
         state = click.style(f"{it.state:8}", fg=COLOURS[it.state])
-        click.echo(f"{state} {it.what:{width}}  {it.found}")
+        terminal.echo(f"{state} {it.what:{width}}  {it.found}")
         if it.remedy:
-            click.echo(f"{'':{9 + width}}  {click.style('remedy:', bold=True)} {it.remedy}")
+            terminal.echo(f"{'':{9 + width}}  {click.style('remedy:', bold=True)} {it.remedy}")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from rosml import STATE
+from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli.call import say
 from rosml.cli.checkout import Group
@@ -82,7 +83,7 @@ def build(out: Path) -> None:
         images = job.build(folder, services, out, apart)
     except RosmlError as error:
         if page:
-            click.echo("\n".join(ci.errors(out, error)))
+            click.echo("\n".join(ci.errors(out, error)))  # commands of rosml's own
         raise
     finally:
         ci.tell(page, ci.summary(images, out))
@@ -108,4 +109,4 @@ def _done(images: list[Image]) -> None:
 
     ci.tell(os.environ.get("GITHUB_OUTPUT", ""), ci.outputs(images))
     for image in images:
-        click.echo(f"{image.target:<5}  {image.reference}@{image.digest}")
+        terminal.echo(f"{image.target:<5}  {image.reference}@{image.digest}")

@@ -16,6 +16,7 @@ from types import FrameType
 import click
 
 from rosml import IN_CHECKOUT
+from rosml.base import terminal
 from rosml.base.environment import program
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
@@ -78,7 +79,7 @@ def run(
         error.show()
         return _told(as_json, error.format_message(), "see --help", failure or error.exit_code)
     except (KeyboardInterrupt, click.Abort):
-        click.echo(f"\n{interrupted}", err=True)
+        terminal.echo(f"\n{interrupted}", err=True)
         return _told(as_json, "interrupted", interrupted, INTERRUPTED)
     except UnicodeDecodeError as error:
         found = error.object[max(0, error.start - 30) : error.start].decode(errors="replace")
@@ -110,9 +111,9 @@ def warn(message: str, remedy: str = "") -> None:
 
 def _say(head: str, message: str, remedy: str) -> None:
     """Prints an error or a warning on standard error, and what to do about it."""
-    click.echo(head + message, err=True)
+    terminal.echo(head + message, err=True)
     if remedy:
-        click.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
+        terminal.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
 
 
 def _failed(as_json: bool, message: str, remedy: str, code: int, head: str = ERROR) -> int:
@@ -125,7 +126,7 @@ def _told(as_json: bool, message: str, remedy: str, code: int) -> int:
     """Prints an error as an object where one was asked for; gives the exit code."""
     if as_json and sys.stdout:
         try:
-            click.echo(json.dumps({"error": click.unstyle(message), "remedy": remedy}, indent=2))
+            terminal.echo(json.dumps({"error": click.unstyle(message), "remedy": remedy}, indent=2))
             sys.stdout.flush()
         except OSError:  # its reader is gone, or its disk is full; people were told already
             _drop_output()

@@ -14,6 +14,7 @@ from typing import NoReturn
 
 import click
 
+from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.checkout import Command
@@ -87,13 +88,13 @@ def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] |
     """
     if line.asks("json"):
         with printing():
-            click.echo(json.dumps(argv))
+            terminal.echo(json.dumps(argv))
     elif line.asks("dry-run"):
         with printing():
-            click.echo(shown(argv))
+            terminal.echo(shown(argv))
     else:
         if line.asks("verbose"):
-            click.echo(shown(argv), err=True)
+            terminal.echo(shown(argv), err=True)
         if begin:
             begin()
         become(argv)
@@ -158,7 +159,7 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
         perform(line, argv)
         return
     if only_shown(line):
-        click.echo(f"{container.name} is {container.state}: {program} start {container.name} comes first", err=True)
+        terminal.echo(f"{container.name} is {container.state}: {program} start {container.name} comes first", err=True)
     perform(line, argv, lambda: engine.start(program, container.name))
 
 

@@ -11,6 +11,7 @@ import click
 
 from rosml import IN_CHECKOUT, ROOT, STATE
 from rosml.apps import inputs
+from rosml.base import terminal
 from rosml.cli import options
 from rosml.cli.call import say
 from rosml.cli.checkout import Command
@@ -86,9 +87,9 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
     services.require_builder()
     built = build.App(folder, values, os.environ, services, say, renew=lock).build()
     if as_json:
-        click.echo(json.dumps(built.to_json(), indent=2))
+        terminal.echo(json.dumps(built.to_json(), indent=2))
         return
     for image in built.images:
-        click.echo(f"{image.target:<5}  {image.reference}")
+        terminal.echo(f"{image.target:<5}  {image.reference}")
     for name, text in built.summary():
-        click.echo(f"{name:<5}  {text}")
+        terminal.echo(f"{name:<5}  {text}")

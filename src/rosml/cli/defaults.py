@@ -7,8 +7,7 @@ import sys
 from collections.abc import Collection
 from dataclasses import replace
 
-import click
-
+from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command, container
 from rosml.run import defaults, words
@@ -57,8 +56,8 @@ def require(typed: words.Line, file: defaults.File | None) -> bool:
     if not (os.isatty(0) and os.isatty(2)):
         raise RosmlError(said, "call it once in a terminal, where rosml asks you; --no-defaults leaves the file out", 2)
     whose = "" if trusted else f", a file of another user ({file.owner}),"
-    click.echo("\n  ".join([f"{name}{whose} wants:", *items]), err=True)
-    click.echo("Allow this until the file changes? [y/N] ", err=True, nl=False)
+    terminal.echo("\n  ".join([f"{name}{whose} wants:", *items]), err=True)
+    terminal.echo("Allow this until the file changes? [y/N] ", err=True, nl=False)
     if sys.stdin.buffer.readline().strip().lower() not in (b"y", b"yes"):
         raise RosmlError(f"{name} is not allowed", "--no-defaults leaves it out", exit_code=2)
     try:

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from rosml import ROOT
+from rosml.base import terminal
 from rosml.cli import options
 from rosml.cli.checkout import Command
 
@@ -33,6 +34,6 @@ def main(version: str, matrix: Path, as_json: bool) -> None:
     found = revision.since(version, Inputs(ROOT, load.load(matrix, ROOT)))
     ci.summary(changes.markdown(found))
     if as_json:
-        click.echo(changes.as_json(found), nl=False)
+        terminal.echo(changes.as_json(found), nl=False)
     else:
         tables.print_difference(found)

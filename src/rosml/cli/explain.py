@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from rosml import ROOT
+from rosml.base import terminal
 from rosml.cli import completion, options
 from rosml.cli.checkout import Command
 
@@ -29,4 +30,4 @@ def main(name: str, matrix: Path, as_json: bool) -> None:
     from rosml.images.explain import explained
 
     found = explained(load.load(matrix, ROOT), name)
-    click.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else found.text)
+    terminal.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else found.text)

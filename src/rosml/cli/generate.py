@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import click
 
 from rosml import ROOT
-from rosml.base import files
+from rosml.base import files, terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command, options
 from rosml.cli.checkout import Command
@@ -77,7 +77,7 @@ def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path 
     """
     changed = files.write_all(wanted, within)
     for file in wanted:
-        click.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)
+        terminal.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)
     if lost:
         command.warn(lost.message, lost.remedy)
 
@@ -87,7 +87,7 @@ def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
     would commit the loss."""
     differences = {file: files.difference(file, content) for file, content in wanted.items()}
     stale = [files.shown(file) for file, text in differences.items() if text]
-    click.echo("".join(differences.values()), nl=False)
+    terminal.echo("".join(differences.values()), nl=False)
     found = [(lost.message, lost.remedy)] if lost else []
     found += [(f"{', '.join(stale)}: stale", f"run '{COMMAND}' and commit the result")] if stale else []
     if found:

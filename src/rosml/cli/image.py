@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from rosml import ROOT
+from rosml.base import terminal
 from rosml.cli import completion, setup
 from rosml.cli.call import KEPT, Call, say, sharing, wait_for_turn
 from rosml.cli.checkout import Command
@@ -74,4 +75,4 @@ def main(target: str, matrix: Path, namespace: str, platform: str, force: bool, 
         run.index()
         moves = promote.Promotion(run).run()
     found = summary.of_image(run, wanted, architecture, moves)
-    click.echo(json.dumps(found.to_json(), indent=2) if as_json else found.text())
+    terminal.echo(json.dumps(found.to_json(), indent=2) if as_json else found.text())

@@ -7,6 +7,7 @@ import os
 
 import click
 
+from rosml.base import terminal
 from rosml.cli import options
 from rosml.cli.checkout import Command
 
@@ -41,7 +42,7 @@ def main(
     from rosml.registry import oci
 
     def say(line: str) -> None:
-        click.echo(line, err=True)
+        terminal.echo(line, err=True)
 
     with (
         oci.Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
@@ -49,10 +50,10 @@ def main(
     ):
         found = joiner.join(ros_image, parts, tag, platforms)
     if as_json:
-        click.echo(json.dumps(found.to_json(), indent=2))
+        terminal.echo(json.dumps(found.to_json(), indent=2))
         return
-    click.echo(f"{found.reference}@{found.digest}")
+    terminal.echo(f"{found.reference}@{found.digest}")
     counts = ((found.mounted, "mounted"), (found.present, "there already"), (found.copied, "copied"))
     ways = ", ".join(f"{number} {what}" for number, what in counts if number)
-    click.echo(f"{', '.join(found.manifests)}: {found.layers} layers ({ways})")
-    click.echo(f"{size(found.uploaded)} uploaded in {duration(found.seconds)}")
+    terminal.echo(f"{', '.join(found.manifests)}: {found.layers} layers ({ways})")
+    terminal.echo(f"{size(found.uploaded)} uploaded in {duration(found.seconds)}")

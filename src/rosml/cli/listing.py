@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from rosml import ROOT
+from rosml.base import terminal
 from rosml.cli import completion, options
 from rosml.cli.checkout import Command
 
@@ -30,10 +31,10 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     image_set = load.load(matrix, ROOT)
     images = selection.members(image_set, groups)
     if not images:
-        click.echo(selection.none_in(groups), err=True)
+        terminal.echo(selection.none_in(groups), err=True)
     if as_json:
         inputs = Inputs(ROOT, image_set)
         inputs.check()
-        click.echo(tables.images_as_json(inputs, images), nl=False)
+        terminal.echo(tables.images_as_json(inputs, images), nl=False)
     elif images:
         tables.print_images(images)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rosml import ROOT
-from rosml.base import ci, files
+from rosml.base import ci, files, terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import options
 from rosml.cli.checkout import Command
@@ -90,7 +90,7 @@ def main(
         (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
         files.write(ROOT / path, locks.texts[path], within=ROOT)
     for path in stale:  # when all is written: whoever reads along may stop reading
-        click.echo(f"{path}: {'would change' if check else 'written'}", err=as_json)
+        terminal.echo(f"{path}: {'would change' if check else 'written'}", err=as_json)
     moved = moves(earlier, {path: locks.texts[path] for path in stale if path in earlier})
     fresh = [path for path in stale if path not in earlier]
     if not as_json:
@@ -99,12 +99,12 @@ def main(
         text = markdown(moved, fresh, locks.left_out) + (base_table(pinned) if pinned else "")
         files.write(report, text + (upstream_table(image_set, stacks) if upgrade else ""))
     for path in sorted(there - locks.texts.keys()):
-        click.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
+        terminal.echo(f"{path}: belongs to nothing in {matrix.name}; delete it", err=as_json)
     for request, reason in locks.left_out.items():
-        click.echo(f"{request}: locks stay as they are: {reason}", err=True)
-    click.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}", err=as_json)
+        terminal.echo(f"{request}: locks stay as they are: {reason}", err=True)
+    terminal.echo(f"{len(locks.texts)} locks, {len(stale)} {'stale' if check else 'changed'}", err=as_json)
     if as_json:
-        click.echo(to_json(moved, stale, fresh, locks.left_out, pinned))
+        terminal.echo(to_json(moved, stale, fresh, locks.left_out, pinned))
     if check:
         words = [*(["--upgrade"] if upgrade else []), *(word for stack in stacks for word in ("--stack", stack))]
         require_fresh(len(stale), pinned, words, as_json)
@@ -112,7 +112,7 @@ def main(
 
 def say(line: str) -> None:
     """Tells people how far the work is."""
-    click.echo(line, err=True)
+    terminal.echo(line, err=True)
 
 
 def require_known(image_set: ImageSet, stacks: Sequence[str]) -> None:
@@ -138,10 +138,10 @@ def tell_upstream(image_set: ImageSet, stacks: Sequence[str], report: Path | Non
     if report:
         files.write(report, upstream_text(found))
     if as_json:
-        click.echo(json.dumps([asdict(item) for item in found], indent=2, ensure_ascii=False))
+        terminal.echo(json.dumps([asdict(item) for item in found], indent=2, ensure_ascii=False))
         return
     tables.show(UPSTREAM, upstream_rows(found), wrapped=("held by",))
-    click.echo(f"{counted(len(found), 'newer release')}" if found else "nothing is newer than what the matrix names")
+    terminal.echo(f"{counted(len(found), 'newer release')}" if found else "nothing is newer than what the matrix names")
 
 
 def upstream_table(image_set: ImageSet, stacks: Sequence[str]) -> str:
@@ -179,7 +179,7 @@ def tell_bases(pinned: Pins, check: bool, report: Path | None, as_json: bool) ->
     if report:
         files.write(report, base_table(pinned))
     if as_json:
-        click.echo(to_json(pinned=pinned))
+        terminal.echo(to_json(pinned=pinned))
     if check:
         require_fresh(0, pinned, ["--bases"], as_json)
 
@@ -204,7 +204,7 @@ def stop(error: RosmlError, as_json: bool) -> None:
     """Ends with an error; with `--json`, whose one object is printed by then, it is told on standard error alone."""
     if not as_json:
         raise error
-    click.echo(f"error: {error.message}\nremedy: {error.remedy}", err=True)
+    terminal.echo(f"error: {error.message}\nremedy: {error.remedy}", err=True)
     raise click.exceptions.Exit(error.exit_code)
 
 
@@ -248,11 +248,11 @@ def base_images(matrix: Path, check: bool, as_json: bool = False) -> Pins:
     if found.moved and not check:
         files.write(matrix, base_digests.rewritten(matrix.read_text(encoding="utf-8"), document, found.moved))
     for system, image, old, new in base_digests.rows(found.moved):
-        click.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}", err=as_json)
+        terminal.echo(f"{system}: {image}: {'would move' if check else 'moved'} from {old} to {new}", err=as_json)
     for line in base_digests.reasons(found.left_out):
-        click.echo(line, err=True)
+        terminal.echo(line, err=True)
     total = len(load.image_set(document).matrix.operating_systems)
-    click.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
+    terminal.echo(f"{total} base images, {len(found.moved)} {'stale' if check else 'changed'}", err=as_json)
     return found
 
 

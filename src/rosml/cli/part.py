@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from rosml import ROOT
+from rosml.base import terminal
 from rosml.cli import completion
 from rosml.cli.call import KEPT, say, sharing
 from rosml.cli.checkout import Command
@@ -46,7 +47,7 @@ def main(
         known = {item.name: [*item.platforms] for item in image_set.parts}
         listed = [{"name": name, "platforms": platforms} for name, platforms in known.items()]
         lines = (f"{name}  {', '.join(platforms)}" for name, platforms in known.items())
-        click.echo(json.dumps(listed, indent=2) if as_json else "\n".join(lines))
+        terminal.echo(json.dumps(listed, indent=2) if as_json else "\n".join(lines))
         return
     services = Services.load(ROOT)
     services.require_registry()
@@ -58,10 +59,10 @@ def main(
             file_list.attach_files(services, image_set, client, f"{namespace}/part", results[-1].digest, say)
         if not (as_json or markdown):
             done = results[-1]
-            click.echo(f"{done.reference}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")
+            terminal.echo(f"{done.reference}  bytecode: {done.bytecode or 'none'}  {done.seconds:.0f} s")
             for name, (digest, size) in done.layers.items():
-                click.echo(f"  {name}  {digest}  {size / 1e6:.1f} MB")
+                terminal.echo(f"  {name}  {digest}  {size / 1e6:.1f} MB")
     if as_json:
-        click.echo(json.dumps([done.to_json() for done in results], indent=2))
+        terminal.echo(json.dumps([done.to_json() for done in results], indent=2))
     elif markdown:
-        click.echo(found.markdown(results), nl=False)
+        terminal.echo(found.markdown(results), nl=False)

@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from rosml.base import terminal
 from rosml.cli.call import Call, sharing
 from rosml.cli.checkout import Command
 
@@ -55,7 +56,7 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
         files.write(output, plan.text())
         report.tell(plan)
     if call.as_json and plan:
-        click.echo(plan.text(), nl=False)
+        terminal.echo(plan.text(), nl=False)
         return
     report.print_plan(pipeline, why)
     if everywhere and plan and plan.shards:

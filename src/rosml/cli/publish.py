@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rosml import ROOT
+from rosml.base import terminal
 from rosml.cli.call import KEPT, Call, say, sharing, wait_for_turn
 from rosml.cli.checkout import Group
 from rosml.cli.options import place_of
@@ -173,7 +174,7 @@ def database(policy: Path, as_json: bool) -> None:
 
     with oci.Registries(Services.load(ROOT).ca_bundle) as registries:
         found = trivy.resolve(load(policy).policy.database, head)
-    click.echo(json.dumps({"database": found}) if as_json else found)
+    terminal.echo(json.dumps({"database": found}) if as_json else found)
 
 
 @main.command()
@@ -244,7 +245,7 @@ def rosdep(checkout: Path | None, as_json: bool, **options: Any) -> None:
         tags = (f"{datetime.now(UTC):%Y%m%d}", "latest")
         digest = rosdep_index.publish(folder, client, repository, tags)
         names = [f"{client.host}/{repository}:{tag}" for tag in tags]
-    click.echo(json.dumps({"tags": names, "digest": digest}) if as_json else f"{names[0]}  {digest}")
+    terminal.echo(json.dumps({"tags": names, "digest": digest}) if as_json else f"{names[0]}  {digest}")
 
 
 @main.command(alone=True)
@@ -288,14 +289,14 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
         found = pruner.find()
         if not call.as_json:
             for repository, tag in found.tags:
-                click.echo(f"{repository}:{tag}")
+                terminal.echo(f"{repository}:{tag}")
             for repository, digest in found.manifests:
-                click.echo(f"{repository}@{digest}")
-            click.echo(f"{len(found.tags)} tags and {len(found.manifests)} manifests can go; {found.kept} tags stay")
+                terminal.echo(f"{repository}@{digest}")
+            terminal.echo(f"{len(found.tags)} tags and {len(found.manifests)} manifests can go; {found.kept} tags stay")
         if apply:
             for line in pruner.remove(found):
                 say(line if STAYS in line else f"removed: {line}")
     if call.as_json:  # at the end: an error while it is removed is an object of its own
-        click.echo(json.dumps(found.to_json(), indent=2))
+        terminal.echo(json.dumps(found.to_json(), indent=2))
     elif not apply and (found.tags or found.manifests):
-        click.echo("nothing was removed; add --apply")
+        terminal.echo("nothing was removed; add --apply")

@@ -8,6 +8,7 @@ from functools import cache
 
 import click
 
+from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command, container, defaults
 from rosml.run import plugins, words
@@ -253,4 +254,4 @@ def show(program: str, line: words.Line, caller: Person, files: Files, kind: str
     call = export.call(context, plan.argv)
     text = devcontainer.text(call) if kind == "devcontainer" else compose.text(call)
     with container.printing():
-        click.echo(text, nl=False)
+        terminal.echo(text, nl=False)

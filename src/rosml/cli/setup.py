@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rosml import ROOT
+from rosml.base import terminal
 from rosml.cli import checkout, options
 from rosml.cli.checkout import Command, Group
 
@@ -200,14 +201,14 @@ def signer(tests: bool) -> None:
 def room() -> None:
     """Removes what GitHub's machines bring and nobody needs here; on those only."""
     if os.environ.get("RUNNER_ENVIRONMENT") != "github-hosted":
-        click.echo("this is none of GitHub's own machines: nothing is removed")
+        terminal.echo("this is none of GitHub's own machines: nothing is removed")
         return
     before = shutil.disk_usage("/").free
     folders = [folder for folder in PREINSTALLED if os.path.isdir(folder)]
     if folders:
         subprocess.run(["sudo", "rm", "-rf", *folders], stdin=subprocess.DEVNULL, check=False)
     free = shutil.disk_usage("/").free
-    click.echo(f"removed {len(folders)} folders, {(free - before) / 1e9:.1f} GB; {free / 1e9:.1f} GB are free")
+    terminal.echo(f"removed {len(folders)} folders, {(free - before) / 1e9:.1f} GB; {free / 1e9:.1f} GB are free")
 
 
 @main.command()
@@ -230,7 +231,7 @@ def status(as_json: bool) -> None:
 
     facts = services.status(_state())
     if as_json:
-        click.echo(json.dumps(facts, indent=2))
+        terminal.echo(json.dumps(facts, indent=2))
         return
     rows = {"services": "not up (rosml setup)"}
     if facts["up"]:
@@ -244,13 +245,13 @@ def status(as_json: bool) -> None:
         }
     rows |= {"built tools": ", ".join(facts["installed"]) or "none", "disk free": f"{facts['disk_free_gb']} GB"}
     for name, value in {**rows, "state": facts["state"]}.items():
-        click.echo(f"{name:<11}  {value}")
+        terminal.echo(f"{name:<11}  {value}")
 
 
 def _state() -> State:
     from rosml.machine.setup.state import State
 
-    return State(ROOT, click.echo, os.environ.get(UV, ""), os.environ.get("ROSML_CA_BUNDLE", ""))
+    return State(ROOT, terminal.echo, os.environ.get(UV, ""), os.environ.get("ROSML_CA_BUNDLE", ""))
 
 
 def _installer(state: State) -> Installer:
@@ -304,4 +305,4 @@ def _down(remove: bool) -> None:
     if remove:
         builder.unmount_below(state.folder)
     if stopped or not remove:
-        click.echo(f"stopped: {', '.join(stopped)}" if stopped else "nothing was running")
+        terminal.echo(f"stopped: {', '.join(stopped)}" if stopped else "nothing was running")

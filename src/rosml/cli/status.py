@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 
+from rosml.base import terminal
 from rosml.cli.call import Call, sharing
 from rosml.cli.checkout import Command
 
@@ -32,6 +33,6 @@ def main(**options: Any) -> None:
     pipeline = call.pipeline(reading=True)
     found = list(states.read(pipeline.plan, pipeline.registry, pipeline.prefix, now(), pipeline.serving))
     if call.as_json:
-        click.echo(states.as_json(found))
+        terminal.echo(states.as_json(found))
     else:
         tables.print_status(found)

@@ -7,8 +7,6 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING
 
-import click
-
 from rosml.bake.diff import Difference, how_many, rows
 from rosml.bake.inputs import Inputs
 from rosml.base import terminal
@@ -101,19 +99,19 @@ def print_scan(run: Run) -> None:
     policy's entries, and the run's outcome."""
     said: set[str] = set()
     for image in run.images:
-        click.echo(summary(image))
+        terminal.echo(summary(image))
         found = finding_rows([it for it in image.findings if it.fails or it.ignored])
         show(COLUMNS, ([coloured(first, COLOURS.get(first, "")), *others] for first, *others in found))
         for note in image.notes:
             if note not in said:
-                click.echo(f"note: {note}")
+                terminal.echo(f"note: {note}")
         said.update(image.notes)
     for problem in run.problems:
-        click.echo(problem)
+        terminal.echo(problem)
     states = {(image.database.updated, image.database.digest) for image in run.images if image.database}
     for updated, digest in sorted(states):
-        click.echo(f"database of {updated}, {digest}")
-    click.echo(f"{counted(len(run.images), 'image')}: {run.outcome.value}")
+        terminal.echo(f"database of {updated}, {digest}")
+    terminal.echo(f"{counted(len(run.images), 'image')}: {run.outcome.value}")
 
 
 def print_status(found: list[ImageStatus]) -> None:

@@ -19,6 +19,8 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import TextIO
 
+from rosml.base.terminal import shown
+
 _PREFIX = re.compile(r"^\[(?P<context>[^\]]*)\]\s*(?P<command>.*)$")
 _PART = re.compile(r"^\[(?:_files-|part-)?(?P<part>\S+) part-files [^]]*\] .*/assemble\.sh")
 _MOUNT = re.compile(r"--mount=\S+\s*")
@@ -179,10 +181,10 @@ class BuildProgress:
         """A line, with the time since the beginning."""
         self._spoke = self._clock()
         elapsed = int(self._clock() - self._begin)
-        line = f"  {elapsed // 60:3d}:{elapsed % 60:02d}  {text}"
+        line = f"  {elapsed // 60:3d}:{elapsed % 60:02d}  {shown(text)}"
         self._out.write((line if len(line) <= 150 else line[:149] + "…") + "\n")
         self._out.flush()
 
     def _write_log(self, text: str) -> None:
         if self._log is not None:
-            self._log.write(text + "\n")
+            self._log.write(shown(text) + "\n")
