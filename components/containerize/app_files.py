@@ -26,7 +26,7 @@ import stat
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Sequence
+from typing import Any, Iterable, Sequence
 
 import contents
 from contents import entries
@@ -141,10 +141,12 @@ def put(source: Path, target: Path) -> None:
 
 
 def copy(source: Path, path: str, out: Path) -> None:
-    """Copies a file with the folders above it."""
+    """Copies a file with the folders above it. A link among these would lead to a place that is not the app's."""
     parts = Path(path).parts
     for number in range(1, len(parts)):
         folder = Path(*parts[:number])
+        if (out / folder).is_symlink():
+            sys.exit(f"error: /{folder} is a link now, and has the app's files; let your scripts leave it a folder")
         if not (out / folder).exists():
             put(source / folder, out / folder)
     put(source / path, out / path)
@@ -164,9 +166,10 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
     }
     if libraries(runtime) - libraries(base):
         facts["changed"].append("etc/ld.so.cache")
+    changed = {*facts["changed"]}
+    facts.update(changed=shown(facts["changed"]), removed=shown(facts["removed"]))
     if facts["replaced"] or facts["removed"]:
         return facts
-    changed = {*facts["changed"]}
     for path in [*wanted, *changed.difference(wanted)]:
         if path not in old or path in changed:
             copy(runtime, path, root)
@@ -178,6 +181,11 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
         for name in facts["packages"]:
             (folder / name.partition(":")[0]).write_text(installed[name])
     return facts
+
+
+def shown(paths: Iterable[str]) -> list[str]:
+    """Paths as JSON can have them: bytes that are not UTF-8 become escapes."""
+    return [path.encode("utf-8", "backslashreplace").decode() for path in paths]
 
 
 def outside(environment: Path, built: Path) -> list[str]:
@@ -193,7 +201,7 @@ def outside(environment: Path, built: Path) -> list[str]:
 def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *locked: Path) -> None:
     root = out / "root"
     root.mkdir(parents=True)
-    facts = {**packages(base, runtime, root), "outside": outside(environment, built), **versions(base, locked)}
+    facts = {**packages(base, runtime, root), "outside": shown(outside(environment, built)), **versions(base, locked)}
 
     install = "docker-ros/ws/install"
     # Of a base image that is an app itself, what it has built stays there.

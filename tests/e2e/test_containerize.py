@@ -500,6 +500,68 @@ def test_packages_may_replace_what_the_base_image_has(published: Publish, servic
     build_folder(services, tmp_path / "chk")
 
 
+HARM = r"""set -eu
+say() { printf '\033]52;c;aGFybQ==\007\033[8m%s\n::error::harm\n##[add-mask]harm\n' "$1"; }
+for folder in /tests/results /tests /tests/results/harm; do
+  mkdir -p $folder
+  for name in app.json dependencies.json images.json slim.json; do echo '{"packages": ["harm"]}' >$folder/$name; done
+done
+ln -s /proc/self/environ /tests/results/harm/link.xml
+ln -s / /tests/results/root
+mkfifo /tests/results/harm/pipe.xml
+mknod /tests/results/harm/device.xml c 1 5 || mkfifo /tests/results/harm/device.xml
+say the-last-line
+exit "$1"
+"""
+"""What a test may do: it is root in its step."""
+
+
+def test_what_tests_leave_says_nothing_of_the_machine_or_the_images(
+    published: Publish, services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder, name = tmp_path / "harm", f"{NAMESPACE}/harm"
+    folder.mkdir()
+    (folder / "package.xml").write_text(PACKAGE.format("harm", ""))
+    lines = "enable_testing()\nadd_test(NAME harm COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/harm.sh 0)\n"
+    (folder / "CMakeLists.txt").write_text(CMAKE.format("harm") + lines)
+    (folder / "harm.sh").write_text(HARM)
+    monkeypatch.setenv("GIT_HTTPS_PASSWORD", CANARY)
+    base = published(BASE).result["reference"]
+    options = ("--base-image", base, "--image-name", name, "--command", "true", "--target", "run")
+    outcome = containerize(folder, *options)
+    assert outcome.code == 1
+    error = json.loads(outcome.out)["error"]
+    assert "4 of 5 tests failed; no image was made" in error, error
+    for said in ("link.xml: it is a link", "root: it is a link", "pipe.xml: it is a pipe", "device.xml: it is a"):
+        assert f"{said}" in error
+    state = services.state / f"containerize/{name.replace('/', '+')}@latest"
+    left = [path for path in state.rglob("*") if "said" not in path.parts and path.name != "harm.sh"]
+    assert not [path for path in left if path.is_symlink() or not (path.is_file() or path.is_dir())]
+    reports = [path for path in (state / "report").rglob("*") if path.is_file()]
+    assert {path.suffix or path.name for path in reports} == {".xml", "failed"}
+    assert CANARY not in outcome.out + outcome.err + "".join(path.read_text() for path in reports)
+    assert "harm" not in json.loads((state / "said/dependencies.json").read_text())["keys"]
+    assert json.loads((state / "said/app.json").read_text())["packages"] == []
+
+
+def test_lines_of_a_build_are_no_commands(
+    published: Publish, services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To the terminal, or to the forge whose log they are in."""
+    folder = tmp_path / "harm"
+    (folder / "docker").mkdir(parents=True)
+    (folder / "package.xml").write_text(PACKAGE.format("harm", ""))
+    (folder / "CMakeLists.txt").write_text(CMAKE.format("harm"))
+    (folder / "docker/custom.sh").write_text(HARM.replace('exit "$1"', "exit 1"))
+    monkeypatch.setenv("GITHUB_ACTIONS", "true")
+    outcome = containerize(folder, "--base-image", published(BASE).result["reference"], "--command", "true")
+    assert outcome.code == 1 and "the-last-line" in outcome.err
+    assert not re.search(r"^\s*::error::|##\[|\x1b\]|\x1b\[8m|\x07", outcome.err, re.MULTILINE)
+    assert ": :error::harm" in outcome.err, "people read it all the same"
+    log = (services.state / "log/containerize-harm@latest.log").read_bytes()
+    assert b"the-last-line" in log and b"\x1b]" not in log
+
+
 @pytest.mark.parametrize(
     ("file", "text", "says"),
     [

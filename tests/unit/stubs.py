@@ -47,14 +47,20 @@ BUILDX = """\
 here='{folder}'
 echo "buildx $*" >>"$here/calls"
 case $1 in inspect) cat "$here/status"; exit 0 ;; esac
-metadata= report= previous= target=
+metadata= report= archive= previous= target=
 for word; do
     case $previous in --metadata-file) metadata=$word ;; esac
-    case $word in *.output=type=local,dest=*) report=${{word#*dest=}} ;; esac
+    case $word in
+        *.output=type=local,dest=*) report=${{word#*dest=}} ;;
+        *.output=type=tar,dest=*) archive=${{word#*dest=}} report=$archive.left ;;
+    esac
     previous=$word target=$word
 done
+[ -z "$archive" ] || rm -rf "$report"
+trap '[ -z "$archive" ] || [ ! -d "$report" ] || tar -cf "$archive" -C "$report" .' EXIT
 """
-"""A buildx that records its calls; what `bake` does is up to the test: it finds $metadata, $report and $target."""
+"""A buildx that records its calls; what `bake` does is up to the test: it finds $metadata, $report and $target, and what is in
+$report comes out of the build."""
 
 
 OFFLINE = [sys.executable, str(Path(__file__).resolve().parents[2] / "tools" / "offline")]

@@ -20,7 +20,11 @@ from rosml.registry import oci
 
 KEYS = Keys("e", "u", "a", False)
 
-REPORT = Built("base", packages=["robot"], keys={"roscpp": ["libroscpp-dev"]}, tests=junit.Tests(3, 1)).facts()
+KNOWN: dict[str, Any] = {
+    "keys": {"roscpp": [{"installer": "apt", "names": ["libroscpp-dev"]}]},
+    "added": {"apt": {"amd64": {"libroscpp-dev": "1.16.0+ds-4"}}, "pip": {}},
+}
+REPORT = Built("base", packages=["robot"], tests=junit.Tests(3, 1), **KNOWN).facts()
 
 
 @pytest.fixture
@@ -126,6 +130,8 @@ ROBOT = "me/robot-cache"
         oci.encoded({**REPORT, "format": FORMAT, "tests": ["3", 1]}),
         oci.encoded({**REPORT, "format": FORMAT, "tests": [3]}),
         oci.encoded({**REPORT, "format": FORMAT, "packages": None}),
+        oci.encoded({**REPORT, "format": FORMAT, "keys": {"roscpp": ["libroscpp-dev"]}}),
+        oci.encoded({**REPORT, "format": FORMAT, "added": {"apt": {"amd64": {"libfoo": "1 ; true"}}, "pip": {}}}),
     ],
 )
 def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:

@@ -8,9 +8,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import archives
 import pytest
 from click.testing import CliRunner
 from registry_stand_in import StandIn
+from test_report import APP, DEPENDENCIES
 
 from rosml.apps import base, build, ci, inputs
 from rosml.apps.build import Built, Made
@@ -176,6 +178,13 @@ def job(services: Services, tmp_path: Path, *, what: ci.Commit = MAIN, **given: 
     return ci.Job(inputs.values(values, tmp_path, {}), {}, what, lambda line: None)
 
 
+def left(call: ci.Job, services: Services, tmp_path: Path) -> Path:
+    """What a job leaves for the one that makes the index, as its artifact is called."""
+    out = tmp_path / "made" / call.name
+    call.build(tmp_path, services, out, True)
+    return out
+
+
 @pytest.fixture(autouse=True)
 def app(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ci, "App", App)
@@ -205,11 +214,9 @@ def test_all_tags_of_a_commit_are_one_image(stand_in: StandIn, services: Service
 def test_an_index_has_every_platform_and_gets_all_tags(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
     """Of what jobs left, that of a call with another tag is passed over."""
     given: dict[str, Any] = {"image_tag": "v1", "enable_push_as_latest": "true"}
-    job(services, tmp_path, platform="amd64", image_tag="v2").build(tmp_path, services, tmp_path / "made/v2", True)
+    left(job(services, tmp_path, platform="amd64", image_tag="v2"), services, tmp_path)
     for platform in ("amd64", "arm64"):
-        job(services, tmp_path, platform=platform, **given).build(
-            tmp_path, services, tmp_path / "made" / platform, True
-        )
+        left(job(services, tmp_path, platform=platform, **given), services, tmp_path)
     with oci.Registries() as registries:
         [made] = job(services, tmp_path, platform="amd64,arm64", **given).index(tmp_path / "made", registries)
     found = tags(services, stand_in)
@@ -219,11 +226,40 @@ def test_an_index_has_every_platform_and_gets_all_tags(stand_in: StandIn, servic
     assert there == {"amd64": found["v1-amd64"], "arm64": found["v1-arm64"]}
 
 
+@pytest.mark.parametrize("place", ["reports/zz", "reports-amd64/linux_amd64/robot", "zz"])
+def test_no_other_file_says_what_a_job_made(place: str, stand_in: StandIn, services: Services, tmp_path: Path) -> None:
+    """Such as one that a test wrote, or that a repository has where GitLab keeps artifacts."""
+    outs = [left(job(services, tmp_path, platform=name), services, tmp_path) for name in ("amd64", "arm64")]
+    other = json.loads((outs[0] / ci.FILE).read_text())
+    other[0]["digest"] = put(services, f"{services.registry}/me/robot:evil")
+    for folder in (outs[0], tmp_path / "made"):
+        (folder / place).mkdir(parents=True, exist_ok=True)
+        (folder / place / ci.FILE).write_text(json.dumps(other))
+    with oci.Registries() as registries:
+        [made] = job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
+    index = json.loads(stand_in.manifests["me/robot", made.digest][1])
+    assert other[0]["digest"] not in {entry["digest"] for entry in index["manifests"]}
+
+
+@pytest.mark.parametrize(
+    "content", ["{}", "[[]]", "[" * 99_999, '[{"target": "run"}]', "\xff", None], ids=lambda text: str(text)[:20]
+)
+def test_a_damaged_file_of_a_job_is_said(content: str | None, services: Services, tmp_path: Path) -> None:
+    file = left(job(services, tmp_path, platform="amd64"), services, tmp_path) / ci.FILE
+    file.unlink()
+    if content is None:
+        file.symlink_to("/proc/self/environ")
+    else:
+        file.write_text(content)
+    with oci.Registries() as registries, pytest.raises(RosmlError, match=r"images\.json.*(damaged|link)") as caught:
+        job(services, tmp_path, platform="amd64").index(tmp_path / "made", registries)
+    assert caught.value.remedy
+
+
 def test_a_slim_image_has_tags_and_an_index_as_others(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
     """Where there is one."""
     for platform in ("amd64", "arm64"):
-        call = job(services, tmp_path, platform=platform, target="run,slim")
-        call.build(tmp_path, services, tmp_path / "made" / platform, True)
+        left(job(services, tmp_path, platform=platform, target="run,slim"), services, tmp_path)
     with oci.Registries() as registries:
         made = job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
     assert [image.target for image in made] == ["run", "slim"]
@@ -240,12 +276,10 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
         targets = json.loads(bake.file.read_text())["target"]
         seen[bake.target] = targets.get(bake.target, {}).get("tags", [])
         if bake.target == "packages":
-            report = Path(targets["report"]["output"][0].partition("dest=")[2])
-            (report / "results").mkdir(parents=True)
-            (report / "dependencies.json").write_text('{"packages": {}, "keys": {}}')
-            names = ("packages", "changed", "replaced", "removed", "outside", "pip")
-            app = {**{name: [] for name in names}, "architecture": "arm64", "apt": {"tree": "2.1"}}
-            (report / "app.json").write_text(json.dumps(app))
+            app = {**APP, "architecture": "arm64", "apt": {"tree": "2.1"}}
+            said = {"dependencies.json": json.dumps(DEPENDENCIES), "app.json": json.dumps(app)}
+            for name, left in (("report", said), ("results", {"results/robot/a.xml": "<testsuite/>"})):
+                archives.write(Path(targets[name]["output"][0].partition("dest=")[2]), left)
         return None, {"containerimage.digest": "sha256:1"}
 
     monkeypatch.setattr(buildx, "run", run)
@@ -272,7 +306,7 @@ def test_a_name_without_a_registry_is_docker_hubs(services: Services, tmp_path: 
 
 
 def test_no_tag_moves_where_a_platform_is_missing(stand_in: StandIn, services: Services, tmp_path: Path) -> None:
-    job(services, tmp_path, platform="amd64").build(tmp_path, services, tmp_path / "made", True)
+    left(job(services, tmp_path, platform="amd64"), services, tmp_path)
     with oci.Registries() as registries, pytest.raises(RosmlError, match="for linux/arm64; no tag was moved"):
         job(services, tmp_path, platform="amd64,arm64").index(tmp_path / "made", registries)
     assert tags(services, stand_in).keys() == {"latest-amd64"}

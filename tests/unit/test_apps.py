@@ -13,8 +13,10 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+import archives
 import pytest
 from registry_stand_in import StandIn
+from test_report import APP, DEPENDENCIES
 
 from rosml import ROOT
 from rosml.apps import bake_file, base, build, cache, inputs, junit, lock, names, rosdep_index, sources, workspace
@@ -266,16 +268,6 @@ def test_no_file_is_one_that_is_named_empty(tmp_path: Path) -> None:
     assert requests(tmp_path / "robot", {"after-dependency-installation-script": ""}, {})["after.sh"] == ""
 
 
-APP: dict[str, Any] = {
-    "packages": ["libfoo:all"],
-    "changed": [],
-    "replaced": [],
-    "removed": [],
-    "outside": [],
-    "architecture": "amd64",
-    "apt": {"libfoo": "1.0"},
-    "pip": [],
-}
 SLIM = dict(APP)
 FAILED = junit.Tests(2, 0, ("user: a",))
 
@@ -293,7 +285,7 @@ def repository(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
-    """What the builder is told, target by target; it leaves the report that tests ask for in `results`."""
+    """What the builder is told, target by target; it leaves a report, and no test."""
     seen: list[dict[str, Any]] = []
 
     def run(services: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:
@@ -301,11 +293,11 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
         wanted = content["target"]
         seen.append({"name": bake.target, **wanted.get(bake.target, wanted["report"])})
         if bake.target == "packages":
-            report = Path(wanted["report"]["output"][0].partition("dest=")[2])
-            report.mkdir(parents=True)
-            (report / "dependencies.json").write_text(json.dumps({"packages": {"robot": {}}, "keys": {}}))
-            (report / "app.json").write_text(json.dumps(APP))
-            (report / "slim.json").write_text(json.dumps(SLIM))
+            said = {"dependencies.json": DEPENDENCIES, "app.json": APP, "slim.json": SLIM}
+            left = {name: json.dumps(content) for name, content in said.items()}
+            archives.write(Path(wanted["report"]["output"][0].partition("dest=")[2]), left)
+            if "dest=" in wanted.get("results", {}).get("output", [""])[0]:
+                archives.write(Path(wanted["results"]["output"][0].partition("dest=")[2]), {})
         return None, {"containerimage.digest": "sha256:1"}
 
     monkeypatch.setattr(buildx, "run", run)
@@ -490,7 +482,11 @@ def test_packages_that_use_the_apps_are_tested_before_there_is_an_image(
     options = {"base_image": "ros:jazzy", "command": "true", "downstream_workspace": "uses.repos"}
     with contextlib.suppress(RosmlError):
         app(repository, services, tests="false", **options).build()
-    assert calls[0]["args"]["DOWNSTREAM"] == "downstream-untested", "they are built all the same"
+    [file] = services.state.rglob("bake.json")
+    untested = json.loads(file.read_text())
+    assert untested["group"]["packages"]["targets"] == ["report", "results"]
+    built = untested["target"]["results"]
+    assert (built["target"], built["output"]) == ("downstream-built", ["type=cacheonly"]), "they are built all the same"
 
 
 def test_a_relative_index_of_rosdep_is_one_of_the_folder(

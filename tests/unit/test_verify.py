@@ -157,12 +157,6 @@ def test_report(tmp_path: Path) -> None:
     assert report.failed == (Outcome("torch", "import", False, 0.0, "no torch\nno CUDA\nTraceback"),)
 
 
-def test_no_report_at_all(tmp_path: Path) -> None:
-    with pytest.raises(RosmlError, match="left no report") as caught:
-        structure_tests.read_report(tmp_path / "gone", ("contract",))
-    assert caught.value.remedy == "run it again"
-
-
 @pytest.mark.parametrize("text", [results(), '{"Results": null}'])
 def test_a_file_without_a_test_is_a_failure(tmp_path: Path, text: str) -> None:
     report = reported(tmp_path, contract=results({"Name": "a", "Pass": True}), torch=text)

@@ -14,6 +14,7 @@ from rosml.apps.base import Base
 from rosml.apps.names import SLIM, Names
 from rosml.build.push import COMPRESSION
 from rosml.images.labels import APP, PREFIX, REVISION, TITLE
+from rosml.machine import exported
 from rosml.machine.services import Services
 
 SCRIPTS = ROOT / "components"
@@ -25,8 +26,8 @@ BASE_DIGEST = "org.opencontainers.image.base.digest"
 LOCK = f"{PREFIX}lock"
 """The label that says what an image was built from, as the lock file does."""
 
-REPORT = "report"
-"""The target that leaves a folder with what is to be known of the app."""
+REPORT, RESULTS = "report", "results"
+"""The targets that leave an archive: one with what rosml's own steps say of the app, and one with what its tests left."""
 
 STAGES = ("app", "runtime", "workspace")
 """Stages that images are joined from."""
@@ -75,7 +76,7 @@ def render(
     names: Names,
     services: Services,
     environment: Iterable[str],
-    report: Path,
+    left: Mapping[str, Path],
     known: Mapping[str, str],
     kept: Mapping[str, str],
     unlinked: Container[str] = (),
@@ -85,7 +86,7 @@ def render(
 
     Args:
         environment: variables that are set.
-        report: folder for the report.
+        left: the archives for what the targets `REPORT` and `RESULTS` leave.
         known: stages that are in a registry, with their references. kept: where others go, by stage.
         unlinked: images that are not their base image and the app: they start from the stage that has the app's packages.
         lock: what the images are built from, for a label.
@@ -111,13 +112,18 @@ def render(
             "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
             "ROS_DISTRO": inputs.distribution,
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
-            "DOWNSTREAM": _downstream(values),
+            "DOWNSTREAM": "downstream-results" if values["downstream-workspace"] else "nothing",
         },
     }
-    stage = f"slim-{REPORT}" if inputs.slim else REPORT
-    if values["tests"] != "true":
-        stage += "-untested"
-    targets: dict[str, Any] = {REPORT: {**common, "target": stage, "output": [f"type=local,dest={report}"]}}
+    before, tested = "slim-" if inputs.slim else "", values["tests"] == "true"
+    targets: dict[str, Any] = {
+        REPORT: {**common, "target": f"{before}{REPORT}", "output": [exported.output(left[REPORT])]}
+    }
+    if tested:
+        targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [exported.output(left[RESULTS])]}
+    elif values["downstream-workspace"]:  # built all the same, for nobody to take
+        targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
+    first = [*targets]
     for stage in inputs.stages:
         targets[stage] = {**common, "target": stage}
     for stage, reference in kept.items():
@@ -134,15 +140,8 @@ def render(
             "tags": names.tags(target),
             "output": [names.loading if names.loads else f"type=image,push=true,{COMPRESSION}"],
         }
-    groups = {PACKAGES: {"targets": [REPORT, *(f"keep-{stage}" for stage in kept)]}}
+    groups = {PACKAGES: {"targets": [*first, *(f"keep-{stage}" for stage in kept)]}}
     return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"
-
-
-def _downstream(values: Mapping[str, str]) -> str:
-    """The stage with what is known of packages that use the app's."""
-    if not values["downstream-workspace"]:
-        return "nothing"
-    return "downstream-results" if values["tests"] == "true" else "downstream-untested"
 
 
 def _literal(value: Any) -> Any:

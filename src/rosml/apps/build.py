@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import functools
-import json
 import shutil
 import subprocess
 import time
@@ -13,7 +12,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rosml.apps import bake_file, contents, junit, lock, rosdep_index, sources, workspace
+from rosml.apps import bake_file, contents, junit, lock, report, rosdep_index, sources, workspace
 from rosml.apps import base as bases
 from rosml.apps import cache as caches
 from rosml.apps.cache import IDENTIFIED
@@ -22,6 +21,7 @@ from rosml.apps.names import SLIM, Names
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
+from rosml.base.problems import SHOWN
 from rosml.base.units import duration
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -29,10 +29,6 @@ from rosml.registry import oci
 
 TIME = 1767225600
 """2026-01-01T00:00:00Z: of images whose sources are in no commit."""
-
-
-DESCRIBED = ("run", SLIM)
-"""Images that get an SBOM and a list of files."""
 
 
 @dataclass(frozen=True)
@@ -181,7 +177,7 @@ class App:
 
     @property
     def report(self) -> Path:
-        """Folder of what the build says of the app, with `results` of its tests; one for each platform if there are several."""
+        """Folder of what the tests left, with `results` of the packages' own; one for each platform if there are several."""
         return self._state / "report"
 
     def build(self) -> Built:
@@ -224,7 +220,9 @@ class App:
         self, inputs: bake_file.Inputs, built: Built, cache: caches.Cache | None, locked: lock.Lock | None
     ) -> None:
         """Builds what no cache has, and joins the images."""
-        report, file = self.report, self._state / "bake.json"
+        file = self._state / "bake.json"
+        left = {name: self._state / f"{name}.tar" for name in (bake_file.REPORT, bake_file.RESULTS)}
+        said: report.Said | None = None
         known: dict[str, str] = {}
         kept: dict[str, str] = {}
         facts = None
@@ -239,19 +237,22 @@ class App:
             if not named and IDENTIFIED not in known:  # it is what reads them
                 inputs = self._with_lists(inputs, locked)
             kept = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in known}
-        arguments = (inputs, self._names, self._services, [*self._environment], report, known, kept)
+        arguments = (inputs, self._names, self._services, [*self._environment], left, known, kept)
         if facts:
             self._say(f"nothing to build: {self._values['cache']} has it")
             built.take(facts)
         else:
-            shutil.rmtree(report, ignore_errors=True)
+            shutil.rmtree(self.report, ignore_errors=True)
+            for archive in left.values():
+                archive.unlink(missing_ok=True)
             files.write(file, bake_file.render(*arguments))
             buildx.run(self._services, buildx.Bake(bake_file.PACKAGES, f"containerize-{self._state.name}", file))
-            self._read(report, built, slim=inputs.slim is not None)
-            self._require_passed(built)
+            said = report.Said(left[bake_file.REPORT], self._state / "said", self._names.platforms)
+            _take(built, said, slim=inputs.slim is not None)
+            if self._values["tests"] == "true":
+                self._test(left[bake_file.RESULTS], built)
             if cache:
-                details = {name: path.read_bytes() for name, path in self._details().items() if path.exists()}
-                cache.keep(keys, built.facts(), details)
+                cache.keep(keys, built.facts(), said.details())
         unlinked = [target for target, replaced in (("run", built.replaced), (SLIM, built.slim_replaced)) if replaced]
         made = self._locked(inputs, built)
         if locked and not locked.lacks(self._names.platforms):
@@ -264,25 +265,16 @@ class App:
             digest = metadata.get(f"containerimage.{'config.' if self._names.loads else ''}digest", "")
             built.images.append(Made(target, self._names.reference(target), digest))
         if self._values["sbom"] == "true" and not self._names.loads:
-            self._describe(built, functools.partial(cache.detail, keys) if cache and facts else self._detail)
-
-    def _details(self) -> dict[str, Path]:
-        """Where the build says what is in the images, by the name for it in a cache."""
-        return {
-            f"{target}/{platform}/{kind}": self._report_of(platform) / f"contents-{target}" / kind
-            for target in DESCRIBED
-            for platform in self._names.platforms
-            for kind in contents.KINDS
-        }
-
-    def _detail(self, name: str) -> bytes:
-        return self._details()[name].read_bytes()
+            if said:
+                self._describe(built, said.detail)
+            elif cache:
+                self._describe(built, functools.partial(cache.detail, keys))
 
     def _describe(self, built: Built, load: Callable[[str], bytes]) -> None:
         """Attaches an SBOM and a list of files to the images to run. Some registries take no such thing.
 
         Args:
-            load: gives what a build says of an image's contents, by a name as in `_details`.
+            load: gives what a build says of an image's contents, by a name as in `report.Said.details`.
         """
         owners = {
             name: repository
@@ -291,7 +283,7 @@ class App:
         }
         with oci.Registries(self._services.ca_bundle) as registries:
             for image in built.images:
-                if image.target not in DESCRIBED:
+                if image.target not in report.DESCRIBED:
                     continue
                 place = oci.parse(image.reference)
 
@@ -481,30 +473,16 @@ class App:
             return ""
         return done.stdout.strip() if done.returncode == 0 else ""
 
-    def _report_of(self, platform: str) -> Path:
-        """What the build says of one platform."""
-        return self.report if len(self._names.platforms) == 1 else self.report / platform.replace("/", "_")
+    def _test(self, left: Path, built: Built) -> None:
+        """Reads what the tests left.
 
-    def _read(self, report: Path, built: Built, slim: bool) -> None:
-        """Reads what the build says of the app, and of its tests on all platforms. `slim`: also of the slim image."""
-        folders = [self._report_of(name) for name in self._names.platforms]
-        try:
-            dependencies = json.loads((folders[0] / "dependencies.json").read_text())
-            apps = [json.loads((folder / "app.json").read_text()) for folder in folders]
-            slim_apps = [json.loads((folder / "slim.json").read_text()) for folder in folders] if slim else []
-        except (OSError, ValueError) as error:
-            raise RosmlError(f"the build left no report: {error}", "run it again") from None
-        built.packages, built.keys = list(dependencies["packages"]), dependencies["keys"]
-        built.installed, built.changed = apps[0]["packages"], apps[0]["changed"]
-        built.outside = apps[0]["outside"]
-        built.replaced = _replaced(apps)
-        built.slim_replaced = _replaced(slim_apps) if slim else None
-        built.added = lock.added([*apps, *slim_apps]).model_dump()
-        for folder in folders:
-            built.tests = junit.add(built.tests, junit.read(folder / "results"))
-            built.slim_tests = junit.add(built.slim_tests, junit.read(folder / "slim"))
-            built.downstream_tests = junit.add(built.downstream_tests, junit.read(folder / "downstream"))
-        built.reports = str(report / "results" if len(folders) == 1 else report)
+        Raises:
+            RosmlError: one failed; no image is made.
+        """
+        found = report.tests(left, self.report, self._names.platforms)
+        built.tests, built.slim_tests, built.downstream_tests = found.target, found.slim, found.downstream
+        built.reports = str(self.report if len(self._names.platforms) > 1 else self.report / report.TARGET)
+        self._require_passed(built)
 
     def _require_passed(self, built: Built) -> None:
         """Checks that no test failed.
@@ -535,18 +513,32 @@ class App:
             ),
         ):
             if tests.failures:
-                shown = "".join(f"\n    {line}" for line in tests.failures)
+                shown = "".join(f"\n    {line}" for line in tests.failures[:SHOWN])
+                if len(tests.failures) > SHOWN:
+                    shown += f"\n    and {len(tests.failures) - SHOWN} more"
                 count = f"{len(tests.failures)} of {tests.count} tests failed"
                 raise RosmlError(f"{count}{where}; no image was made{shown}{reports}", remedy)
+
+
+def _take(built: Built, said: report.Said, slim: bool) -> None:
+    """Takes what rosml's own steps said. `slim`: of the slim image as well."""
+    dependencies, apps = said.dependencies(), said.apps()
+    slim_apps = said.slim_apps() if slim else []
+    built.packages = [*dependencies.packages]
+    built.keys = dependencies.model_dump()["keys"]
+    built.installed, built.changed, built.outside = apps[0].packages, apps[0].changed, apps[0].outside
+    built.replaced = _replaced(apps)
+    built.slim_replaced = _replaced(slim_apps) if slim else None
+    built.added = lock.added(app.model_dump() for app in (*apps, *slim_apps)).model_dump()
 
 
 def _pins(repositories: Iterable[sources.Repository]) -> dict[str, lock.Pin]:
     return {item.path: lock.Pin(url=item.url, version=item.version, commit=item.commit) for item in repositories}
 
 
-def _replaced(apps: Iterable[Mapping[str, list[str]]]) -> list[str]:
+def _replaced(apps: Iterable[report.Facts]) -> list[str]:
     """What the packages of an app replace or remove of its base image, on any platform."""
-    return sorted({name for app in apps for name in (*app["replaced"], *app["removed"])})
+    return sorted({name for app in apps for name in (*app.replaced, *app.removed)})
 
 
 def _count(number: int, what: str) -> str:

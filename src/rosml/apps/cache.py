@@ -18,6 +18,8 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from rosml.apps import lock
+from rosml.apps.report import Answer
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
 
@@ -128,14 +130,14 @@ class _Report(BaseModel):
     model_config = ConfigDict(strict=True, extra="forbid")
 
     packages: list[str]
-    keys: dict[str, Any]
+    keys: dict[str, list[Answer]]
     installed: list[str]
     changed: list[str]
     replaced: list[str]
     outside: list[str]
     tests: list[int] = Field(min_length=2, max_length=2)
     slim_replaced: list[str] | None
-    added: dict[str, Any]
+    added: lock.Packages
 
 
 class Cache:

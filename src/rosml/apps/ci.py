@@ -14,12 +14,17 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from pydantic import TypeAdapter, ValidationError
+
 from rosml.apps import inputs, junit
 from rosml.apps.build import App
 from rosml.apps.inputs import Input
+from rosml.apps.lock import Digest
 from rosml.apps.names import SLIM, listed, listed_platforms
+from rosml.apps.report import KINDS, TARGET
 from rosml.base import files
 from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.credentials import DOCKER_HUB
@@ -194,12 +199,18 @@ class Image:
     tags: tuple[str, ...]
     end: str
     platforms: tuple[str, ...]
-    digest: str
+    digest: Digest
 
     @property
     def reference(self) -> str:
         """Its name with its first tag."""
         return f"{self.name}:{self.tags[0]}{self.end}"
+
+
+_IMAGES = TypeAdapter(list[Image])
+
+_MOST = 1 << 20
+"""Bytes of such a file."""
 
 
 class Job:
@@ -281,7 +292,9 @@ class Job:
         """
         if self._values["push"] != "true":
             return []
-        found = [image for file in sorted(folder.rglob(FILE)) for image in _read(file)]
+        # By their names: a job may have left other things, such as what its tests wrote.
+        jobs = [Job({**self._values, "platform": name}, {}, self._what, self._say).name for name in self._platforms]
+        found = [image for name in (self.name, *jobs) for image in _read(folder / name / FILE)]
         made = []
         for target in [*listed(self._values["target"]), SLIM]:
             wanted = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._what)))
@@ -311,11 +324,12 @@ def _complete(name: str) -> str:
 def _keep(report: Path, out: Path) -> None:
     """Copies JUnit files; those of each platform into a folder of its own, and those of slim images and downstream packages beside
     them."""
-    alone = (report / "results").is_dir()
+    alone = any((report / name).is_dir() for name in KINDS)
     for folder in [report] if alone else sorted(report.glob("*")):
-        for name, end in (("results", ""), ("slim", "-slim"), ("downstream", "-downstream")):
+        for name in KINDS:
             if (folder / name).is_dir():
-                shutil.copytree(folder / name, out / f"{folder.name}{end}")
+                end = "" if name == TARGET else f"-{name}"
+                shutil.copytree(folder / name, out / f"{folder.name}{end}", symlinks=True)
 
 
 def _join(members: list[Image], registries: oci.Registries) -> Image:
@@ -344,13 +358,16 @@ def _move(registries: oci.Registries, image: Image, first: int) -> None:
 
 
 def _read(file: Path) -> list[Image]:
+    """What a job made; nothing if it left no such file.
+
+    Raises:
+        RosmlError: the file is damaged.
+    """
+    data = files.regular(file, _MOST)
     try:
-        return [
-            Image(**{**entry, "tags": tuple(entry["tags"]), "platforms": tuple(entry["platforms"])})
-            for entry in json.loads(file.read_text())
-        ]
-    except (OSError, ValueError, TypeError, KeyError) as error:
-        raise RosmlError(f"{file} is damaged: {error}", "run all jobs again") from None
+        return _IMAGES.validate_json(data) if data is not None else []
+    except ValidationError as error:
+        raise RosmlError(f"{file} is damaged: {first_of(error)}", "run all jobs again") from None
 
 
 # ---- What the forge is told ------------------------------------------------------------------------------------------

@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
 
+FAILED = "failed"
+"""The file with what left no report, a line each."""
+
 SHOWN = 160
 """Characters of what a failed test said."""
 
@@ -36,7 +39,7 @@ def read(folder: Path) -> Tests:
     for package in sorted(path for path in folder.glob("*") if path.is_dir()):
         found = add(found, _package(package))
     try:
-        lines = (folder / "failed").read_text(errors="replace").split("\n")
+        lines = (folder / FAILED).read_text(errors="replace").split("\n")
     except FileNotFoundError:
         return found
     told = {line.partition(": ")[0] for line in found.failures}

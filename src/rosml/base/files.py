@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import stat
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -85,6 +86,32 @@ def _staged(file: Path, content: str) -> Path:
         Path(name).unlink(missing_ok=True)
         raise
     return Path(name)
+
+
+def regular(file: Path, most: int) -> bytes | None:
+    """What a file holds that somebody else may have written; None if there is none.
+
+    Args:
+        most: bytes that it may have.
+
+    Raises:
+        RosmlError: it is a link, a pipe, a device or a folder, is larger, or cannot be read.
+    """
+    try:
+        descriptor = os.open(file, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        reason = "it is a link" if error.errno == errno.ELOOP else error.strerror
+        raise RosmlError(f"{shown(file)}: cannot be read: {reason}", "put a file in its place") from None
+    with os.fdopen(descriptor, "rb") as stream:
+        facts = os.fstat(descriptor)
+        if not stat.S_ISREG(facts.st_mode):
+            raise RosmlError(f"{shown(file)}: cannot be read: it is no file", "put a file in its place")
+        content = stream.read(most + 1)
+    if len(content) > most:
+        raise RosmlError(f"{shown(file)}: has more than {most:,} bytes", "put a smaller file in its place")
+    return content
 
 
 def text(file: Path) -> str:

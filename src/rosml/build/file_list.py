@@ -12,7 +12,7 @@ from rosml.build.push import write_excerpt
 from rosml.images.image_set import ImageSet
 from rosml.join.file_lists import ARTIFACT, MEDIA_TYPE, unpacked
 from rosml.join.layers import platform
-from rosml.machine import base_images, buildx
+from rosml.machine import base_images, buildx, exported
 from rosml.machine.services import Services
 from rosml.matrix import names
 from rosml.registry.oci import Manifest, Registry
@@ -79,14 +79,15 @@ def _made(services: Services, image_set: ImageSet, registry: Registry, repositor
     (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
         sets = (
-            f"{TARGET}.output=type=local,dest={folder}",
+            f"{TARGET}.output={exported.output(Path(folder) / 'left.tar')}",
             f"{TARGET}.platform={platform(config)}",
             f"{TARGET}.contexts.listed=docker-image://{registry.host}/{repository}@{manifest.digest}",
         )
         variables = {names.os_variable(os_name): f"docker-image://{base}"}
         short = manifest.digest.partition(":")[2][:12]
         buildx.run(services, buildx.Bake(TARGET, f"{TARGET}-{short}", file, sets, variables))
-        data = (Path(folder) / "files.gz").read_bytes()
+        exported.unpack(Path(folder) / "left.tar", Path(folder) / "left", limits=exported.OURS)
+        data = exported.read(Path(folder) / "left", "files.gz")
     if not unpacked(data):
         raise RosmlError(f"the list of the files of {repository}@{manifest.digest} is empty", "run it again")
     return data

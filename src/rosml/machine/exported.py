@@ -1,0 +1,135 @@
+"""What a build left, taken in: regular files of an archive, and nothing else.
+
+Steps of a build run code of a repository, and of everything that this stands on. Names, kinds, sizes and contents of what they
+leave are a stranger's word. BuildKit's exporter into a folder makes the links, pipes and devices that they left on this machine
+as well. So the builder hands out an archive (`type=tar`), and this module writes the files in it.
+"""
+
+from __future__ import annotations
+
+import shutil
+import tarfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+from rosml.base.errors import RosmlError
+
+MEGABYTE = 1 << 20
+
+
+@dataclass(frozen=True)
+class Limits:
+    """How much a build may leave.
+
+    Attributes:
+        entries: files, folders and others together. each: bytes of a file. total: bytes of all files that are taken.
+    """
+
+    entries: int = 20_000
+    each: int = 16 * MEGABYTE
+    total: int = 64 * MEGABYTE
+
+
+TESTS = Limits()
+"""Of what tests leave."""
+
+OURS = Limits(entries=1000, each=64 * MEGABYTE, total=512 * MEGABYTE)
+"""Of what rosml's own steps leave: lists of the files of images are the largest."""
+
+_KINDS = {
+    tarfile.SYMTYPE: "a link",
+    tarfile.LNKTYPE: "a link",
+    tarfile.FIFOTYPE: "a pipe",
+    tarfile.CHRTYPE: "a device",
+    tarfile.BLKTYPE: "a device",
+}
+
+
+def output(archive: Path) -> str:
+    """The output of a bake target whose files go into an archive."""
+    return f"type=tar,dest={archive}"
+
+
+def unpack(
+    archive: Path,
+    folder: Path,
+    wanted: Callable[[PurePosixPath], bool] = lambda path: True,
+    limits: Limits = TESTS,
+) -> dict[str, str]:
+    """Writes the files of an archive into a folder, which is made for them.
+
+    Args:
+        archive: as the builder wrote it.
+        folder: what was there before is removed.
+        wanted: says of a file's path whether it is written; other files are passed over.
+        limits: of all that is in the archive, and of the files that are written.
+
+    Returns:
+        What is no regular file, is too large, or has a name that cannot be shown: by path, with the reason. None of it was written.
+
+    Raises:
+        RosmlError: there is no archive, it is damaged, or it has more than the limits.
+    """
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    refused: dict[str, str] = {}
+    count = total = 0
+    try:
+        with tarfile.open(archive, "r|", errors="surrogateescape") as entries:
+            for entry in entries:
+                count += 1
+                if count > limits.entries:
+                    raise RosmlError(f"the build left more than {limits.entries:,} files", "have its tests write fewer")
+                path = PurePosixPath(entry.name)
+                if entry.isdir():
+                    continue
+                if reason := _refusal(entry, path, limits):
+                    refused[_shown(path)] = reason
+                    continue
+                if not wanted(path):
+                    continue
+                total += entry.size
+                if total > limits.total:
+                    text = f"the build left more than {limits.total // MEGABYTE} MB of reports"
+                    raise RosmlError(text, "have its tests write less")
+                stream = entries.extractfile(entry)
+                assert stream is not None, "it is a regular file"
+                place = folder / path
+                place.parent.mkdir(parents=True, exist_ok=True)
+                place.write_bytes(stream.read(entry.size))
+    except FileNotFoundError:
+        raise RosmlError(f"the build left no report in {archive}", "run it again") from None
+    except (tarfile.TarError, EOFError, ValueError) as error:
+        raise RosmlError(f"what the build left in {archive} is damaged: {error}", "run it again") from None
+    return refused
+
+
+def _refusal(entry: tarfile.TarInfo, path: PurePosixPath, limits: Limits) -> str:
+    """Why an entry is not written; empty if it may be."""
+    if path.is_absolute() or not path.parts or ".." in path.parts:
+        return "its path leads elsewhere"
+    if not entry.isreg():
+        return f"it is {_KINDS.get(entry.type, 'no file')}, and not a file"
+    if not str(path).isprintable() or any(len(part.encode(errors="replace")) > 255 for part in path.parts):
+        return "its name cannot be shown"
+    if entry.size > limits.each:
+        return f"it has {entry.size // MEGABYTE} MB, and {limits.each // MEGABYTE} MB are read at most"
+    return ""
+
+
+def _shown(path: PurePosixPath) -> str:
+    """A path as it can be printed."""
+    return ascii(str(path))[1:-1] if not str(path).isprintable() else str(path)
+
+
+def read(folder: Path, name: str) -> bytes:
+    """A file that `unpack` wrote.
+
+    Raises:
+        RosmlError: the build left none of that name.
+    """
+    try:
+        return (folder / name).read_bytes()
+    except OSError as error:
+        raise RosmlError(f"the build left no {name}: {error.strerror}", "run it again") from None
