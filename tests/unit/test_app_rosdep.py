@@ -120,7 +120,7 @@ def test_what_github_has_is_cloned(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         assert "--depth 1 https://github.com/ros/rosdistro" in (folder / "said").read_text()
     assert not folder.exists()
     program.write_text("#!/bin/sh\necho 'fatal: no network' >&2\nexit 128\n")
-    with pytest.raises(RosmlError, match="cannot be cloned: fatal: no network"), rosdep_index.checkout(None):
+    with pytest.raises(RosmlError, match="cannot be cloned: no network"), rosdep_index.checkout(None):
         pass
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import functools
 import shutil
-import subprocess
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass, field, replace
@@ -23,7 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.base.problems import SHOWN
 from rosml.base.units import duration
-from rosml.machine import buildx
+from rosml.machine import buildx, git
 from rosml.machine.services import Services
 from rosml.registry import oci
 
@@ -423,9 +422,8 @@ class App:
             "rosdep": empty,
         }
         hooked = (requests / "identification.sh").stat().st_size > 0
-        moment = int(self._git("log", "-1", "--format=%ct") or TIME)
-        commit = self._git("rev-parse", "HEAD")
-        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit, moment, slim)
+        commit = git.commit(folder) or git.Commit("", TIME)
+        return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim)
 
     def _with_lists(self, inputs: bake_file.Inputs, locked: lock.Lock | None) -> bake_file.Inputs:
         """The same with rosdep's lists, if there are some beside those of the image."""
@@ -462,16 +460,6 @@ class App:
             values["tests"],
             inputs.hooked,
         )
-
-    def _git(self, *arguments: str) -> str:
-        """What git says of the folder; nothing where it is in no repository."""
-        try:
-            done = subprocess.run(
-                ["git", "-C", str(self._folder), *arguments], capture_output=True, text=True, check=False
-            )
-        except OSError:
-            return ""
-        return done.stdout.strip() if done.returncode == 0 else ""
 
     def _test(self, left: Path, built: Built) -> None:
         """Reads what the tests left.

@@ -19,6 +19,7 @@ from pathlib import Path
 
 from rosml.apps import urls
 from rosml.base.errors import RosmlError
+from rosml.machine.git import CLEAN, QUIET
 
 
 @dataclass(frozen=True)
@@ -79,7 +80,6 @@ SETTINGS = {
     "core.eol": "lf",
     "core.fileMode": "true",
     "core.symlinks": "true",
-    "core.attributesFile": os.devnull,
     "core.sparseCheckout": "false",
     "core.splitIndex": "false",
     "init.defaultObjectFormat": "sha1",
@@ -87,13 +87,7 @@ SETTINGS = {
     "filter.lfs.smudge": "",
     "filter.lfs.process": "",
     "filter.lfs.required": "false",
-    # Nothing starts beside what is asked for.
-    "core.hooksPath": os.devnull,
-    "core.fsmonitor": "false",
-    "gc.auto": "0",
-    "maintenance.auto": "false",
-    "fetch.recurseSubmodules": "false",
-    "submodule.recurse": "false",
+    **QUIET,
     # A server that sends nothing for a minute is given up.
     "http.lowSpeedLimit": "1",
     "http.lowSpeedTime": "60",
@@ -110,7 +104,7 @@ LFS: tuple[Setting, ...] = (
 _DROPPED = re.compile(
     r"GIT_(TRACE.*|CURL_VERBOSE|DIR|WORK_TREE|INDEX_FILE|OBJECT_DIRECTORY|ALTERNATE_OBJECT_DIRECTORIES|COMMON_DIR"
     r"|NAMESPACE|PREFIX|SHALLOW_FILE|GRAFT_FILE|REPLACE_REF_BASE|QUARANTINE_PATH|(NO)?GLOB_PATHSPECS|ICASE_PATHSPECS"
-    r"|DEFAULT_HASH|LFS_SKIP_SMUDGE|HTTPS_PASSWORD|SSH_PRIVATE_KEY)"
+    r"|DEFAULT_HASH|LFS_SKIP_SMUDGE|HTTPS_PASSWORD|SSH_PRIVATE_KEY)|REGISTRY_PASSWORD"
 )
 """Variables that name another repository, change what git prints, or hold a secret that git does not need."""
 
@@ -229,13 +223,10 @@ def _has_ssh(git: Git, environment: Mapping[str, str]) -> bool:
 def _environment(folder: Path) -> dict[str, str]:
     return {
         **{name: value for name, value in os.environ.items() if not _DROPPED.fullmatch(name)},
-        "LC_ALL": "C",
-        "LANGUAGE": "",
-        "GIT_TERMINAL_PROMPT": "0",
+        **CLEAN,
         "GIT_ALLOW_PROTOCOL": ":".join(urls.PROTOCOLS),
         "GIT_PROTOCOL_FROM_USER": "0",
         "GIT_CEILING_DIRECTORIES": str(folder.resolve().parent),
-        "GIT_ATTR_NOSYSTEM": "1",
         "GIT_LITERAL_PATHSPECS": "1",
     }
 

@@ -8,7 +8,6 @@ import gzip
 import io
 import re
 import shutil
-import subprocess
 import tarfile
 import tempfile
 from collections.abc import Callable, Iterator
@@ -17,7 +16,7 @@ from pathlib import Path
 import yaml
 
 from rosml.apps import base as bases
-from rosml.apps import lock, within
+from rosml.apps import git, lock, within
 from rosml.base.errors import RosmlError
 from rosml.images.labels import PREFIX
 from rosml.machine.services import Services
@@ -53,14 +52,13 @@ def checkout(folder: Path | None) -> Iterator[Path]:
         return
     with tempfile.TemporaryDirectory() as place:
         new = Path(place) / "rosdistro"
-        command = ["git", "clone", "--quiet", "--depth", "1", ADDRESS, str(new)]
         try:
-            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-        except FileNotFoundError:
-            raise RosmlError("there is no git", "install git") from None
-        if done.returncode:
-            why = done.stderr.strip().rpartition("\n")[2]
-            raise RosmlError(f"{ADDRESS} cannot be cloned: {why}", "name a checkout of it that you have")
+            with git.opened(git.Access(), Path(place)) as call:
+                call("clone", "--quiet", "--depth", "1", ADDRESS, str(new))
+        except git.Failed as error:
+            raise RosmlError(
+                f"{ADDRESS} cannot be cloned: {error.reason}", "name a checkout of it that you have"
+            ) from None
         yield new
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import os
-import subprocess
 import tarfile
 import tempfile
 from pathlib import Path
@@ -15,6 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.images import image_set as sets
 from rosml.images import load
+from rosml.machine import git
 from rosml.matrix import source
 
 
@@ -58,11 +58,7 @@ def _unpack(revision: str, root: Path, folder: Path) -> None:
 
 def _git(root: Path, *arguments: str) -> bytes:
     """What git says; nothing where it fails silently."""
-    remedy = "call it in a git checkout, or name another matrix file"
     try:
-        done = subprocess.run(["git", *arguments], cwd=root, capture_output=True, check=False)
-    except FileNotFoundError:
-        raise RosmlError("git is not installed", remedy=remedy) from None
-    if done.returncode and done.stderr:
-        raise RosmlError(f"git cannot read {root}: {done.stderr.decode(errors='replace').strip()}", remedy=remedy)
-    return done.stdout
+        return git.ask(root, *arguments)
+    except RosmlError as error:
+        raise RosmlError(error.message, f"{error.remedy}, or name another matrix file") from None

@@ -10,7 +10,6 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-import subprocess
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import Any
 from urllib.parse import quote, urlsplit
 
 from rosml.base.errors import RosmlError
+from rosml.machine import git
 from rosml.records.store import CREATED
 from rosml.registry.credentials import DOCKER_HUB
 from rosml.registry.oci import Registry, encoded
@@ -37,8 +37,6 @@ OWN_MACHINE = "https://rosml.invalid/builder/own-machine"
 PREDICATE_ANNOTATION = "in-toto.io/predicate-type"
 BUILDER = "io.rosml.builder"
 """The annotation of our statements that says who made the image."""
-
-SECONDS = 20.0
 
 CONTENT = ("Dockerfile", ".dockerignore", "matrix.yaml", "components", "locks", "src/rosml")
 """What of a checkout can decide an image; plans and reports of a job lie beside it."""
@@ -133,14 +131,13 @@ def source(root: Path) -> list[dict[str, Any]]:
 
     Where files differ from that revision, it says so: the digest of the inputs counts then.
     """
-    top = _git(root, "rev-parse", "--show-toplevel")
-    revision = _git(root, "rev-parse", "HEAD")
-    if not revision or not top or Path(top).resolve() != root.resolve():
+    commit = git.commit(root)
+    if commit is None or git.top(root) != root.resolve():
         return []
-    found: dict[str, Any] = {"name": "source", "digest": {"gitCommit": revision}}
-    if address := _public(_git(root, "config", "--get", "remote.origin.url")):
+    found: dict[str, Any] = {"name": "source", "digest": {"gitCommit": commit.hash}}
+    if address := _public(_asked(root, "config", "--get", "remote.origin.url")):
         found["uri"] = f"git+{address}"
-    if _git(root, "status", "--porcelain", "--", *CONTENT):
+    if _asked(root, "status", "--porcelain", "--", *CONTENT):
         found["annotations"] = {"differs": "files of the checkout differ from the revision"}
     return [found]
 
@@ -153,15 +150,12 @@ def _public(address: str) -> str:
     return f"https://{parts.netloc.rpartition('@')[2]}{parts.path}"
 
 
-def _git(root: Path, *arguments: str) -> str:
-    """What git says; empty where there is none, or where this is no checkout."""
+def _asked(root: Path, *arguments: str) -> str:
+    """What git says; empty if it fails."""
     try:
-        done = subprocess.run(
-            ["git", "-C", str(root), *arguments], capture_output=True, text=True, timeout=SECONDS, check=False
-        )
-    except (OSError, subprocess.TimeoutExpired):
+        return git.ask(root, *arguments).decode(errors="replace").strip()
+    except RosmlError:
         return ""
-    return done.stdout.strip() if done.returncode == 0 else ""
 
 
 def _digest(digest: str) -> dict[str, str]:
