@@ -543,6 +543,20 @@ def test_a_full_disk(place: Place, monkeypatch: pytest.MonkeyPatch, call: str, s
     assert list(place.cache.glob("*.git")) and not list(place.out.iterdir())
 
 
+def test_git_gets_no_secret_that_it_does_not_need(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    place.put(repos(a=(place.root / "a", commit(place.root / "a", {"f": "1"}))))
+    real = shutil.which("git")
+    program = only_git(place, monkeypatch) / "git"
+    program.unlink()
+    program.write_text(f'#!/bin/sh\nexport -p >>{place.root}/environment\nexec {real} "$@"\n')
+    program.chmod(0o755)
+    for name in ("GIT_HTTPS_PASSWORD", "GIT_SSH_PRIVATE_KEY", "REGISTRY_PASSWORD"):
+        monkeypatch.setenv(name, SECRET)
+    place.fetch()
+    assert "GIT_NO_LAZY_FETCH" in (place.root / "environment").read_text()
+    no_secret(place)
+
+
 def test_without_git(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(place.root))
     assert place.fetch() == []
