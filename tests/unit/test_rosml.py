@@ -19,12 +19,11 @@ from pathlib import Path
 import click
 import pytest
 from click.testing import CliRunner
-from conftest import ROOT
+from conftest import ROOT, SMALL
 from registry_stand_in import standing_in
 
 import rosml
 from rosml.base import environment
-from rosml.base.errors import RosmlError
 from rosml.cli import checkout, main, publish
 from rosml.images import load
 from rosml.registry.oci import Registry
@@ -114,81 +113,37 @@ def test_shells_complete(shell: str) -> None:
 
 
 def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The checkout that the package is in, or that somebody is in, or else what came with the package."""
-    package, project = tmp_path / "lib/site-packages/rosml", tmp_path / "project"
-    (project / "docs").mkdir(parents=True)
-    monkeypatch.chdir(project / "docs")
-    (project / "matrix.yaml").touch()
-    assert rosml.root_of(package) == package / "data", "somebody else's file of that name"
-    (project / "Dockerfile").touch()
-    (project / "components").mkdir()
-    assert rosml.root_of(package) == package / "data", "nor is this one a checkout, whose programs are called"
-    (project / "scripts").mkdir()
-    (project / "scripts/bootstrap.py").touch()
-    assert rosml.root_of(package) == project
-    (package.parents[1] / "scripts").mkdir(parents=True)
-    (package.parents[1] / "scripts/bootstrap.py").touch()
-    assert rosml.root_of(package) == package.parents[1]
+    """In the checkout that the package is in, or with what came with the package; the current folder decides nothing."""
+    package, project = tmp_path / "lib/site-packages/rosml", stranger(tmp_path / "project")
+    monkeypatch.chdir(project)
+    assert rosml.root_of(package) == package / "data"
+    assert rosml.root_of(project / "vendor/rosml") == project / "vendor/rosml/data", "somebody installed it in there"
+    assert rosml.root_of(project / "src/rosml") == project
 
 
-def test_another_users_folder_is_no_checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Programs of a checkout are called."""
-    (tmp_path / "scripts").mkdir()
-    for name in rosml.PARTS:
-        (tmp_path / name).touch()
-    monkeypatch.chdir(tmp_path)
-    assert rosml.root_of(tmp_path / "lib/x") == tmp_path
-    owner = tmp_path.stat().st_uid
-    monkeypatch.setattr("os.geteuid", lambda: owner + 1)
-    monkeypatch.delenv("SUDO_UID", raising=False)
-    assert rosml.root_of(tmp_path / "lib/x") == (tmp_path if owner == 0 else tmp_path / "lib/x/data")
-    monkeypatch.setenv("SUDO_UID", str(owner))
-    assert rosml.root_of(tmp_path / "lib/x") == tmp_path
-
-
-def test_which_checkout_is_passed_over(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in rosml.PARTS:
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).touch()
-    (tmp_path / "docs").mkdir()
-    monkeypatch.chdir(tmp_path / "docs")
-    package = tmp_path / "lib/site-packages/rosml"
-    assert rosml.passed_over(package) is None, "it is this user's"
-    if os.geteuid() == 0:
-        os.chown(tmp_path, 12345, -1)
-    monkeypatch.setattr("os.geteuid", lambda: 54321)
-    monkeypatch.delenv("SUDO_UID", raising=False)
-    assert rosml.passed_over(package) == tmp_path
-    monkeypatch.chdir(tmp_path.parent)
-    assert rosml.passed_over(package) is None, "nobody works there"
-    monkeypatch.chdir(tmp_path)
-    (package.parents[1] / "scripts").mkdir(parents=True, exist_ok=True)
-    (package.parents[1] / "scripts/bootstrap.py").touch()
-    assert rosml.passed_over(package) is None, "the package is a checkout's own"
-
-
-def foreign(monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
-    monkeypatch.setattr(checkout, "FOREIGN", folder)
-    monkeypatch.setattr(checkout, "IN_CHECKOUT", False)
-
-
-def test_another_users_checkout_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whose matrix is shown, and what to do about it."""
-    foreign(monkeypatch, tmp_path)
-    shown = CliRunner().invoke(main.cli, ["explain", JOINED.target])
-    assert shown.exit_code == 0
-    assert f"warning: the checkout {tmp_path} is not used: it belongs to " in shown.stderr
-    assert "the matrix is the one that came with rosml" in shown.stderr
-    assert re.search(r"remedy: chown -R \S+ .* --matrix\n", shown.stderr)
-    named = CliRunner().invoke(main.cli, ["explain", JOINED.target, "--matrix", str(ROOT / "matrix.yaml")])
-    assert (named.exit_code, named.stderr) == (0, "")
-
-
-def test_what_needs_a_checkout_names_the_one_of_another_user(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    foreign(monkeypatch, tmp_path)
-    refused = CliRunner().invoke(main.cli, ["diff", "HEAD"]).exception
-    assert isinstance(refused, RosmlError)
-    assert f"{tmp_path} is not used: it belongs to " in refused.message and "chown" in refused.remedy
+def stranger(folder: Path) -> Path:
+    """A folder that looks like a checkout. Its programs write down that they ran."""
+    for name in (*checkout.PARTS, "src/rosml/x", ".state/bin/x", ".venv/bin/x"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).touch()
+    mark = f"open({str(folder / 'ran')!r}, 'a').write('x')"
+    (folder / "scripts/bootstrap.py").write_text(f"{mark}\n")
+    program = f"#!{sys.executable}\n{mark}\n"
+    programs = [
+        folder / name for name in ("rosml", "docker", "podman", "git", "buildx", ".state/bin/uv", ".venv/bin/python")
+    ]
+    for file in programs:
+        file.write_text(program)
+        file.chmod(0o755)
+    facts: dict[str, object] = {
+        "registry": "127.0.0.1:1",
+        "buildx": [str(folder / "buildx")],
+        "builder": "x",
+        "builder_kind": "user",
+    }
+    facts |= {"buildx_config": None, "regctl": str(folder / "buildx"), "uv": str(folder / "buildx"), "ca_bundle": ""}
+    (folder / ".state/services.json").write_text(json.dumps({**facts, "bases": [str(folder / "buildx")]}))
+    return folder
 
 
 # ---- Installed, without a checkout -----------------------------------------------------------------------------------
@@ -289,6 +244,43 @@ def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Pat
             f"error: no command {other} here: not installed: httpx, pydantic, rich\n"
         )
         assert "[images]" in done.stderr
+
+
+ABSOLUTE = "/usr/bin:/bin"
+OF_A_CHECKOUT = ("setup", "setup up", "setup clean", "image", "publish all")
+CALLS = [
+    *((words, ABSOLUTE) for words in (*OF_A_CHECKOUT, "containerize .", "list")),
+    *((words, f"{here}:{ABSOLUTE}") for words in ("containerize .", "run x") for here in ("", ".")),
+]
+
+
+@pytest.mark.parametrize(("words", "path"), CALLS)
+def test_the_installed_command_runs_nothing_of_the_folder(wheel: Path, tmp_path: Path, words: str, path: str) -> None:
+    """The folder looks like a checkout, and is a stranger's. No program of it runs, and its services are not believed."""
+    folder = stranger(tmp_path / "a repository")
+    (tmp_path / "call").mkdir()
+    program = tmp_path / "call/rosml"
+    program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
+    env = {"PATH": path, "HOME": str(tmp_path / "home"), "PYTHONPATH": str(wheel)}
+    argv = [sys.executable, str(program), *words.split()]
+    done = subprocess.run(argv, cwd=folder, env=env, capture_output=True, text=True, check=False)
+    assert not (folder / "ran").exists()
+    assert "Traceback" not in done.stderr
+    if words in OF_A_CHECKOUT:
+        own = f"call its own command: '{folder}/rosml'\n"
+        assert (done.returncode, done.stderr.endswith(own)) == (2, True), done.stderr
+    if words == "list":
+        assert done.returncode == 0 and done.stderr.startswith(
+            f"warning: the matrix is the one that came with rosml, and not that of {folder}\n"
+        )
+
+
+def test_a_matrix_of_the_folder_is_read_if_it_is_named(wheel: Path, tmp_path: Path) -> None:
+    stranger(tmp_path)
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    done = installed(wheel, tmp_path, "list", "--matrix", "matrix.yaml", "--json")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "alpha" in done.stdout and not (tmp_path / "ran").exists()
 
 
 @pytest.mark.parametrize("words", ["image", "diff HEAD", "publish all"])

@@ -1,8 +1,8 @@
-"""What a command needs before it begins: a checkout, or none; and what is said where it belongs to another user."""
+"""What a command needs before it begins: a checkout, or none; and what it says of one that it is not called from."""
 
 from __future__ import annotations
 
-import os
+import shlex
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -10,9 +10,12 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from rosml import FOREIGN, IN_CHECKOUT, ROOT
+from rosml import IN_CHECKOUT
 from rosml.base.errors import RosmlError
 from rosml.cli import command
+
+PARTS = ("matrix.yaml", "Dockerfile", "components", "scripts/bootstrap.py", "rosml")
+"""What a checkout is known by."""
 
 SETTINGS = {"help_option_names": ["-h", "--help"]}
 
@@ -78,29 +81,47 @@ class Group(click.Group):
         return super().resolve_command(ctx, args)
 
 
+def around() -> Path | None:
+    """The nearest folder that looks like a checkout, the current one or one above it; None if there is none. It may be a
+    stranger's: it is only named."""
+    try:
+        here = Path.cwd()
+    except OSError:  # it was removed, or is not to be entered
+        return None
+    return next((folder for folder in (here, *here.parents) if _looks_like_one(folder)), None)
+
+
+def _looks_like_one(folder: Path) -> bool:
+    try:
+        return all((folder / name).exists() for name in PARTS)
+    except OSError:
+        return False
+
+
+def own_command(folder: Path) -> str:
+    """What a person types for a checkout's own `rosml`."""
+    return f"if you trust that checkout, call its own command: {shlex.quote(str(folder / 'rosml'))}"
+
+
 def require() -> None:
-    """Says that a command needs a checkout, where there is none.
+    """Says that a command needs a checkout, if this is the installed `rosml`.
 
     Raises:
-        RosmlError: there is none, or it belongs to another user.
+        RosmlError: it is.
     """
-    if not IN_CHECKOUT and FOREIGN:
-        raise RosmlError(*_foreign(FOREIGN), exit_code=2)
-    if not IN_CHECKOUT:
-        text = "not in a checkout: no matrix.yaml, Dockerfile and scripts/bootstrap.py here or above"
-        raise RosmlError(text, "git clone the project, or your fork of it, and call it there", exit_code=2)
-
-
-def _foreign(folder: Path) -> tuple[str, str]:
-    """Why a checkout is not used, and what to do about it."""
-    owner = folder.stat().st_uid
-    text = f"the checkout {folder} is not used: it belongs to user {owner}, and not to you or root"
-    return text, f"chown -R {os.geteuid()} {folder}, or call this as its owner"
+    if IN_CHECKOUT:
+        return
+    if near := around():
+        text = f"the installed rosml runs nothing of a folder that it finds: {near}"
+        raise RosmlError(text, own_command(near), exit_code=2)
+    text = "not in a checkout: no matrix.yaml, Dockerfile and scripts/bootstrap.py here or above"
+    raise RosmlError(text, "git clone the project, or your fork of it, and call ./rosml there", exit_code=2)
 
 
 def _say_whose_matrix(context: click.Context) -> None:
-    """Says that the matrix is not that of the folder where somebody works, unless they named it."""
-    if FOREIGN and context.get_parameter_source("matrix") is ParameterSource.DEFAULT:
-        text, remedy = _foreign(FOREIGN)
-        which = str(ROOT / "matrix.yaml") if IN_CHECKOUT else "the one that came with rosml"
-        command.warn(f"{text}; the matrix is {which}", f"{remedy}; or name its matrix with --matrix")
+    """Says that the matrix is not that of the checkout where somebody works, unless they named one."""
+    if IN_CHECKOUT or context.get_parameter_source("matrix") is not ParameterSource.DEFAULT:
+        return
+    if near := around():
+        text = f"the matrix is the one that came with rosml, and not that of {near}"
+        command.warn(text, f"{own_command(near)}; or name its matrix with --matrix")

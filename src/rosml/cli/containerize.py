@@ -36,7 +36,7 @@ def _options(function: Function) -> Function:
 
 
 def _services() -> Services:
-    """What builds: what was set up for the checkout; where there is none, the user's Docker."""
+    """What builds: what was set up for the checkout whose `./rosml` this is; the user's Docker if it is installed."""
     from rosml.cli import setup
     from rosml.machine.services import Services
 

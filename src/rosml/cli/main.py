@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable
 from importlib import import_module
@@ -37,7 +38,8 @@ def cli() -> None:
     """ROS base images with machine learning inside.
 
     list, explain and join need neither Docker nor root nor a checkout; nor do status, catalogue, publish undo and publish
-    prune with --registry. run and attach need docker or podman, containerize needs Docker. The others need a checkout.
+    prune with --registry. run and attach need docker or podman, containerize needs Docker. The others need a checkout: call
+    its own ./rosml.
 
     \b
     Examples:
@@ -90,12 +92,19 @@ for name in needed():
     cli.add_command(import_module(f"rosml.cli.{name}").main)
 
 
+def _absolute(path: str) -> str:
+    """A PATH without what is relative: an empty entry and `.` mean the current folder, and a stranger's repository may have a
+    program `git` or `docker`."""
+    return os.pathsep.join(filter(os.path.isabs, path.split(os.pathsep))) or os.defpath
+
+
 def run(word: str = "") -> int:
     """What the installed command calls; gives its exit code. Shells ask it how words go on (`rosml --help` says how).
 
     Args:
         word: the only one of its commands that a script calls.
     """
+    os.environ["PATH"] = _absolute(os.environ.get("PATH", os.defpath))
     if (answered := completion.answer(cli)) is not None:
         return answered
     first = cli.commands.get(word or next(iter(sys.argv[1:]), ""))

@@ -11,6 +11,7 @@ import click
 
 from rosml import IN_CHECKOUT, ROOT
 from rosml.base.errors import RosmlError
+from rosml.cli import checkout
 
 if TYPE_CHECKING:
     from rosml.registry import oci
@@ -48,13 +49,12 @@ def registry(where: str) -> Callable[[Function], Function]:
 
 
 def unnamed(error: RosmlError) -> RosmlError:
-    """What to say where no registry is named, and there is no local one: only a checkout can have one."""
+    """What to say if no registry is named, and there is no local one: only a checkout can have one."""
     remedy = "name a registry with --registry"
-    return (
-        RosmlError("no registry is named", remedy)
-        if not IN_CHECKOUT
-        else RosmlError(error.message, f"{remedy}, or {error.remedy}")
-    )
+    if IN_CHECKOUT:
+        return RosmlError(error.message, f"{remedy}, or {error.remedy}")
+    near = checkout.around()
+    return RosmlError("no registry is named", f"{remedy}; or, {checkout.own_command(near)}" if near else remedy)
 
 
 def place_of(named: str, root: Path) -> tuple[oci.Registry, str]:
