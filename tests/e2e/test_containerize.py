@@ -74,7 +74,7 @@ def with_upstream(place: Path) -> tuple[Path, Path]:
 
 
 def containerize(folder: Path, *options: str) -> Run:
-    return run(sys.executable, str(ROOT / "src"), "containerize", str(folder), "--json", *options)
+    return run(sys.executable, str(ROOT / "src"), "containerize", str(folder), "--json", "--allow-file-urls", *options)
 
 
 def made(folder: Path, *options: str) -> dict[str, Any]:

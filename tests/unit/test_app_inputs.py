@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -65,6 +66,69 @@ def test_image_and_tag_may_be_one_variable(tmp_path: Path) -> None:
     assert (found["image-name"], found["image-tag"]) == ("127.0.0.1:5000/me/robot", "latest")
     found = inputs.values({"image-name": "mine"}, tmp_path, {"IMAGE": "robot:v1"})
     assert (found["image-name"], found["image-tag"]) == ("mine", "latest")
+
+
+def test_the_environment_wins_over_image_in_the_file(tmp_path: Path) -> None:
+    (tmp_path / ".env").write_text("IMAGE=theirs:v1\n")
+    found = inputs.values({}, tmp_path, {"IMAGE_NAME": "mine"})
+    assert (found["image-name"], found["image-tag"]) == ("mine", "v1")
+    assert inputs.values({}, tmp_path, {"IMAGE": "mine:v2"})["image-tag"] == "v2"
+    assert inputs.values({}, tmp_path, {})["image-name"] == "theirs"
+
+
+PASSWORD, KEY = {"GIT_HTTPS_PASSWORD": "secret"}, {"GIT_SSH_PRIVATE_KEY": "key"}
+
+
+@pytest.mark.parametrize(
+    ("line", "given", "environment", "remedy"),
+    [
+        ("PUSH=true", {}, {}, "--push"),
+        ("export PUSH='TRUE'", {}, {}, "--push"),
+        ("CACHE=evil.example/cache", {}, {}, "--cache evil.example/cache"),
+        ("ROSDEP_INDEX=~/secrets", {}, {}, "--rosdep-index '~/secrets'"),
+        ("ROSDEP_INDEX=../..", {}, {}, r"--rosdep-index \.\./\.\."),
+        ("IMAGE_NAME=ghcr.io/me/other", {"push": "true"}, {}, "--image-name ghcr.io/me/other"),
+        ("IMAGE=ghcr.io/me/other:1", {}, {"PUSH": "true"}, "--image-name ghcr.io/me/other"),
+        ("SLIM_IMAGE_TAG=stable", {"push": "true"}, {}, "--slim-image-tag stable"),
+        ("ENABLE_PUSH_AS_LATEST=true", {"push": "true"}, {}, "--enable-push-as-latest"),
+        ("GIT_HTTPS_SERVER=evil.example", {}, PASSWORD, "--git-https-server evil.example"),
+        ("GIT_HTTPS_SERVER=evil.example\nGIT_HTTPS_PASSWORD=x", {}, PASSWORD, "--git-https-server evil.example"),
+        ("GIT_SSH_KNOWN_HOST_KEYS='evil.example ssh-rsa A'", {}, KEY, "--git-ssh-known-host-keys"),
+    ],
+)
+def test_a_repository_does_not_decide_what_a_persons_rights_and_secrets_do(
+    line: str, given: dict[str, str], environment: dict[str, str], remedy: str, tmp_path: Path
+) -> None:
+    (tmp_path / ".env").write_text(f"# settings\nBASE_IMAGE=ros:jazzy\n{line}\n")
+    variable = line.removeprefix("export ").partition("=")[0]
+    with pytest.raises(RosmlError, match=rf"\.env:3: {variable} is not for a repository to say") as caught:
+        inputs.values(given, tmp_path, environment)
+    assert caught.value.exit_code == 2 and re.search(remedy, caught.value.remedy)
+    assert "secret" not in caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("text", "given", "environment"),
+    [
+        ("PUSH=false\nCACHE=\nENABLE_PUSH_AS_LATEST=true\nIMAGE=robot:1\nDEV_IMAGE_NAME=robot-dev", {}, {}),
+        ("GIT_HTTPS_SERVER=git.example.org\nGIT_HTTPS_USER=me\nGIT_HTTPS_PASSWORD=own", {}, {}),
+        ("GIT_HTTPS_SERVER=git.example.org", {}, {}),
+        ("GIT_HTTPS_SERVER=github.com", {}, PASSWORD),
+        ("GIT_HTTPS_SERVER=evil.example", {"git-https-server": "git.example.org"}, PASSWORD),
+        ("GIT_SSH_PRIVATE_KEY=own\nGIT_SSH_KNOWN_HOST_KEYS=own", {}, {}),
+        ("IMAGE_NAME=theirs\nPUSH=true\nCACHE=theirs", {"image-name": "mine", "push": "true"}, {"CACHE": "mine"}),
+    ],
+)
+def test_what_a_repository_may_say_counts(
+    text: str, given: dict[str, str], environment: dict[str, str], tmp_path: Path
+) -> None:
+    """And what a person says in its place is no error."""
+    (tmp_path / ".env").write_text(f"{text}\n")
+    found = inputs.values(given, tmp_path, environment)
+    file = inputs.read_env(tmp_path / ".env")
+    for item in inputs.TABLE:
+        told = given.get(item.name) or environment.get(item.variable) or file.get(item.variable)
+        assert not told or item.gone or found[item.name] == told
 
 
 @pytest.mark.parametrize(

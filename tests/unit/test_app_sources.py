@@ -91,6 +91,7 @@ class Place:
 
     def fetch(self, access: Access = NOBODY, **options: object) -> list[Repository]:
         self.said: list[str] = []
+        options = {"local": True} | options
         return fetch(self.target, self.out, self.cache, access, say=self.said.append, **options)  # type: ignore[arg-type]
 
     def refused(self, access: Access = NOBODY, **options: object) -> RosmlError:
@@ -144,7 +145,7 @@ def test_every_repos_file_counts_until_nothing_is_new(place: Place) -> None:
     assert not [name for name in first if ".git" in name]
     umask = os.umask(0o077)
     try:
-        fetch(place.target, place.root / "again", place.root / "new cache", NOBODY)
+        fetch(place.target, place.root / "again", place.root / "new cache", NOBODY, local=True)
     finally:
         os.umask(umask)
     assert listing(place.root / "again") == first
@@ -331,7 +332,9 @@ def test_two_calls_at_once(place: Place) -> None:
     commit(a, {f"f{i}": "1" for i in range(200)})
     place.put(repos(**{f"p{i}": (a, "main") for i in range(10)}))
     threads = [
-        threading.Thread(target=fetch, args=(place.target, place.root / f"out{i % 2}", place.cache, NOBODY))
+        threading.Thread(
+            target=fetch, args=(place.target, place.root / f"out{i % 2}", place.cache, NOBODY), kwargs={"local": True}
+        )
         for i in range(4)
     ]
     for thread in threads:
@@ -397,7 +400,7 @@ def test_a_call_that_is_killed_is_finished_by_the_next(place: Place) -> None:
     (programs / "git").chmod(0o755)
     code = (
         "import sys; from pathlib import Path; from rosml.apps.sources import Access, fetch;"
-        "fetch(*map(Path, sys.argv[1:]), Access())"
+        "fetch(*map(Path, sys.argv[1:]), Access(), local=True)"
     )
     command = [sys.executable, "-c", code, str(place.target), str(place.out), str(place.cache)]
     path = os.pathsep.join(str(folder) for folder in sys.path)
@@ -694,6 +697,17 @@ def test_a_password_needs_its_server(place: Place) -> None:
     assert "several lines" in place.refused(Access(https_server="a", https_password=f"{SECRET}\nx")).message
 
 
+@pytest.mark.parametrize("before", ["", "file://"])
+def test_a_folder_names_no_repository_of_this_machine_unless_a_person_lets_it(before: str, place: Place) -> None:
+    """It may be a stranger's, and what it names gets into images and into steps of the build."""
+    commit(place.root / "private", {"p": "1"})
+    text = f"repositories: {{a: {{type: git, url: '{before}{place.root}/private', version: main}}}}\n"
+    (place.target / ".repos").write_text(text)
+    refused = place.refused(local=False)
+    assert "the url names a repository of this machine" in refused.message and "--allow-file-urls" in refused.remedy
+    assert listing(place.out) == {} and [item.path for item in place.fetch()] == ["a"]
+
+
 def test_a_server_names_no_repository_of_this_machine(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     private = place.root / "private"
     commit(private, {"p": "1"})
@@ -705,9 +719,9 @@ def test_a_server_names_no_repository_of_this_machine(place: Place, monkeypatch:
     with serving(place.root, monkeypatch) as (server, _):
         access = Access(https_server=server, https_user="robot", https_password=SECRET)
         place.put(repos(a=(f"https://{server}/a/.git", "main")))
-        assert "a repository from a server names one of this machine" in place.refused(access).message
+        assert "the url names a repository of this machine" in place.refused(access).message
         place.put(repos(b=(f"https://{server}/b/.git", "main")))
-        assert "the submodule sub: a repository from a server names" in place.refused(access).message
+        assert "the submodule sub: the url names a repository of this machine" in place.refused(access).message
 
 
 KEY = "-----BEGIN OPENSSH PRIVATE KEY-----\ncanary-of-the-key\n-----END OPENSSH PRIVATE KEY-----\n"

@@ -497,6 +497,9 @@ def test_a_relative_index_of_rosdep_is_one_of_the_folder(
     (repository / "lists/rosdep/own.yaml").write_text("a: {}\n")
     app(repository, services, base_image="ros:jazzy", command="true", rosdep_index="lists").build()
     assert (Path(calls[0]["contexts"]["rosdep"]) / "rosdep/own.yaml").read_text() == "a: {}\n"
+    (repository / "lists/rosdep/secret.yaml").symlink_to("/etc/hostname")
+    with pytest.raises(RosmlError, match=r"secret\.yaml leads out of"):
+        app(repository, services, base_image="ros:jazzy", command="true", rosdep_index="lists").build()
 
 
 def test_a_cache_that_knows_the_dependencies_is_asked_for_no_lists_of_rosdep(
@@ -534,6 +537,8 @@ def test_names_and_tags_are_those_of_docker_ros(
         ({"base_image": "ros:jazzy", "command": "true", "target": "run,slim"}, "'slim' is no target"),
         ({"base_image": "ros:jazzy", "command": "true", "image_name": "Robot!"}, "'Robot!' is no name of an image"),
         ({"base_image": "ros:jazzy", "command": "true", "image_tag": "a b"}, "'a b' is no tag"),
+        ({"base_image": "ros:jazzy", "command": "true", "image_name": "rosml/ros"}, "is no name for an app"),
+        ({"base_image": "ros:jazzy", "command": "true", "dev_image_name": "library/debian"}, "is no name for an app"),
         ({"base_image": "ros:jazzy", "command": "true", "image_name": "ghcr.io/me/robot"}, "there is no Docker here"),
     ],
 )

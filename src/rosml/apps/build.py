@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rosml.apps import bake_file, contents, junit, lock, report, rosdep_index, sources, workspace
+from rosml.apps import bake_file, contents, junit, lock, report, rosdep_index, sources, within, workspace
 from rosml.apps import base as bases
 from rosml.apps import cache as caches
 from rosml.apps.cache import IDENTIFIED
@@ -362,7 +362,12 @@ class App:
             ssh_known_hosts=values["git-ssh-known-host-keys"],
         )
         fetch = functools.partial(
-            sources.fetch, self._folder, cache=self._services.state / "cache" / "git", access=access, say=self._say
+            sources.fetch,
+            self._folder,
+            cache=self._services.state / "cache" / "git",
+            access=access,
+            local=values["allow-file-urls"] == "true",
+            say=self._say,
         )
         named = values["downstream-workspace"]
         upstream = fetch(
@@ -377,7 +382,7 @@ class App:
             shutil.rmtree(place, ignore_errors=True)
             place.mkdir()
             return upstream, []
-        if not (self._folder / named).is_file():
+        if not within.there(self._folder / named, self._folder):
             text = f"downstream-workspace: there is no file {named} in {self._folder}"
             raise RosmlError(text, "name a .repos file there; other forms of industrial_ci do not count", exit_code=2)
         # Who adds it after the lock file was written gets the newest.

@@ -3,6 +3,9 @@
 Names, variables and defaults are those of docker-ros (https://github.com/ika-rwth-aachen/docker-ros), so that its users keep
 their files. Values come from the command line, else from the environment, else from a file `.env` in the folder. A value of the
 command line counts where it is empty, too. A variable that is empty says nothing, as in `${VARIABLE:-default}`.
+
+The file `.env` comes with a repository that somebody else may have written, such as a pull request. It says what is built. What
+is done with the rights and secrets of the person, only the person says.
 """
 
 from __future__ import annotations
@@ -10,12 +13,17 @@ from __future__ import annotations
 import functools
 import os
 import re
+import shlex
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from rosml.apps import within
 from rosml.base.errors import RosmlError
+
+YES, NO, UNPUSHED, WITH_SECRET = "yes", "no", "if nothing is pushed", "with its secret, or without one"
+"""Whether `.env` may set an input. UNPUSHED: it names what is pushed. WITH_SECRET: it names the server that gets a secret; whoever
+gives the secret names the server."""
 
 
 @dataclass(frozen=True)
@@ -28,6 +36,7 @@ class Input:
         default: its value where nobody says anything.
         flag: it is `true` or `false`.
         gone: why it means nothing here, for a name of docker-ros that is answered and not followed.
+        in_repository: whether the file `.env` of a repository may set it: YES, NO, UNPUSHED or WITH_SECRET.
     """
 
     name: str
@@ -35,6 +44,7 @@ class Input:
     default: str = ""
     flag: bool = False
     gone: str = ""
+    in_repository: str = YES
 
     @property
     def variable(self) -> str:
@@ -53,10 +63,10 @@ TABLE = (
     Input("command", "what the run image starts, as a shell reads it"),
     Input("target", "images to build, separated by commas: run, dev", "run,dev"),
     Input("platform", "platforms, separated by commas, such as linux/arm64; this machine's own if left out"),
-    Input("image-name", "name of the run image; the folder's name if left out"),
-    Input("image-tag", "its tag", "latest"),
-    Input("dev-image-name", "name of the dev image; that of the run image if left out"),
-    Input("dev-image-tag", "its tag; that of the run image with -dev if left out"),
+    Input("image-name", "name of the run image; the folder's name if left out", in_repository=UNPUSHED),
+    Input("image-tag", "its tag", "latest", in_repository=UNPUSHED),
+    Input("dev-image-name", "name of the dev image; that of the run image if left out", in_repository=UNPUSHED),
+    Input("dev-image-tag", "its tag; that of the run image with -dev if left out", in_repository=UNPUSHED),
     Input(
         "enable-slim",
         "also build a slim image to run: on a base image without compilers and headers",
@@ -66,10 +76,16 @@ TABLE = (
     Input(
         "slim-base-image", "its base image; the one with -run in its name that belongs to the base image if left out"
     ),
-    Input("slim-image-name", "name of the slim image; that of the run image if left out"),
-    Input("slim-image-tag", "its tag; that of the run image with -slim if left out"),
-    Input("push", "push the images to the registry that their names begin with", "false", flag=True),
-    Input("enable-push-as-latest", "also give the tags latest, latest-dev and latest-slim", "false", flag=True),
+    Input("slim-image-name", "name of the slim image; that of the run image if left out", in_repository=UNPUSHED),
+    Input("slim-image-tag", "its tag; that of the run image with -slim if left out", in_repository=UNPUSHED),
+    Input("push", "push the images to the registry that their names begin with", "false", flag=True, in_repository=NO),
+    Input(
+        "enable-push-as-latest",
+        "also give the tags latest, latest-dev and latest-slim",
+        "false",
+        flag=True,
+        in_repository=UNPUSHED,
+    ),
     Input("ros-distro", "the ROS distribution, if the base image does not say it"),
     Input("rmw-implementation", "the middleware, such as rmw_cyclonedds_cpp: installs it and sets the variable"),
     Input("tests", "run the tests of your packages, and make no image if one fails", "true", flag=True),
@@ -81,12 +97,14 @@ TABLE = (
     Input(
         "cache",
         "repository in a registry that keeps finished stages, for machines that have none; such as ghcr.io/me/robot-cache",
+        in_repository=NO,
     ),
     Input("skip-keys", "keys of rosdep that are left out, separated by blanks"),
     Input(
         "rosdep-index",
         "rosdep's lists: of a registry, such as ghcr.io/me/rosml/rosdep:latest, or of a checkout of ros/rosdistro; the newest"
         " beside the base image if left out",
+        in_repository=NO,
     ),
     Input(
         "sbom",
@@ -121,11 +139,20 @@ TABLE = (
     Input("enable-recursive-blacklisted-packages", _RECURSIVE, "false", flag=True),
     Input("enable-recursive-vcs-import", "import every .repos file, also of what was imported", "true", flag=True),
     Input("vcs-import-file", "the .repos file, if not every one is imported", ".repos"),
-    Input("git-https-server", "server of private repositories, without https://", "github.com"),
+    Input(
+        "allow-file-urls",
+        "let your .repos files name repositories of this machine, such as file:///srv/git/driver",
+        "false",
+        flag=True,
+        in_repository=NO,
+    ),
+    Input(
+        "git-https-server", "server of private repositories, without https://", "github.com", in_repository=WITH_SECRET
+    ),
     Input("git-https-user", "user on it"),
     Input("git-https-password", "password or token on it; name it in the environment, not on the command line"),
     Input("git-ssh-private-key", "key for private repositories over ssh; name it in the environment"),
-    Input("git-ssh-known-host-keys", "what ssh-keyscan says of their servers"),
+    Input("git-ssh-known-host-keys", "what ssh-keyscan says of their servers", in_repository=WITH_SECRET),
     _gone("disable-ros-installation", "nothing is installed besides what your packages ask for"),
     _gone("custom-script-file", "it is after-dependency-installation-script"),
     _gone("slim-build-args", "no program is watched to find out what an image needs"),
@@ -145,7 +172,10 @@ TABLE = (
 SECRET = ("git-https-password", "git-ssh-private-key")
 """Inputs that are no options: other users of the machine see command lines."""
 
-_IMAGE = Input("image")
+_SECRET_OF = {"git-https-server": "git-https-password", "git-ssh-known-host-keys": "git-ssh-private-key"}
+"""The secret that the servers get which an input names."""
+
+_IMAGE = Input("image", in_repository=UNPUSHED)
 """The run image with its tag, as docker-ros' local script knows it: image-name and image-tag in one."""
 
 _INDUSTRIAL_CI = ("ROSDEP_SKIP_KEYS", "NOT_TEST_BUILD")
@@ -178,31 +208,82 @@ def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[s
         environment: of the process.
 
     Raises:
-        RosmlError: `.env` cannot be read, or a value is none that its input can have (exit code 2).
+        RosmlError: `.env` cannot be read, or says what it may not say; or a value is none that its input can have (exit code 2).
     """
-    file = read_env(folder / FILE)
-    file = _of_industrial_ci(environment, file) | file
+    variables = read_env(folder / FILE)
+    line = {name: value for name, value in given.items() if value is not None}
+    both = line.keys().isdisjoint(
+        ("image-name", "image-tag")
+    )  # whoever types one of them means the other one's default
+    of_repository = _said(_of_industrial_ci(environment, variables) | variables, both)
+    of_person = _said(environment, both) | line
     found = {}
     for item in TABLE:
         if item.gone:
             continue
-        value = given.get(item.name)
-        if value is None:
-            value = environment.get(item.variable) or file.get(item.variable) or item.default
+        value = of_person.get(item.name, of_repository.get(item.name, item.default))
         if item.flag:
             value = value.lower()
             if value not in ("true", "false"):
                 raise RosmlError(f"{item.name} is true or false, not {value!r}", f"check {item.variable}", exit_code=2)
         _require_possible(item.name, value)
         found[item.name] = value
-    named = environment.get(_IMAGE.variable) or file.get(_IMAGE.variable, "")
-    if named and given.get("image-name") is None and given.get("image-tag") is None:
+    for name in (name for name in of_repository if name not in of_person):
+        _require_allowed(name, found, of_person, folder / FILE, variables)
+    return found
+
+
+def _said(variables: Mapping[str, str], image: bool) -> dict[str, str]:
+    """What variables say of inputs, by name; nothing of those that are empty.
+
+    Args:
+        image: `IMAGE` counts, before the variables for its name and its tag.
+    """
+    found = {item.name: text for item in TABLE if not item.gone and (text := variables.get(item.variable, ""))}
+    if image and (named := variables.get(_IMAGE.variable, "")):
         name, colon, tag = named.rpartition(":")
         if not colon or "/" in tag:
             name, tag = named, ""
-        found["image-name"] = name
-        found["image-tag"] = tag or found["image-tag"]
+        found |= {"image-name": name} | ({"image-tag": tag} if tag else {})
     return found
+
+
+def _require_allowed(
+    name: str, values: Mapping[str, str], of_person: Mapping[str, str], file: Path, variables: Mapping[str, str]
+) -> None:
+    """Checks that a repository may set an input.
+
+    Args:
+        values: of all inputs. of_person: those that the person says. variables: of the repository's file.
+
+    Raises:
+        RosmlError: it may not (exit code 2).
+    """
+    item = next(item for item in TABLE if item.name == name)
+    secret = _SECRET_OF.get(name, "")
+    allowed = {
+        YES: True,
+        NO: False,
+        UNPUSHED: values["push"] == "false",
+        WITH_SECRET: not (secret in of_person and values[secret]),
+    }
+    if allowed[item.in_repository] or values[name] == item.default:
+        return
+    variable = item.variable if item.variable in variables else _IMAGE.variable
+    option = f"--{name}" if item.flag else f"--{name} {shlex.quote(values[name])}"
+    text = f"{file}:{_line_of(file, variable)}: {variable} is not for a repository to say"
+    if secret:
+        text += f": {secret.upper().replace('-', '_')} is yours, and goes to servers that you name"
+    elif item.in_repository == UNPUSHED:
+        text += ", as the images are pushed"
+    raise RosmlError(text, f"if you want it, type {option}; or remove the line", exit_code=2)
+
+
+def _line_of(file: Path, variable: str) -> int:
+    """The line of a file that sets a variable; the last one counts."""
+    lines = file.read_text("utf-8-sig").split("\n")
+    pattern = re.compile(rf"\s*(export\s+)?{variable}=")
+    return max((number for number, line in enumerate(lines, 1) if pattern.match(line)), default=1)
 
 
 def _of_industrial_ci(environment: Mapping[str, str], file: Mapping[str, str]) -> dict[str, str]:

@@ -10,11 +10,14 @@ from collections.abc import Mapping
 
 from rosml.base.errors import RosmlError
 from rosml.machine.base_images import native_architecture
-from rosml.machine.services import Services
+from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import oci
 
 TARGETS = ("run", "dev")
 """Images that an app can have: to run it, and to work on it."""
+
+TAKEN = (NAMESPACE, "library")
+"""The first parts of names that other images have in the local registry: our base images, and those of Docker Hub."""
 
 SLIM = "slim"
 """The image to run it on a base image without compilers; it comes with the one to run it."""
@@ -84,6 +87,9 @@ class Names:
             raise RosmlError("Docker holds images of one platform", "name one platform, or add --push", exit_code=2)
         elif not self.loads:
             for name in names:
+                if name.startswith(tuple(f"{self._registry}/{taken}/" for taken in TAKEN)):
+                    text = f"{name} is no name for an app: base images are called so in the local registry"
+                    raise RosmlError(text, "choose another --image-name", exit_code=2)
                 if not name.startswith(f"{self._registry}/"):
                     text = f"there is no Docker here that could hold {name}"
                     raise RosmlError(text, "add --push, or leave the registry out of the name", exit_code=2)

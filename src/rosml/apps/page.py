@@ -30,11 +30,11 @@ def render(page: str) -> str:
 
 
 def _inputs() -> Iterator[str]:
-    yield "| input | what it says | if you say nothing |"
-    yield "| --- | --- | --- |"
+    yield "| input | what it says | if you say nothing | in `.env` |"
+    yield "| --- | --- | --- | --- |"
     for item in inputs.TABLE:
         if not item.gone:
-            yield f"| `{item.name}` | {item.help} | {f'`{item.default}`' if item.default else ''} |"
+            yield f"| `{item.name}` | {item.help} | {_code(item.default)} | {item.in_repository} |"
 
 
 def _ci() -> Iterator[str]:

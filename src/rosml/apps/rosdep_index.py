@@ -98,10 +98,10 @@ def copied(folder: Path, out: Path) -> Path:
     """Copies what rosdep may read of a checkout, without git's folder, which is another one in each clone.
 
     Raises:
-        RosmlError: there is nothing (exit code 2).
+        RosmlError: there is nothing, or a link leads out of the checkout (exit code 2).
     """
     shutil.rmtree(out, ignore_errors=True)
-    found = [path for pattern in ("*.yaml", "*/*.yaml") for path in folder.glob(pattern) if path.is_file()]
+    found = [path for pattern in ("*.yaml", "*/*.yaml") for path in folder.glob(pattern) if within.there(path, folder)]
     if not any(path.parent.name == NAME for path in found):
         text = f"rosdep-index: {folder} has no rosdep/*.yaml"
         raise RosmlError(text, "name a checkout of ros/rosdistro", exit_code=2)

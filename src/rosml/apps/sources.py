@@ -60,6 +60,7 @@ def fetch(
     file: str = DEFAULT,
     without: str = "",
     pins: Mapping[str, lock.Pin] | None = None,
+    local: bool = False,
     say: Say = lambda text: None,
 ) -> list[Repository]:
     """Writes the repositories that a target needs, and nothing else, into a folder.
@@ -74,6 +75,8 @@ def fetch(
         recursive: whether each `.repos` file counts, also in what was fetched; otherwise `file` alone, below the target.
         without: a `.repos` file of the target that does not count.
         pins: commits by path, if there is a lock file; each repository has to be in it.
+        local: whether `.repos` files of the target, and of what they name, may name repositories of this machine. Those of a
+            repository from a server never may.
         say: gets a sentence for people, from any thread.
 
     Returns:
@@ -94,7 +97,7 @@ def fetch(
         tree = Tree(out)
         known: dict[str, Entry] = {}
         done: list[Repository] = []
-        if wave := _entries(files, target, "", local=True):
+        if wave := _entries(files, target, "", local):
             with opened(access, cache) as git:
                 store = Store(git, cache, say)
                 while new := _new(wave, known):

@@ -62,7 +62,8 @@ def _without_scheme(url: str, local: bool) -> str:
 
 def _local(url: str, local: bool) -> str:
     if not local:
-        raise Refused("a repository from a server names one of this machine", _WHOLE)
+        remedy = "take it from a server; if you trust all .repos files of your folder, add --allow-file-urls"
+        raise Refused("the url names a repository of this machine", remedy)
     return url
 
 
