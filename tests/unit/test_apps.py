@@ -252,6 +252,41 @@ def test_nothing_outside_a_repository_is_read(tmp_path: Path) -> None:
         requests(repository, {"additional-debs-file": "../package.xml"}, {})
 
 
+@pytest.mark.parametrize("place", ["docker/custom.sh", "docker/additional-debs.txt", "robot/package.xml"])
+@pytest.mark.parametrize("secret", [".git/config", ".env"])
+def test_no_link_brings_what_is_secret_into_a_build(place: str, secret: str, tmp_path: Path) -> None:
+    folder = tmp_path / "robot"
+    for name in (".git/config", ".env", place):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+    (folder / ".git/config").write_text("[secret]\n")
+    (folder / ".env").write_text("SECRET=1\n")
+    (folder / place).symlink_to(os.path.relpath(folder / secret, (folder / place).parent))
+    with pytest.raises(RosmlError, match=rf"{place} leads to {secret}, which gets into no image") as caught:
+        requests(folder, {}, {})
+        workspace.write_manifests({"target": folder}, tmp_path / "out")
+    assert caught.value.exit_code == 2 and caught.value.remedy
+
+
+@pytest.mark.parametrize(("target", "given"), [("..", {}), ("", {"additional_files_dir": "."}), ("../.git", {})])
+def test_additional_files_have_nothing_secret(
+    target: str, given: dict[str, str], repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    for name in (".git/config", "src/sub/.git", ".env", "docker/hello"):
+        (repository / name).parent.mkdir(parents=True, exist_ok=True)
+        (repository / name).write_text("SECRET=1\n" if "." in name else "hello")
+    if target:
+        (repository / "docker/additional-files").symlink_to(target)
+    try:
+        app(repository, services, base_image="ros:jazzy", command="true", **given).build()
+    except RosmlError as error:
+        assert target == "../.git" and "leads to .git" in error.message
+        return
+    given_to_builder = Path(calls[0]["contexts"]["additional"])
+    found = {path.name for path in given_to_builder.rglob("*")}
+    assert "hello" in found and found.isdisjoint((".git", ".env"))
+
+
 def test_additional_files_are_a_folder(tmp_path: Path) -> None:
     assert workspace.additional_files("docker/additional-files", tmp_path) is None
     assert workspace.additional_files("", tmp_path) is None

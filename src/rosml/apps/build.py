@@ -416,14 +416,15 @@ class App:
         if counts["downstream"]:
             packages += f", and {counts['downstream']} that use them,"
         self._say(f"{packages} for {', '.join(self._names.platforms)}")
-        additional = workspace.additional_files(values["additional-files-dir"], folder)
+        if additional := workspace.additional_files(values["additional-files-dir"], folder):
+            workspace.stage(additional, state / "additional")
         contexts = {
             "manifests": manifests,
             "target": state / "staged",
             "upstream": upstream,
             "downstream": downstream,
             "requests": requests,
-            "additional": additional or empty,
+            "additional": state / "additional" if additional else empty,
             "rosdep": empty,
         }
         hooked = (requests / "identification.sh").stat().st_size > 0

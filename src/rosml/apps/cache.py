@@ -20,6 +20,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from rosml.apps import lock
 from rosml.apps.report import Answer
+from rosml.apps.within import SECRET
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
 
@@ -35,8 +36,6 @@ FORMAT = 4
 _TYPE = "application/vnd.rosml.app.report.v1+json"
 _DETAIL = "application/octet-stream"
 _TITLE = "org.opencontainers.image.title"
-_LEFT_OUT = (".git", ".env")
-"""What is no source, and never reaches an image."""
 
 
 @dataclass(frozen=True)
@@ -83,10 +82,10 @@ def keys(
         cmake: arguments of CMake. tests: whether they run.
         hooked: a script changes the sources before their dependencies are read, so that all of them count for these.
     """
-    sources = [tree(folder, _LEFT_OUT) for folder in (upstream, target)]
+    sources = [tree(folder, SECRET) for folder in (upstream, target)]
     environment = _digest(given, [tree(folder) for folder in dependencies], sources if hooked else [])
     built = _digest(environment, sources[0], cmake, sources[1] if hooked else "")
-    app = _digest(built, sources[1], tree(downstream, _LEFT_OUT), tests)
+    app = _digest(built, sources[1], tree(downstream, SECRET), tests)
     return Keys(environment, built, app, bool(given.get("slim")))
 
 

@@ -1,4 +1,4 @@
-"""What a repository has at a path: nothing that a link takes from elsewhere on the machine."""
+"""What a repository has at a path: nothing that a link takes from elsewhere on the machine, and nothing that stays there."""
 
 from __future__ import annotations
 
@@ -7,18 +7,25 @@ from pathlib import Path
 
 from rosml.base.errors import RosmlError
 
+SECRET = (".git", ".env")
+"""Files and folders that stay on the caller's machine, at any depth of a repository."""
+
 
 def there(path: Path, root: Path, folder: bool = False) -> bool:
     """Whether a repository has a file, or a folder, at a path.
 
     Raises:
-        RosmlError: the path leads out of the repository or to nothing, or has a folder in the place of a file, or the other
-            way round (exit code 2).
+        RosmlError: the path leads out of the repository, to what is secret or to nothing, or has a folder in the place of a
+            file, or the other way round (exit code 2).
     """
     if not os.path.lexists(path):
         return False
-    if not Path(os.path.realpath(path)).is_relative_to(os.path.realpath(root)):
+    real, top = Path(os.path.realpath(path)), os.path.realpath(root)
+    if not real.is_relative_to(top):
         raise RosmlError(f"{path} leads out of {root}", "put what it names into the repository", exit_code=2)
+    if any(part in SECRET for part in real.relative_to(top).parts):
+        text = f"{path} leads to {real.relative_to(top)}, which gets into no image and no step of a build"
+        raise RosmlError(text, "name another file", exit_code=2)
     if not path.exists():
         raise RosmlError(f"{path}: a link to nothing", "correct the link, or remove it", exit_code=2)
     if path.is_dir() != folder:

@@ -12,10 +12,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from rosml.apps import inputs, within
+from rosml.apps.within import SECRET
 from rosml.base.errors import RosmlError
-
-SECRET = (".git", ".env")
-"""What stays on the caller's machine."""
 
 IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
@@ -74,7 +72,7 @@ def write_manifests(roots: Mapping[str, Path], out: Path) -> dict[str, int]:
     return count
 
 
-def stage(folder: Path, out: Path, without: Path) -> None:
+def stage(folder: Path, out: Path, without: Path | None = None) -> None:
     """Makes a folder of links to the files of a repository, without git's folder and files of secrets, and without one file
     more: what the builder gets.
 
