@@ -544,6 +544,29 @@ def test_what_tests_leave_says_nothing_of_the_machine_or_the_images(
     assert json.loads((state / "said/app.json").read_text())["packages"] == []
 
 
+def test_a_step_of_a_build_changes_no_image_in_the_local_registry(
+    published: Publish, services: Services, tmp_path: Path
+) -> None:
+    """It shares the network of the machine with the registry, which is the mirror of Docker Hub as well."""
+    folder = tmp_path / "harm"
+    (folder / "docker").mkdir(parents=True)
+    (folder / "package.xml").write_text(PACKAGE.format("harm", ""))
+    (folder / "CMakeLists.txt").write_text(CMAKE.format("harm"))
+    asked = f"http://{services.registry}/v2/library/debian"
+    calls = [
+        f"curl -s -X POST {asked}/blobs/uploads/",
+        f"curl -s -X PUT -H 'Content-Type: {oci.IMAGE}' -d '{{}}' {asked}/manifests/bookworm",
+        f"curl -s -X DELETE {asked}/manifests/sha256:{'0' * 64}",
+        f"curl -s -X POST -u rosml: {asked}/blobs/uploads/",
+        f"curl -s -X POST -u rosml:rosml {asked}/blobs/uploads/",
+    ]
+    lines = [f"{call} -o /dev/null -w '%{{http_code}}\\n'" for call in calls]
+    (folder / "docker/custom.sh").write_text("\n".join([*lines, "exit 1"]))
+    outcome = containerize(folder, "--base-image", published(BASE).result["reference"], "--command", "true")
+    said = json.loads(outcome.out)["error"]
+    assert re.findall(r"^ +(\d{3})$", said, re.MULTILINE) == ["401"] * len(calls), said
+
+
 def test_lines_of_a_build_are_no_commands(
     published: Publish, services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -18,7 +18,7 @@ from rosml.machine import regctl as images
 from rosml.machine.services import Services
 from rosml.machine.setup.registry import regctl_config
 from rosml.records.store import Records
-from rosml.registry import certificates, oci
+from rosml.registry import certificates, credentials, oci
 from tests.e2e import mini as minis
 from tests.e2e import secure
 from tests.e2e.builders import builder
@@ -62,10 +62,11 @@ class Company(Mini):
 def trusting(folder: Path, services: Services, name: str) -> Services:
     """Another machine: the builder of a name, and a regctl that `rosml setup` told of the certificates."""
     state = folder / ".state"
+    own = (state / credentials.OWN).read_text()
     (state / "regctl").unlink()
     (state / "regctl").mkdir()
-    trusted = certificates.by_host()
-    (state / "regctl/config.json").write_text(regctl_config(services.registry, trusted))
+    (state / credentials.OWN).write_text(own)
+    (state / "regctl/config.json").write_text(regctl_config(services.registry, "", certificates.by_host()))
     facts = json.loads((state / "services.json").read_text())
     (state / "services.json").write_text(json.dumps(facts | {"builder": name, "builder_kind": "user"}))
     return Services.load(folder)
@@ -276,7 +277,7 @@ def test_a_bundle_for_everything(
     machine = tmp_path / "machine"
     shutil.copytree(company.folder, machine, symlinks=True)
     (machine / "components/part/install-assembler.sh").write_text(NOTHING)  # nothing is tested
-    (machine / ".state/regctl/config.json").write_text(regctl_config(services.registry, {}))
+    (machine / ".state/regctl/config.json").write_text(regctl_config(services.registry, "", {}))
     name = f"bundle-{os.getpid()}"
     told = {"builder": name, "builder_kind": "user", "ca_bundle": str(bundle)}
     facts = json.loads((machine / ".state/services.json").read_text())

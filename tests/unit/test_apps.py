@@ -554,6 +554,25 @@ def test_a_cache_that_knows_the_dependencies_is_asked_for_no_lists_of_rosdep(
     assert asked == ["", "rosdep:1"], "its digest is a part of the key"
 
 
+@pytest.mark.parametrize(
+    ("mirrors", "named"),
+    [
+        ({"OS_APT_MIRROR": "http://mirror.example:3142"}, []),
+        ({"OS_APT_MIRROR": "https://me:secret@mirror.example"}, ["OS_APT_MIRROR"]),
+        (dict.fromkeys(("OS_APT_MIRROR", "ROS_APT_MIRROR"), "https://token@x"), ["OS_APT_MIRROR", "ROS_APT_MIRROR"]),
+    ],
+)
+def test_who_gives_a_build_a_password_is_told(
+    mirrors: dict[str, str], named: list[str], repository: Path, services: Services, calls: list[dict[str, Any]]
+) -> None:
+    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
+    said: list[str] = []
+    values = inputs.values({"base-image": "ros:jazzy", "command": "true"}, repository, {})
+    build.App(repository, values, mirrors, services, said.append).build()
+    text = f"{' and '.join(named)}: its password reaches steps of the build, which run the repository's code"
+    assert [line for line in said if "password" in line] == ([text] if named else [])
+
+
 def test_names_and_tags_are_those_of_docker_ros(
     repository: Path, services: Services, calls: list[dict[str, Any]]
 ) -> None:

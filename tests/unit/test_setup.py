@@ -30,6 +30,7 @@ from rosml.machine.setup import builder, installer, network, process, registry, 
 from rosml.machine.setup.daemon import Daemon, command_line, wait_until
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import LONGEST_SOCKET_PATH, State
+from rosml.registry import credentials
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -662,7 +663,8 @@ def machine(state: State, kind: str, buildx: str = "buildx", registry: str = "12
 
 
 def test_registry_config_is_yaml_of_a_plain_registry() -> None:
-    config = json.loads(registry.config(Path("/a b/.state/registry"), 5001))
+    config = json.loads(registry.config(Path("/a b/.state/registry"), 5001, Path("/p")))
+    assert config["auth"] == {"writers": {"path": "/p"}}
     assert config["http"] == {"addr": "127.0.0.1:5001"}
     assert config["storage"]["delete"] == {"enabled": True}
     assert config["storage"]["filesystem"]["rootdirectory"] == "/a b/.state/registry"
@@ -670,8 +672,22 @@ def test_registry_config_is_yaml_of_a_plain_registry() -> None:
 
 def test_registry_port_is_remembered(state: State) -> None:
     assert registry.last_port(state) is None
-    (state.run / "registry.yaml").write_text(registry.config(state.folder, 5001))
+    (state.run / "registry.yaml").write_text(registry.config(state.folder, 5001, Path("/p")))
     assert registry.last_port(state) == 5001
+
+
+def test_the_password_of_the_registry_is_this_users_alone(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    secret = registry.password(state)
+    assert len(secret) > 20 and registry.password(state) == secret, "it stays"
+    assert (state.run / registry.PASSWORD).stat().st_mode & 0o777 == 0o600
+    (state.folder / credentials.OWN).parent.mkdir()
+    (state.folder / credentials.OWN).write_text(json.dumps({"auths": {"127.0.0.1:5001": {"auth": "bWU6cHc="}}}))
+    monkeypatch.setenv("DOCKER_AUTH_CONFIG", json.dumps({"auths": {"ghcr.io": {"auth": "eDp5"}}}))
+    told = json.loads(machine(state, "buildkitd").environment()["DOCKER_AUTH_CONFIG"])
+    assert told == {"auths": {"ghcr.io": {"auth": "eDp5"}, "127.0.0.1:5001": {"auth": "bWU6cHc="}}}, "what buildx gets"
+    monkeypatch.delenv("DOCKER_AUTH_CONFIG")
+    monkeypatch.setattr(credentials, "STATE", state.folder)
+    assert credentials.from_docker("127.0.0.1:5001") == credentials.Credentials("me", "pw")
 
 
 def test_registry_environment(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -699,9 +715,9 @@ def test_buildkit_config(tmp_path: Path) -> None:
     }
     certificate.write_text("another")
     assert builder.config("127.0.0.1:5001", False, None, trusted) != text, "a builder in Docker has copies"
-    hosts = json.loads(registry.regctl_config("127.0.0.1:5001", {"reg.example:5000": [certificate] * 2}))["hosts"]
+    hosts = json.loads(registry.regctl_config("127.0.0.1:5001", "pw", {"reg.example:5000": [certificate] * 2}))["hosts"]
     assert hosts["reg.example:5000"]["regcert"] == "anotheranother" and hosts["reg.example:5000"]["tls"] == "enabled"
-    assert hosts["127.0.0.1:5001"]["tls"] == "disabled"
+    assert hosts["127.0.0.1:5001"]["tls"] == "disabled" and hosts["127.0.0.1:5001"]["pass"] == "pw"
     in_docker = builder.config("127.0.0.1:5001", False)
     assert "docker.io" not in in_docker
     assert "root" not in in_docker

@@ -144,6 +144,11 @@ def render(
     return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"
 
 
+def mirrors_with_a_password(environment: Mapping[str, str]) -> list[str]:
+    """The variables that name a mirror with a user or a password in its address."""
+    return [name for name in _MIRRORS.values() if "@" in environment.get(name, "").partition("?")[0]]
+
+
 def _literal(value: Any) -> Any:
     """A value in which bake expands nothing."""
     if isinstance(value, str):

@@ -427,6 +427,10 @@ class App:
             "additional": state / "additional" if additional else empty,
             "rosdep": empty,
         }
+        if named := bake_file.mirrors_with_a_password(self._environment):
+            self._say(
+                f"{' and '.join(named)}: its password reaches steps of the build, which run the repository's code"
+            )
         hooked = (requests / "identification.sh").stat().st_size > 0
         commit = git.commit(folder) or git.Commit("", TIME)
         return bake_file.Inputs(base, distribution, values, contexts, empty, hooked, commit.hash, commit.time, slim)

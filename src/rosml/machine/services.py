@@ -14,6 +14,7 @@ from pydantic import TypeAdapter
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
+from rosml.registry import credentials
 
 NAMESPACE = "rosml"
 """Namespace in the local registry; tests use another one, so that they never move a user's tags."""
@@ -125,6 +126,12 @@ class Services:
         env["BUILDX_BUILDER"] = self.builder
         if self.buildx_config is not None:
             env["BUILDX_CONFIG"] = str(self.buildx_config)
+        if auths := credentials.own(self.state).get("auths"):
+            given = credentials.json_object(env.get(credentials.VARIABLE, "")) or {}
+            theirs = given.get("auths")
+            env[credentials.VARIABLE] = json.dumps(
+                {**given, "auths": {**(theirs if isinstance(theirs, dict) else {}), **auths}}
+            )
         env["REGCTL_CONFIG"] = str(self.state / "regctl" / "config.json")
         if self.ca_bundle:
             env["SSL_CERT_FILE"] = self.ca_bundle

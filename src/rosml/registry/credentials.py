@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from rosml import STATE
 from rosml.base.errors import RosmlError
 
 DOCKER_HUB = "docker.io"
@@ -23,6 +24,9 @@ HELPER_SECONDS = 30.0
 
 VARIABLE = "DOCKER_AUTH_CONFIG"
 """Holds what the config file has under `auths`: for jobs in CI. buildx and regctl read it as well."""
+
+OWN = "regctl/docker.json"
+"""Below `.state`: who writes to the local registry of a checkout, in the form of Docker's config file. regctl's is beside it."""
 
 TOKEN_USER = "<token>"
 """What a helper calls the user where the secret is an identity token."""
@@ -56,13 +60,15 @@ def from_docker(host: str) -> Credentials | None:
     """The credentials of a registry as Docker has them; None if there are none.
 
     As Docker does: the variable DOCKER_AUTH_CONFIG first, then a helper of that registry, then the helper for all, then
-    the config file itself.
+    the config file itself. Before the helpers, what set-up wrote down for the local registry of the checkout.
 
     Raises:
         RosmlError: the variable or the file is damaged, or a helper cannot be run.
     """
     names = (DOCKER_HUB_KEY, DOCKER_HUB) if host == DOCKER_HUB else (host,)
     if found := _from_variable(names):
+        return found
+    if found := _of(own(STATE).get("auths"), names, OWN):
         return found
     place = folder()
     if place is None:
@@ -78,6 +84,14 @@ def from_docker(host: str) -> Credentials | None:
             if found := _helper(str(config["credsStore"]), name):
                 return found
     return _of(config.get("auths"), names, str(file))
+
+
+def own(state: Path) -> dict[str, Any]:
+    """What set-up wrote down for the local registry; nothing if it was never set up, or belongs to another user."""
+    try:
+        return json_object((state / OWN).read_bytes()) or {}
+    except OSError:
+        return {}
 
 
 def json_object(text: str | bytes) -> dict[str, Any] | None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import os
+import secrets
 import time
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -16,10 +18,22 @@ from rosml.machine.setup import network
 from rosml.machine.setup.daemon import START_SECONDS, Daemon, wait_until
 from rosml.machine.setup.process import tail
 from rosml.machine.setup.state import State
+from rosml.registry import credentials
+
+PASSWORD = "registry.password"
+"""The file with the password of the registry."""
+
+USER = "rosml"
+"""The user's name for the password of the registry; any other will do."""
 
 
-def config(storage: Path, port: int) -> str:
-    """Configuration of the registry. JSON is YAML: paths need no further quoting."""
+def config(storage: Path, port: int, password: Path) -> str:
+    """Configuration of the registry. JSON is YAML: paths need no further quoting.
+
+    Args:
+        password: the file with what those need who write. Everybody may read: the registry is the mirror of Docker Hub where that
+            does not answer, and what somebody runs is pulled from it by Docker.
+    """
     content = {
         "version": 0.1,
         "log": {"level": "warn", "accesslog": {"disabled": True}},
@@ -31,6 +45,7 @@ def config(storage: Path, port: int) -> str:
             },
         },
         "http": {"addr": f"127.0.0.1:{port}"},
+        "auth": {"writers": {"path": str(password)}},
     }
     return json.dumps(content, indent=2) + "\n"
 
@@ -58,18 +73,20 @@ def up(state: State) -> str:
         RosmlError: it does not start; with the end of its log.
     """
     registry, port, say = daemon(state), last_port(state), state.say
+    if port:
+        _write(state, port)
     if port and registry.pid() and registry.current() and network.registry_answers(f"127.0.0.1:{port}"):
         say(f"registry: runs at 127.0.0.1:{port}")
         return f"127.0.0.1:{port}"
     if registry.stop(patience=5.0):
-        say("registry: does not answer; restarting it")
+        say("registry: does not answer, or has an old configuration; restarting it")
     started = time.monotonic()
     for _attempt in range(3):
         if port and not network.port_is_free(port):
             say(f"registry: port {port} is taken by something else; choosing another")
             port = None
         port = port or network.free_port()
-        files.write(registry.config, config(state.folder / "registry", port))
+        _write(state, port)
         registry.start()
         if wait_until(partial(_settled, registry, port), START_SECONDS) and registry.pid():
             say(f"registry: started at 127.0.0.1:{port} in {duration(time.monotonic() - started)}")
@@ -80,21 +97,46 @@ def up(state: State) -> str:
     raise RosmlError(f"the registry does not start. {tail(registry.log)}")
 
 
+def _write(state: State, port: int) -> None:
+    """Writes down what the registry reads, and what those who write to it do."""
+    auth = base64.b64encode(f"{USER}:{password(state)}".encode()).decode()
+    files.write(daemon(state).config, config(state.folder / "registry", port, state.run / PASSWORD))
+    (state.folder / credentials.OWN).parent.mkdir(exist_ok=True)
+    write_private(state.folder / credentials.OWN, json.dumps({"auths": {f"127.0.0.1:{port}": {"auth": auth}}}) + "\n")
+
+
+def password(state: State) -> str:
+    """What those need who write to the registry. Steps of builds never have it."""
+    file = state.run / PASSWORD
+    found = file.read_text().strip() if file.exists() else ""
+    if not found:
+        found = secrets.token_urlsafe(24)
+        write_private(file, f"{found}\n")
+    return found
+
+
+def write_private(file: Path, text: str) -> None:
+    """Writes a file that only this user may read."""
+    file.touch(mode=0o600)
+    file.chmod(0o600)
+    files.write(file, text)
+
+
 def _settled(registry: Daemon, port: int) -> bool:
     """Whether a registry that was just started answers, or has ended."""
     return not registry.pid() or network.registry_answers(f"127.0.0.1:{port}")
 
 
-def regctl_config(registry: str, certificates: Mapping[str, Sequence[Path]]) -> str:
+def regctl_config(registry: str, password: str, certificates: Mapping[str, Sequence[Path]]) -> str:
     """regctl's config.json. The registry speaks plain http, and its port may have changed since regctl was told.
 
     Args:
-        registry: address of the local registry.
+        registry: address of the local registry. password: to write there.
         certificates: files with the authorities that are trusted for registries, by host; regctl takes their text.
     """
     hosts = {
         host: {"tls": "enabled", "hostname": host, "regcert": "".join(file.read_text() for file in trusted)}
         for host, trusted in certificates.items()
     }
-    hosts[registry] = {"tls": "disabled", "hostname": registry}
+    hosts[registry] = {"tls": "disabled", "hostname": registry, "user": USER, "pass": password}
     return json.dumps({"hosts": hosts}, indent=2) + "\n"

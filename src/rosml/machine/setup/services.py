@@ -8,7 +8,6 @@ from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
-from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
 from rosml.machine.setup import builder, registry, tools
@@ -31,7 +30,10 @@ def up(state: State, found: Services) -> None:
     builder.up(state, services, tools.buildkit_image(state))
     regctl = state.folder / "regctl"
     regctl.mkdir(exist_ok=True)
-    files.write(regctl / "config.json", registry.regctl_config(services.registry, certificates.by_host()))
+    registry.write_private(
+        regctl / "config.json",
+        registry.regctl_config(services.registry, registry.password(state), certificates.by_host()),
+    )
     services.save()
 
 
