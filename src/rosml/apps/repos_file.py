@@ -11,6 +11,7 @@ from typing import Any, NoReturn
 import yaml
 
 from rosml.apps import urls
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 
 IGNORE = "COLCON_IGNORE"
@@ -79,7 +80,7 @@ def read(file: Path, name: str, local: bool) -> list[Entry]:
         RosmlError: it cannot be read, or names something that is not allowed (exit code 2).
     """
     try:
-        node = yaml.compose(file.read_bytes().decode("utf-8-sig"), Loader=yaml.SafeLoader)
+        node = untrusted.yaml_node(file.read_bytes().decode("utf-8-sig"))
     except OSError as error:
         raise RosmlError(f"{name}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
     except UnicodeDecodeError:
@@ -88,8 +89,6 @@ def read(file: Path, name: str, local: bool) -> list[Entry]:
         mark = getattr(error, "problem_mark", None)
         what = getattr(error, "problem", None) or "a character that YAML does not allow"
         raise RosmlError(f"{name}:{mark.line + 1 if mark else 1}: not YAML: {what}", _FORMAT, exit_code=2) from None
-    except RecursionError:
-        raise RosmlError(f"{name}: not YAML: nested too deep", _FORMAT, exit_code=2) from None
     if _is_empty(node):
         return []
     listed = _mapping(node, name, "the file").get("repositories")

@@ -10,13 +10,15 @@ import re
 import shutil
 import tarfile
 import tempfile
+import zlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-import yaml
+from pydantic import BaseModel, ConfigDict, ValidationError
 
 from rosml.apps import base as bases
 from rosml.apps import git, lock, within
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.images.labels import PREFIX
 from rosml.machine.services import Services
@@ -35,9 +37,25 @@ INDEX = "index-v4.yaml"
 KEPT = 5
 """How many states of the lists a machine keeps."""
 
-_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-
 _PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*)*")
+
+
+LARGEST = 64 << 20
+"""Bytes of all lists together, unpacked; ros/rosdistro has less than 10 MB."""
+
+
+class _Distribution(BaseModel):
+    model_config = ConfigDict(strict=True)
+
+    distribution: list[str]
+
+
+class _Index(BaseModel):
+    """What the index of distributions says of their files."""
+
+    model_config = ConfigDict(strict=True)
+
+    distributions: dict[str, _Distribution]
 
 
 @contextlib.contextmanager
@@ -70,9 +88,9 @@ def _files(checkout: Path) -> Iterator[str]:
     """
     lists = sorted(path.name for path in checkout.glob("rosdep/*.yaml"))
     try:
-        index = yaml.load((checkout / INDEX).read_bytes(), Loader=_LOADER)
-        named = [name for facts in index["distributions"].values() for name in facts["distribution"]]
-    except (OSError, yaml.YAMLError, AttributeError, KeyError, TypeError):
+        index = _Index.model_validate(untrusted.yaml_of((checkout / INDEX).read_bytes(), INDEX))
+        named = [name for facts in index.distributions.values() for name in facts.distribution]
+    except (OSError, RosmlError, ValidationError):
         named = []
     if not lists or not named:
         raise RosmlError(f"{checkout} is no checkout of ros/rosdistro", "clone it, and name its folder", exit_code=2)
@@ -80,18 +98,6 @@ def _files(checkout: Path) -> Iterator[str]:
         if not _PATH.fullmatch(name) or not within.there(checkout / name, checkout):
             raise RosmlError(f"{checkout} has no {name} that can be published", "clone it whole", exit_code=2)
         yield name
-
-
-def _require_yaml(name: str, content: bytes) -> None:
-    """Checks what all builds would stumble over.
-
-    Raises:
-        RosmlError: it is no YAML (exit code 2).
-    """
-    try:
-        yaml.load(content, Loader=_LOADER)
-    except yaml.YAMLError as error:
-        raise RosmlError(f"{name} is no YAML: {error}", "correct it, or take another commit", exit_code=2) from None
 
 
 def copied(folder: Path, out: Path) -> Path:
@@ -122,7 +128,8 @@ def packed(checkout: Path) -> bytes:
     with gzip.GzipFile(fileobj=buffer, mode="wb", mtime=0) as stream, tarfile.open(fileobj=stream, mode="w") as tar:
         for name in _files(checkout):
             content = (checkout / name).read_bytes()
-            _require_yaml(name, content)
+            # All builds would stumble over what is no YAML.
+            untrusted.yaml_of(content, name, LARGEST, "correct it, or take another commit", exit_code=2)
             member = tarfile.TarInfo(name)
             member.size = len(content)
             tar.addfile(member, io.BytesIO(content))
@@ -218,14 +225,11 @@ class Finder:
             old = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime)[: 1 - KEPT]
             new = Path(tempfile.mkdtemp(dir=folder))
             try:
-                _unpack(registry.blob(place.repository, layers[0]["digest"]), new)
+                unpack(registry.blob(place.repository, layers[0]["digest"]), new, str(place))
                 new.chmod(0o755)
                 _move(new, out)
                 for path in old:
                     shutil.rmtree(path, ignore_errors=True)
-            except (tarfile.TarError, EOFError, OSError) as error:
-                text = f"{place} cannot be unpacked: {error}"
-                raise RosmlError(text, "free some disk space, or publish it anew") from None
             finally:
                 shutil.rmtree(new, ignore_errors=True)
         return out, manifest.digest
@@ -240,10 +244,28 @@ def _move(new: Path, out: Path) -> None:
             raise
 
 
-def _unpack(content: bytes, folder: Path) -> None:
-    with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz") as tar:
-        for member in tar:
-            stream = tar.extractfile(member) if member.isreg() and _PATH.fullmatch(member.name) else None
-            if stream:
-                (folder / member.name).parent.mkdir(parents=True, exist_ok=True)
-                (folder / member.name).write_bytes(stream.read())
+def unpack(content: bytes, folder: Path, what: str) -> None:
+    """Unpacks the lists into a folder.
+
+    Args:
+        what: the archive is, for messages.
+
+    Raises:
+        RosmlError: it is damaged or too large, or there is no room.
+    """
+    room = LARGEST
+    try:
+        with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz") as tar:
+            for member in tar:
+                if tar.offset > LARGEST:
+                    raise ValueError(f"it has more than {LARGEST >> 20} MiB")
+                stream = tar.extractfile(member) if member.isreg() and _PATH.fullmatch(member.name) else None
+                if stream:
+                    room -= member.size
+                    if room < 0:
+                        raise ValueError(f"it has more than {LARGEST >> 20} MiB")
+                    (folder / member.name).parent.mkdir(parents=True, exist_ok=True)
+                    (folder / member.name).write_bytes(stream.read())
+    except (tarfile.TarError, zlib.error, EOFError, OSError, ValueError, OverflowError) as error:
+        remedy = "free some disk space, or publish it again"
+        raise RosmlError(f"{what} cannot be unpacked: {error}", remedy) from None

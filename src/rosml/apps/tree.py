@@ -10,6 +10,9 @@ import threading
 from collections.abc import Collection, Iterator
 from pathlib import Path, PurePosixPath
 
+from pydantic import TypeAdapter, ValidationError
+
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.files import write
 
@@ -99,10 +102,12 @@ class Tree:
 def _read(file: Path) -> dict[str, list[str]]:
     """Which commits are in a folder. A damaged file says none."""
     try:
-        content = json.loads(file.read_bytes())
-    except (FileNotFoundError, ValueError):
+        return _WRITTEN.validate_python(untrusted.json_of(file.read_bytes(), str(file)))
+    except (FileNotFoundError, ValidationError, RosmlError):
         return {}
-    return content if isinstance(content, dict) else {}
+
+
+_WRITTEN = TypeAdapter(dict[str, list[str]])
 
 
 def _remove(place: Path) -> None:

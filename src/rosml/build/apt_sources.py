@@ -21,7 +21,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Any, Self, cast
 
-from rosml.base import files
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.machine import base_images
 from rosml.machine.services import Services
@@ -96,7 +96,7 @@ def sources(services: Services, systems: Mapping[str, OperatingSystem], name: st
 
 def _kept(file: Path) -> Texts | None:
     try:
-        found = json.loads(file.read_text())
+        found = untrusted.json_value(file.read_bytes())
     except (OSError, ValueError):
         return None
     whole = isinstance(found, dict) and all(isinstance(text, str) for text in found.values())
@@ -145,7 +145,7 @@ _Entry = tuple[int, list[str], list[str], list[str]]
 
 def _lines(text: str) -> Iterator[_Entry]:
     """The binary sources of a file with one on each line: ``deb [options] URI suite components…``."""
-    for number, line in enumerate(text.splitlines(), 1):
+    for number, line in enumerate(text.split("\n"), 1):
         if found := re.match(r"\s*deb\s+(?:\[[^]]*\]\s*)?([^#]*)", line):
             # The name of a CD is in brackets, and may have spaces in it.
             words = re.sub(r"^(\w+:)\[[^]]*\]", r"\1", found[1]).split()
@@ -154,21 +154,22 @@ def _lines(text: str) -> Iterator[_Entry]:
 
 def _stanzas(text: str) -> Iterator[_Entry]:
     """The binary sources of a file with a paragraph of fields for each (deb822)."""
-    fields: dict[str, str] = {}
+    fields: dict[str, list[str]] = {}
     start, name = 0, ""
-    for number, line in enumerate([*text.splitlines(), ""], 1):
+    for number, line in enumerate([*text.split("\n"), ""], 1):
         if line.startswith("#"):
             continue
         if line.strip() and line[0] in " \t":
-            fields[name] = f"{fields.get(name, '')} {line}"
+            fields.setdefault(name, []).append(line)
         elif line.strip():
             start = start or number
             name, _, value = line.partition(":")
             name = name.strip().lower()
-            fields[name] = value
+            fields[name] = [value]
         else:
-            if "deb" in fields.get("types", "").split() and fields.get("enabled", "yes").strip().lower() not in _NO:
-                uris, suites, components = (fields.get(key, "").split() for key in ("uris", "suites", "components"))
+            said = {key: " ".join(lines) for key, lines in fields.items()}
+            if "deb" in said.get("types", "").split() and said.get("enabled", "yes").strip().lower() not in _NO:
+                uris, suites, components = (said.get(key, "").split() for key in ("uris", "suites", "components"))
                 yield start, uris, suites, components
             fields, start, name = {}, 0, ""
 
@@ -188,7 +189,7 @@ def _read(services: Services, reference: str, architecture: str) -> Texts:
             if manifest := _manifest(registry, place, architecture):
                 texts: Texts = {}
                 for layer in manifest.content.get("layers") or []:
-                    added, gone = _layer(registry, place, layer)
+                    added, gone = read_layer(registry, place, layer)
                     kept = {path: text for path, text in texts.items() if not _hidden(path, gone)}
                     texts = kept | added
                 return texts
@@ -214,7 +215,7 @@ def _manifest(registry: Registry, place: oci.Reference, architecture: str) -> Ma
     raise RosmlError(f"{place} is not there for linux/{architecture}", "name a base image that has this architecture")
 
 
-def _layer(registry: Registry, place: oci.Reference, layer: Mapping[str, Any]) -> tuple[Texts, set[str]]:
+def read_layer(registry: Registry, place: oci.Reference, layer: Mapping[str, Any]) -> tuple[Texts, set[str]]:
     """The files of apt sources in a layer, and what of them it deletes from the layers below.
 
     The digest of a layer that was not read to its end is not known to be right: whom we ask depends on it, and no content.
@@ -230,7 +231,7 @@ def _layer(registry: Registry, place: oci.Reference, layer: Mapping[str, Any]) -
             for _ in blocks if whole else ():  # to the end, where the digest is checked
                 pass
             return found
-        except (tarfile.TarError, zlib.error, EOFError, OSError, ValueError) as error:
+        except (tarfile.TarError, zlib.error, EOFError, OSError, OverflowError, ValueError) as error:
             raise RosmlError(
                 f"{place}: the layer {layer['digest']} cannot be read: {error}",
                 "push the base image again, or name another",
@@ -253,7 +254,7 @@ class _TarInfo(tarfile.TarInfo):
 
 
 def _found(archive: tarfile.TarFile) -> tuple[tuple[Texts, set[str]], bool]:
-    """As `_layer`; and whether all of the layer was read.
+    """As `read_layer`; and whether all of the layer was read.
 
     It stops past /etc/apt, if there were sources and all names so far came in order.
     """

@@ -101,7 +101,15 @@ def release(source: Source, environ: Mapping[str, str]) -> Release | None:
         RosmlError: it does not answer, or with something else; the mirror is no address (exit code 2).
     """
     url = source.release(release_file.address(source.address, environ.get(MIRROR, ""), MIRROR))
-    text = release_file.read(url, RELEASE_BYTES, MIRROR)
+    return described(source, release_file.read(url, RELEASE_BYTES, MIRROR), url)
+
+
+def described(source: Source, text: str, url: str) -> Release | None:
+    """What the text of a Release file says of a source; None if apt installs nothing from there on its own.
+
+    Raises:
+        RosmlError: it names no lists of packages.
+    """
     if _NOT_AUTOMATIC.search(text):
         return None
     wanted = {f"{part}/binary-{name}/Packages" for part in source.components for name in ARCHITECTURES}

@@ -9,6 +9,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from pydantic import BaseModel
+
+from rosml.base import untrusted
+from rosml.base.errors import RosmlError
 from rosml.images import labels
 from rosml.images.image_set import Image
 from rosml.machine import base_images, buildx, exported, regctl
@@ -204,29 +208,42 @@ def _versions(file: Path) -> dict[str, str]:
     """Versions by name from lines such as `torch 2.10.0`; none where there is no file."""
     if not file.is_file():
         return {}
-    lines = (line.split(maxsplit=1) for line in file.read_text(errors="replace").splitlines())
+    lines = (line.split(maxsplit=1) for line in file.read_text(errors="replace").split("\n"))
     return {line[0]: line[1] for line in lines if len(line) == 2}
+
+
+class _Result(BaseModel):
+    """What container-structure-test writes about a test; the duration is in nanoseconds."""
+
+    Name: str
+    Pass: bool
+    Duration: float = 0
+    Errors: list[str] | None = None
+    Stdout: str = ""
+    Stderr: str = ""
+
+
+class _Results(BaseModel):
+    Results: list[_Result] | None
 
 
 def _outcomes(folder: Path, file: str) -> list[Outcome]:
     try:
-        results = json.loads((folder / f"{file}.json").read_text())["Results"]
-    except (OSError, ValueError, KeyError, TypeError):
+        content = untrusted.json_value((folder / f"{file}.json").read_bytes())
+        results = _Results.model_validate(content).Results
+    except (OSError, ValueError):
         log = folder / f"{file}.log"
-        return [
-            Outcome(file, "the test runner", False, 0.0, log.read_text()[-2000:] if log.exists() else "did not start")
-        ]
+        said = log.read_text(errors="replace")[-2000:] if log.exists() else "did not start"
+        return [Outcome(file, "the test runner", False, 0.0, said)]
     if not results:
         return [Outcome(file, "the test file", False, 0.0, "it holds no test")]
     return [
         Outcome(
             file,
-            str(result["Name"]).removeprefix("Command Test: "),
-            bool(result["Pass"]),
-            result.get("Duration", 0) / 1e9,
-            "\n".join(
-                filter(None, [*(result.get("Errors") or []), result.get("Stdout", ""), result.get("Stderr", "")])
-            )[-3000:],
+            result.Name.removeprefix("Command Test: "),
+            result.Pass,
+            result.Duration / 1e9,
+            "\n".join(filter(None, [*(result.Errors or []), result.Stdout, result.Stderr]))[-3000:],
         )
         for result in results
     ]

@@ -10,7 +10,7 @@ from datetime import UTC
 from email.utils import parsedate_to_datetime
 from pathlib import Path
 
-from rosml.base import files
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.build import release_file
 from rosml.images.apt_source import Source
@@ -30,11 +30,20 @@ def published(source: Source, environ: Mapping[str, str] = os.environ) -> str:
     """
     address = release_file.address(source.address, environ.get(MIRROR, ""), MIRROR)
     url = f"{address}/dists/{source.codename}/InRelease"
-    text = release_file.read(url, RELEASE_BYTES, MIRROR)
+    return date_of(release_file.read(url, RELEASE_BYTES, MIRROR), url)
+
+
+def date_of(text: str, url: str) -> str:
+    """When a repository was published last, as its Release file says it.
+
+    Raises:
+        RosmlError: it says no date.
+    """
     found = re.search(r"^Date: (.+)$", text, re.MULTILINE)
     try:
-        return parsedate_to_datetime(found[1] if found else "").astimezone(UTC).strftime("%Y-%m-%dT%H:%M:%SZ")
-    except ValueError:
+        moment = parsedate_to_datetime(found[1] if found else "").astimezone(UTC)
+        return moment.strftime("%Y-%m-%dT%H:%M:%SZ")
+    except (ArithmeticError, LookupError, TypeError, ValueError):
         raise RosmlError(f"{release_file.shown(url)} says no date", "check the mirror") from None
 
 
@@ -51,7 +60,7 @@ def remembered(state: Path, source: Source) -> str:
 
 def _known(state: Path) -> dict[str, str]:
     try:
-        found = json.loads((state / "ros-sync.json").read_text())
+        found = untrusted.json_value((state / "ros-sync.json").read_bytes())
     except (OSError, ValueError):
         return {}
     return {str(key): str(value) for key, value in found.items()} if isinstance(found, dict) else {}

@@ -6,14 +6,15 @@ not keep people from finding the others.
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
-from rosml.base import progress_bar
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rosml.base import progress_bar, untrusted
 from rosml.base.errors import RosmlError
 from rosml.catalogue.model import (
     FORMAT,
@@ -35,7 +36,7 @@ from rosml.catalogue.model import (
 )
 from rosml.images import image_set as sets
 from rosml.images.image_set import repository_of, tags_of
-from rosml.images.labels import PREFIX
+from rosml.images.labels import PREFIX, in_config
 from rosml.images.selection import select
 from rosml.matrix.names import DATED
 from rosml.records import tag_moves
@@ -233,7 +234,7 @@ class Gatherer:
             ]
             members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
             return _Index(digest, date_of(found), tuple(members))
-        except (AttributeError, KeyError, TypeError, ValueError, RosmlError) as error:
+        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, RosmlError) as error:
             self.registry.head(path, digest)  # a registry that does not answer any more is another matter
             self.remarks.append(f"{repository}@{digest} is left out: it cannot be read ({error})")
             return None
@@ -242,13 +243,14 @@ class Gatherer:
         found = self.registry.manifest(path, digest)
         if found is None:
             raise ValueError(f"{digest} is not there")
-        config = json.loads(self.registry.blob(path, found.content["config"]["digest"]))
+        config = untrusted.json_of(
+            self.registry.blob(path, found.content["config"]["digest"]), f"the config of {digest}"
+        )
         layers = tuple((str(layer["digest"]), int(layer["size"])) for layer in found.content["layers"])
-        labels = {str(name): str(text) for name, text in ((config.get("config") or {}).get("Labels") or {}).items()}
         entry = self._current.get(digest)
         if entry is None:  # of one that another has taken the place of since
             entry = Records(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
-        return _Member(digest, platform, layers, labels, entry)
+        return _Member(digest, platform, layers, in_config(config), entry)
 
     # ---- What it means -----------------------------------------------------------------------------------------------
 
@@ -387,7 +389,7 @@ class _Table:
             versions=versions or promised,
             found_inside=bool(versions),
             tests=Tests(passed=entry.passed, failures=entry.failures) if entry and tested else None,
-            scan=_scan(entry) if entry and entry.scanned else None,
+            scan=scan_of(entry) if entry and entry.scanned else None,
         )
 
     def _sizes(self, member: _Member) -> dict[str, Size]:
@@ -401,15 +403,30 @@ class _Table:
         }
 
 
-def _scan(entry: Entry) -> Scan:
-    scan = entry.scan
-    return Scan(
-        outcome=entry.scanned,
-        database=str(scan.get("updated", "")),
-        packages=int(scan.get("packages", 0)),
-        findings={str(name): int(count) for name, count in (scan.get("findings") or {}).items()},
-        failing=tuple(map(str, scan.get("failing") or ())),
-    )
+class _Scanned(BaseModel):
+    """What an entry of the records says of a scan."""
+
+    model_config = ConfigDict(strict=True)
+
+    updated: str = ""
+    packages: int = 0
+    findings: dict[str, int] = {}
+    failing: list[str] = []
+
+
+def scan_of(entry: Entry) -> Scan | None:
+    """What is known of an image's vulnerabilities; None where it was not scanned, or the entry is damaged."""
+    try:
+        found = _Scanned.model_validate(dict(entry.scan))
+        return Scan(
+            outcome=entry.scanned,
+            database=found.updated,
+            packages=found.packages,
+            findings=found.findings,
+            failing=tuple(found.failing),
+        )
+    except ValidationError:
+        return None
 
 
 def _sharing(images: Iterable[Image], layers: Sequence[Layer]) -> Sharing:

@@ -4,12 +4,12 @@ reads in bulk, joins and attaches as well: there is no regctl where nothing is b
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
 from dataclasses import dataclass
 from typing import Any
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.machine.services import REMEDY, Services
 from rosml.registry import certificates
@@ -61,11 +61,12 @@ def regctl(services: Services, *arguments: str) -> str:
 
 def _json(services: Services, *arguments: str) -> dict[str, Any]:
     try:
-        content = json.loads(regctl(services, *arguments))
+        content = untrusted.json_value(regctl(services, *arguments))
     except ValueError:
         content = None
     if not isinstance(content, dict):
-        raise RosmlError(f"the registry's answer to {' '.join(arguments)} is no JSON object")
+        text = f"the registry's answer to {' '.join(arguments)} is no JSON object"
+        raise RosmlError(text, "look at the registry's address")
     return content
 
 

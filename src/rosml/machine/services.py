@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import subprocess
 from collections.abc import Mapping
@@ -12,7 +11,7 @@ from pathlib import Path
 import httpx
 from pydantic import TypeAdapter
 
-from rosml.base import files
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.registry import credentials
 
@@ -67,7 +66,7 @@ class Services:
         """
         path = root / ".state" / "services.json"
         try:
-            return _WRITTEN.validate_python({**json.loads(path.read_text()), "root": root})
+            return _WRITTEN.validate_python({**untrusted.json_value(path.read_bytes()), "root": root})
         except FileNotFoundError:
             if not required:
                 return cls(root, "", (), "", "", None, "", "", os.environ.get("SSL_CERT_FILE", ""), bases=())

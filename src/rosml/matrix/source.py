@@ -15,12 +15,10 @@ from typing import Any
 
 import yaml
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.files import shown
 from rosml.base.problems import InputError, Path, Problem, dotted
-
-# libyaml comes with PyYAML's wheels; the pure-Python parser reads the same, ten times slower.
-_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 _TAG = "tag:yaml.org,2002:"
 _INTEGER = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})")
@@ -83,7 +81,7 @@ def parse(content: bytes, name: str = "matrix.yaml") -> Document:
     try:
         if problems := list(_refused(text)):
             raise InputError(name, problems)
-        node = yaml.compose(text, Loader=_Loader)
+        node = untrusted.yaml_node(text)
     except yaml.MarkedYAMLError as error:
         raise InputError(name, [_syntax(error)]) from None
     except yaml.reader.ReaderError as error:
@@ -92,10 +90,7 @@ def parse(content: bytes, name: str = "matrix.yaml") -> Document:
     if node is None:
         raise InputError(name, [Problem(1, 1, "", "the file is empty; it needs at least 'version: 1'")])
     document.places[()] = _place(node)
-    try:
-        document.data = _value(document, (), node)
-    except RecursionError:
-        raise InputError(name, [Problem(1, 1, "", "nested hundreds of levels deep; remove what was pasted")]) from None
+    document.data = _value(document, (), node)
     return document
 
 
@@ -115,8 +110,7 @@ def _end(text: str) -> tuple[int, int]:
 
 def _refused(text: str) -> Iterator[Problem]:
     """Anchors, aliases and tags: what is YAML, but not ours."""
-    events: Iterator[Any] = yaml.parse(text, Loader=_Loader)
-    for event in events:
+    for event in untrusted.yaml_events(text):
         kind = "alias" if isinstance(event, yaml.AliasEvent) else "anchor"
         for what, name in ((kind, getattr(event, "anchor", None)), ("tag", getattr(event, "tag", None))):
             if name:
@@ -145,6 +139,7 @@ _REMEDIES = {
     "did not find expected ','": "close the bracket, and put commas between its items",
     "cannot start any token": "indent with spaces, and put text that begins like this in quotes",
     "tab character": "indent with spaces",
+    "levels deep": "remove what was pasted",
     "another document": "keep one document in a file",
     "did not find expected comment or line break": "put the text in quotes",
 }

@@ -8,7 +8,6 @@ then only to an index of images that passed.
 from __future__ import annotations
 
 import hashlib
-import json
 import threading
 import time
 from collections import Counter
@@ -20,7 +19,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, TypeVar
 
-from rosml.base import progress_bar
+from rosml.base import progress_bar, untrusted
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.base.problems import some
@@ -28,7 +27,7 @@ from rosml.build import package_state as upstreams
 from rosml.build.maker import BuildKitMaker, Made, Maker
 from rosml.images import apt_source
 from rosml.images.image_set import Image, Part, repository_of
-from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title
+from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, in_config, title
 from rosml.publish import provenance, same_content
 from rosml.publish.plan import ELSEWHERE, Item, Plan
 from rosml.publish.sign import PATIENCE, Signer, SignerFailed
@@ -597,7 +596,8 @@ class Pipeline:
         manifest = self.registry.manifest(repository, digest)
         if manifest is None:
             raise RosmlError(f"{repository}@{digest} is not in the registry any more", "run 'build' and 'join' again")
-        content = json.loads(self.registry.blob(repository, manifest.content["config"]["digest"]))
+        config = self.registry.blob(repository, manifest.content["config"]["digest"])
+        content = untrusted.json_of(config, f"the config of {repository}@{digest}")
         return manifest, content if isinstance(content, dict) else {}
 
 
@@ -623,8 +623,7 @@ def _require_own(thing: Image | Part, entry: Entry, config: Mapping[str, Any]) -
     Raises:
         RosmlError: it is not.
     """
-    labels = (config.get("config") or {}).get("Labels") or {}
-    found = str(labels.get(TITLE, "")), str(config.get("architecture", ""))
+    found = in_config(config).get(TITLE, ""), str(config.get("architecture", ""))
     if found != (title(thing), entry.architecture):
         raise RosmlError(
             f"the records' entry {entry.tag} names {entry.digest},"

@@ -15,8 +15,9 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any, ClassVar
 
-from pydantic import ConfigDict, TypeAdapter, ValidationError
+from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.registry.oci import Registry
 from rosml.registry.repositories import repository_path
@@ -122,6 +123,12 @@ def parse(content: Any) -> Entry | None:
 _ADAPTER = TypeAdapter(Entry)
 
 
+class _Inputs(BaseModel):
+    """What the layer of an entry says of its inputs."""
+
+    inputs: dict[str, str]
+
+
 class Records:
     """The entries of a registry.
 
@@ -145,8 +152,8 @@ class Records:
         if found is None:
             return None
         try:
-            entry = parse(json.loads(found.content["annotations"][ANNOTATION]))
-        except (KeyError, TypeError, ValueError, RecursionError):
+            entry = parse(untrusted.json_value(annotations_of(found)[ANNOTATION]))
+        except (KeyError, TypeError, ValueError):
             return None
         return entry if entry and (entry.target, entry.architecture) == (target, architecture) else None
 
@@ -164,9 +171,9 @@ class Records:
             return {}
         try:
             (layer,) = found.content["layers"]
-            content = json.loads(self.registry.blob(self.repository, layer["digest"]))["inputs"]
-            return {str(name): str(value) for name, value in content.items()}
-        except (AttributeError, KeyError, TypeError, ValueError, RosmlError):
+            content = untrusted.json_value(self.registry.blob(self.repository, layer["digest"]))
+            return _Inputs.model_validate(content).inputs
+        except (KeyError, TypeError, ValueError, RosmlError):
             return {}
 
     def write(self, entry: Entry, inputs: Mapping[str, str] | None = None) -> str:
@@ -208,8 +215,8 @@ class Records:
             try:
                 manifest = self.registry.manifest(place, item["digest"])
                 (layer,) = manifest.content["layers"] if manifest else [{}]
-                entry = parse(json.loads(self.registry.blob(place, layer["digest"]))["entry"])
-            except (KeyError, TypeError, ValueError, RecursionError, RosmlError):
+                entry = parse(untrusted.json_value(self.registry.blob(place, layer["digest"]))["entry"])
+            except (KeyError, TypeError, ValueError, RosmlError):
                 continue
             if entry and (entry.repository, entry.digest) == (repository, digest):
                 found.append(entry)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import re
 from dataclasses import dataclass
 
+from pydantic import BaseModel
+
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.records.store import Records
 
@@ -27,6 +29,12 @@ class Move:
         return dict(vars(self))
 
 
+class _Record(BaseModel):
+    """What the layer of a record says."""
+
+    moves: list[Move]
+
+
 def record_name(date: str) -> str:
     """The tag of a run's record."""
     return UNDO + re.sub(r"[^0-9TZ]", "", date)
@@ -42,7 +50,7 @@ def read_moves(records: Records, name: str) -> list[Move]:
     if found is None:
         return []
     try:
-        content = json.loads(records.registry.blob(records.repository, found.content["layers"][0]["digest"]))
-        return [Move(**move) for move in content["moves"]]
+        content = records.registry.blob(records.repository, found.content["layers"][0]["digest"])
+        return _Record.model_validate(untrusted.json_value(content)).moves
     except (KeyError, TypeError, ValueError, IndexError):
         raise RosmlError(f"the record {name} cannot be read", "move the tags by hand: regctl image copy") from None

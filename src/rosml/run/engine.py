@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import re
 import shlex
@@ -13,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.run.context import Container, Engine, Image
 from rosml.run.words import Line
@@ -282,7 +282,7 @@ def _engine(command: str, said: _Answer) -> Engine | None:
     if not said.text.strip():
         return None
     with _understood(command, said, "info", "--format", INFO):
-        (found,) = _values(_answer(said.text))
+        (found,) = untrusted.json_values(_answer(said.text))
         return _described_engine(command, _kind(dict, found))
 
 
@@ -335,7 +335,7 @@ def _image(command: str, answer: _Answer, name: str) -> Image | None:
     if answer.code:
         return None
     with _understood(command, answer, "image", "inspect", name):
-        (said,) = _values(_answer(answer.text))
+        (said,) = untrusted.json_values(_answer(answer.text))
         (found,) = said if isinstance(said, list) else [said]  # podman writes a list
         found = _kind(dict, found)
         config = _kind(dict, found.get("Config"))
@@ -349,7 +349,7 @@ def _containers(command: str, answer: _Answer, *names: str) -> list[Container]:
         RosmlError: that cannot be read.
     """
     with _understood(command, answer, "container", "inspect", *names):
-        return [_container(line) for line in _answer(answer.text).splitlines() if line.strip()]
+        return [_container(line) for line in _answer(answer.text).split("\n") if line.strip()]
 
 
 def _container(line: str) -> Container:
@@ -358,7 +358,7 @@ def _container(line: str) -> Container:
     Raises:
         ValueError: it is no such line.
     """
-    name, state, image, config, mounts, settings = _values(line)
+    name, state, image, config, mounts, settings = untrusted.json_values(line)
     places = frozenset(str(_kind(dict, mount).get("Destination", "")) for mount in _kind(list, mounts or []))
     variables, labels, entrypoint = _described(_kind(dict, config))
     named, user = str(config.get("Image") or ""), str(config.get("User") or "")
@@ -389,20 +389,6 @@ def _answer(text: str) -> str:
 def _bare(identity: object) -> str:
     """A digest, which podman writes without its kind."""
     return _kind(str, identity).removeprefix("sha256:")
-
-
-def _values(text: str) -> list[Any]:
-    """The JSON values that follow each other in a text.
-
-    Raises:
-        ValueError: they do not.
-    """
-    decoder, found, rest = json.JSONDecoder(), [], text.strip()
-    while rest:
-        value, end = decoder.raw_decode(rest)
-        found.append(value)
-        rest = rest[end:].lstrip()
-    return found
 
 
 def _silent(command: str, complaint: str) -> RosmlError:

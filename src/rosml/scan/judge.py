@@ -19,7 +19,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
 from rosml.scan.policy import SEVERITIES, Ignored, Rules
 from rosml.scan.sbom import Sbom, Shelf
-from rosml.scan.trivy import SCANNER_FAILED, Database, ScannerFailed, Trivy
+from rosml.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, ScannerFailed, Trivy
 
 Known = TypeVar("Known")
 
@@ -250,10 +250,7 @@ class Scanner:
                 f"{part.name}: the database knows nothing of {listed(lacking)}",
                 "see whether its publisher covers that system",
             )
-        try:
-            found = part_report(report, part)
-        except (KeyError, TypeError, AttributeError, ValueError) as error:
-            raise ScannerFailed(f"{part.name}: trivy's report cannot be read: {error!r}") from None
+        found = part_report(report, part)
         if found.packages != len(sbom.packages):
             raise ScannerFailed(
                 f"{part.name}: trivy looked at {found.packages} of {counted(len(sbom.packages), 'package')}",
@@ -262,36 +259,36 @@ class Scanner:
         return found
 
 
-def part_report(report: Mapping[str, Any], part: Part) -> PartReport:
+def part_report(report: Report, part: Part) -> PartReport:
     """What trivy's report says of a part.
 
     Raises:
-        KeyError, TypeError, AttributeError, ValueError: it is no such report.
+        ScannerFailed: it has a severity that is not known.
     """
     packages, findings, notes = 0, set(), []
-    for result in report.get("Results") or []:
-        packages += len(result.get("Packages") or [])
-        for found in result.get("Vulnerabilities") or []:
-            severity = found["Severity"].lower()
+    for result in report.Results or []:
+        packages += len(result.Packages or [])
+        for found in result.Vulnerabilities or []:
+            severity = found.Severity.lower()
             if severity not in SEVERITIES:
-                raise ValueError(f"severity {severity}")
+                raise ScannerFailed(f"{part.name}: trivy's report has the severity {severity!r}", ANOTHER)
             findings.add(
                 Finding(
-                    id=found["VulnerabilityID"],
+                    id=found.VulnerabilityID,
                     severity=severity,
-                    package=found["PkgName"],
-                    installed=found["InstalledVersion"],
-                    fixed=found.get("FixedVersion", ""),
+                    package=found.PkgName,
+                    installed=found.InstalledVersion,
+                    fixed=found.FixedVersion,
                     part=part.name,
-                    kind=result["Type"],
-                    title=found.get("Title", ""),
-                    url=found.get("PrimaryURL", ""),
+                    kind=result.Type,
+                    title=found.Title,
+                    url=found.PrimaryURL,
                 )
             )
-    system = report.get("Metadata", {}).get("OS") or {}
-    if system.get("EOSL"):
+    system = report.Metadata.OS if report.Metadata else None
+    if system and system.EOSL:
         notes.append(
-            f"{part.name}: {system['Family']} {system['Name']} gets no advisories any more: "
+            f"{part.name}: {system.Family} {system.Name} gets no advisories any more: "
             "what became known since is not among the findings"
         )
     if not packages:

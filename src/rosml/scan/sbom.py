@@ -7,8 +7,13 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from rosml.base import untrusted
+from rosml.base.problems import first_of
+from rosml.records.store import annotations_of
 from rosml.registry.oci import Registry
 from rosml.scan.trivy import ScannerFailed
 
@@ -19,6 +24,44 @@ SCANNER_ANNOTATION = "io.rosml.sbom.scanner"
 
 OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
 """The package URL of an operating system's package; its group is that system."""
+
+
+class _Said(BaseModel):
+    model_config = ConfigDict(frozen=True, strict=True)
+
+
+class Component(_Said):
+    """One thing in an SBOM: a package, or an operating system."""
+
+    ref: str = Field(alias="bom-ref")
+    type: str
+    name: str = ""
+    version: str | None = None
+    purl: str = ""
+
+
+class Subject(_Said):
+    """What an SBOM is of."""
+
+    name: str = ""
+
+
+class About(_Said):
+    """What an SBOM says of itself."""
+
+    component: Subject | None = None
+
+
+class Document(_Said):
+    """What is read of an SBOM."""
+
+    bomFormat: Literal["CycloneDX"]
+    metadata: About | None = None
+    components: list[Component]
+
+
+LARGEST = 256 << 20
+"""Bytes that an SBOM may have; those of parts have some MB."""
 
 
 @dataclass(frozen=True)
@@ -49,52 +92,46 @@ class Sbom:
         Raises:
             ScannerFailed: it is no CycloneDX.
         """
-        try:
-            return digest in self.document["metadata"]["component"]["name"]
-        except (KeyError, TypeError):
-            return False
+        about = self.document.metadata
+        return bool(about and about.component and digest in about.component.name)
 
     @cached_property
-    def document(self) -> dict[str, Any]:
+    def document(self) -> Document:
         """The content as data.
 
         Raises:
             ScannerFailed: it is no CycloneDX, e.g. because somebody else put it into the registry.
         """
+        remedy = "delete that artifact in the registry"
         try:
-            document = json.loads(self.content)
-            if document["bomFormat"] == "CycloneDX" and all(
-                isinstance(item["bom-ref"], str) and isinstance(item["type"], str) for item in document["components"]
-            ):
-                return dict(document)
-        except (ValueError, KeyError, TypeError, RecursionError):
-            pass
-        raise ScannerFailed("what is kept as an SBOM is none", "delete that artifact in the registry")
+            return Document.model_validate(untrusted.json_value(self.content, LARGEST))
+        except ValidationError as error:
+            raise ScannerFailed(f"what is kept as an SBOM is none: {first_of(error)}", remedy) from None
+        except ValueError as error:
+            raise ScannerFailed(f"what is kept as an SBOM is none: {error}", remedy) from None
 
     @property
-    def packages(self) -> list[dict[str, Any]]:
+    def packages(self) -> list[Component]:
         """Its packages, without those of another operating system: a wheel's SBOM names the packages that its libraries were
         copied from, which no advisory of this system speaks of."""
         family = self.system.partition(" ")[0]
-        libraries = [item for item in self.document["components"] if item["type"] == "library"]
-        origins = [OF_A_SYSTEM.match(item.get("purl", "")) for item in libraries]
+        libraries = [item for item in self.document.components if item.type == "library"]
+        origins = [OF_A_SYSTEM.match(item.purl) for item in libraries]
         return [item for item, origin in zip(libraries, origins, strict=True) if not origin or origin[1] == family]
 
     @property
     def system(self) -> str:
         """Its operating system, such as `debian 12.12`; empty where it has none. One without a version is none of its own: a
         wheel's SBOM says where the libraries in it came from."""
-        found = [
-            item for item in self.document["components"] if item["type"] == "operating-system" and "version" in item
-        ]
-        return f"{found[0]['name']} {found[0]['version']}" if found else ""
+        found = [item for item in self.document.components if item.type == "operating-system" and item.version]
+        return f"{found[0].name} {found[0].version}" if found else ""
 
     @property
     def sources(self) -> list[str]:
         """Names of the advisories' sources, as trivy's database calls them, that its packages need."""
         family, _, version = self.system.partition(" ")
         release = version.partition(".")[0] if family == "debian" else version
-        wheels = any(item.get("purl", "").startswith("pkg:pypi/") for item in self.packages)
+        wheels = any(item.purl.startswith("pkg:pypi/") for item in self.packages)
         return [*([f"{family} {release}"] if family else []), *(["pip::"] if wheels else [])]
 
     def require(self, name: str, ros: bool) -> None:
@@ -103,7 +140,7 @@ class Sbom:
         Raises:
             ScannerFailed: it lacks the operating system, or its packages.
         """
-        debian = sum(item.get("purl", "").startswith("pkg:deb/") for item in self.packages)
+        debian = sum(item.purl.startswith("pkg:deb/") for item in self.packages)
         if ros and not (self.system and debian):
             raise ScannerFailed(
                 f"{name}: trivy found {'no operating system' if not self.system else 'no Debian package'} in it",
@@ -133,8 +170,9 @@ class Shelf:
             manifest = self.client.manifest(repository, descriptor["digest"])
             if manifest is None:  # deleted since; its entry may stay in a list that stands in for the API
                 continue
-            if (manifest.content.get("annotations") or {}).get(SCANNER_ANNOTATION) == self.scanner:
-                return Sbom(self.client.blob(repository, manifest.content["layers"][0]["digest"]))
+            layers = manifest.content.get("layers")
+            if annotations_of(manifest).get(SCANNER_ANNOTATION) == self.scanner and layers:
+                return Sbom(self.client.blob(repository, layers[0]["digest"]))
         return None
 
     def store(self, repository: str, digest: str, sbom: Sbom) -> None:

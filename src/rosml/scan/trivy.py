@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import mmap
 import os
 import re
@@ -16,7 +15,11 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
 from rosml.base.programs import pinned_version
 from rosml.scan.policy import DatabaseRules
 
@@ -88,6 +91,67 @@ class Database:
             )
 
 
+class _Said(BaseModel):
+    """What trivy writes, by its own names."""
+
+    model_config = ConfigDict(frozen=True, strict=True)
+
+
+class Vulnerability(_Said):
+    """A known vulnerability in a package."""
+
+    VulnerabilityID: str
+    PkgName: str
+    InstalledVersion: str
+    Severity: str
+    FixedVersion: str = ""
+    Title: str = ""
+    PrimaryURL: str = ""
+
+
+class Result(_Said):
+    """What trivy says of packages of one kind."""
+
+    Type: str = ""
+    Packages: list[Any] | None = None
+    Vulnerabilities: list[Vulnerability] | None = None
+
+
+class System(_Said):
+    """The operating system; EOSL: it gets no advisories any more."""
+
+    Family: str = ""
+    Name: str = ""
+    EOSL: bool = False
+
+
+class About(_Said):
+    """What trivy says of the whole."""
+
+    OS: System | None = None
+
+
+class Report(_Said):
+    """Trivy's report about an SBOM."""
+
+    SchemaVersion: int
+    Metadata: About | None = None
+    Results: list[Result] | None = None
+
+
+class _Database(_Said):
+    """What trivy's database says of itself."""
+
+    Version: int = 0
+    UpdatedAt: str
+
+
+WRITTEN_BYTES = 512 << 20
+"""Bytes that trivy may write; SBOMs and reports have some MB."""
+
+ANOTHER = "run it again with another trivy"
+
+
 @dataclass
 class Trivy:
     """The program, and the folder with its database and with what it knows of layers.
@@ -122,7 +186,7 @@ class Trivy:
             ScannerFailed: there is none, or it is not of the pinned version.
         """
         try:
-            program = str(json.loads((root / ".state" / "scanner.json").read_text())["trivy"])
+            program = str(untrusted.json_value((root / ".state" / "scanner.json").read_bytes())["trivy"])
         except FileNotFoundError:
             raise ScannerFailed("the scanner is not installed", INSTALL) from None
         except (OSError, ValueError, KeyError, TypeError):
@@ -148,17 +212,18 @@ class Trivy:
         Raises:
             ScannerFailed: trivy failed, or what it wrote is no CycloneDX.
         """
-        document = self._written(
+        written = self._written(
             *("image", "--image-src", "remote", "--format", "cyclonedx", "--skip-files", JARS),
             *("--skip-db-update", "--skip-java-db-update", "--offline-scan"),
             reference,
             seconds=self.sbom_seconds,
         )
+        document = _object(written, f"SBOM of {reference}")
         if document.get("bomFormat") != "CycloneDX":
-            raise ScannerFailed(f"trivy did not write an SBOM of {reference}", "run it again with another trivy")
+            raise ScannerFailed(f"trivy did not write an SBOM of {reference}", ANOTHER)
         return document
 
-    def scan(self, sbom: bytes, what: str) -> dict[str, Any]:
+    def scan(self, sbom: bytes, what: str) -> Report:
         """What the database knows of an SBOM's packages: trivy's own report, with all packages that it looked at.
 
         Args:
@@ -171,15 +236,13 @@ class Trivy:
         with tempfile.TemporaryDirectory(prefix="rosml-scan-") as folder:
             file = Path(folder) / "sbom.cdx.json"
             file.write_bytes(sbom)
-            report = self._written(
+            written = self._written(
                 *("sbom", "--format", "json", "--list-all-pkgs", "--scanners", "vuln", "--cache-backend", "memory"),
                 *("--skip-db-update", "--skip-java-db-update", "--offline-scan", "--skip-vex-repo-update"),
                 str(file),
                 seconds=self.scan_seconds,
             )
-        if report.get("SchemaVersion") != REPORT_FORMAT or not isinstance(report.get("Results", []), list):
-            raise ScannerFailed(f"trivy did not write a report about {what}", "run it again with another trivy")
-        return report
+        return read_report(written, what)
 
     # ---- the database ---------------------------------------------------------------------------------------------
     def fetch(self, rules: DatabaseRules, pinned: str = "", say: Callable[[str], None] = lambda line: None) -> Database:
@@ -225,17 +288,17 @@ class Trivy:
         """
         folder = self.folder / "db"
         try:
-            facts = json.loads((folder / "metadata.json").read_text())
-            updated = _written_moment(facts["UpdatedAt"])
+            facts = _Database.model_validate(untrusted.json_value((folder / "metadata.json").read_bytes()))
+            updated = _written_moment(facts.UpdatedAt)
             with (folder / "trivy.db").open("rb") as stream:
                 digest = f"sha256:{hashlib.file_digest(stream, 'sha256').hexdigest()}"
         except FileNotFoundError:
             raise ScannerFailed(f"there is no database of vulnerabilities in {folder}", "fetch it first") from None
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        except (OSError, OverflowError, ValueError):
             raise ScannerFailed(f"the database of vulnerabilities in {folder} is damaged", "fetch it anew") from None
-        if facts.get("Version") != DATABASE_FORMAT:
+        if facts.Version != DATABASE_FORMAT:
             raise ScannerFailed(
-                f"the database of vulnerabilities has format {facts.get('Version')}, and trivy reads {DATABASE_FORMAT}",
+                f"the database of vulnerabilities has format {facts.Version}, and trivy reads {DATABASE_FORMAT}",
                 f"take the tag :{DATABASE_FORMAT} of the repository, or pin a trivy that reads it",
             )
         source = folder / "source"
@@ -275,18 +338,43 @@ class Trivy:
             raise ScannerFailed(f"trivy {arguments[0]}: {_reason(errors) or f'exit code {code}'}")
         return output
 
-    def _written(self, *arguments: str, seconds: float) -> dict[str, Any]:
-        """Calls trivy; gives the JSON object that it writes."""
+    def _written(self, *arguments: str, seconds: float) -> bytes:
+        """Calls trivy; gives what it writes into a file."""
         with tempfile.TemporaryDirectory(prefix="rosml-trivy-") as folder:
             file = Path(folder) / "output.json"
             self.run(arguments[0], "--output", str(file), *arguments[1:], seconds=seconds)
             try:
-                content = json.loads(file.read_bytes())
-            except (OSError, ValueError, RecursionError):
-                content = None
-        if not isinstance(content, dict):
-            raise ScannerFailed(f"trivy {arguments[0]} ended well, and wrote no JSON object")
-        return content
+                return file.read_bytes()
+            except OSError:
+                return b""
+
+
+def read_report(written: bytes, what: str) -> Report:
+    """Trivy's report.
+
+    Args:
+        written: by trivy. what: it is about, for messages.
+
+    Raises:
+        ScannerFailed: it is no such report.
+    """
+    try:
+        report = Report.model_validate(_object(written, f"report about {what}"))
+    except ValidationError as error:
+        raise ScannerFailed(f"trivy did not write a report about {what}: {first_of(error)}", ANOTHER) from None
+    if report.SchemaVersion != REPORT_FORMAT:
+        raise ScannerFailed(f"trivy did not write a report about {what}", ANOTHER)
+    return report
+
+
+def _object(written: bytes, what: str) -> dict[str, Any]:
+    try:
+        found = untrusted.json_value(written, WRITTEN_BYTES)
+    except ValueError as error:
+        raise ScannerFailed(f"{what}: trivy ended well, and wrote no JSON object: {error}", ANOTHER) from None
+    if not isinstance(found, dict):
+        raise ScannerFailed(f"{what}: trivy ended well, and wrote no JSON object", ANOTHER)
+    return found
 
 
 def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
@@ -358,7 +446,7 @@ def _written_moment(text: str) -> str:
     if text.startswith("0001-"):
         raise ValueError("never")
     moment = datetime.fromisoformat(re.sub(r"\.\d+", "", text).replace("Z", "+00:00")).astimezone(UTC)
-    return moment.strftime("%Y-%m-%dT%H:%M:%SZ")
+    return f"{moment.replace(tzinfo=None).isoformat()}Z"  # strftime writes the year 900 with three digits
 
 
 def _moment(text: str) -> datetime:

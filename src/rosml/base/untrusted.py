@@ -1,0 +1,271 @@
+"""JSON and YAML from outside, as plain data: with limits on size, depth and numbers, so that no reader after it has to fear them.
+
+A model gives the data its shape next. Nothing else of this package calls a parser of JSON or YAML for a text that others wrote.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from rosml.base.errors import RosmlError
+
+if TYPE_CHECKING:
+    import yaml
+
+SIZE = 16 << 20
+"""Bytes that a text may have, unless its reader says something else."""
+
+DEPTH = 100
+"""How many lists and objects may be inside each other. Nothing that is read here has more than twenty."""
+
+DIGITS = 20
+"""How many digits a whole number may have: enough for 64 bits."""
+
+NODES = 2_000_000
+"""How many values a YAML file may have once its aliases are replaced. rosdep's largest list has 30,000."""
+
+CHECK = "check where it is from"
+
+
+# ---- JSON ------------------------------------------------------------------------------------------------------------
+
+
+def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:
+    """The value of a JSON text.
+
+    Args:
+        what: the text is, for messages. limit: its bytes. remedy, exit_code: of the error.
+
+    Raises:
+        RosmlError: the text is larger, nested deeper than `DEPTH`, or no JSON in UTF-8; it has a number of more than `DIGITS`
+            digits or beyond what a float holds, the same key twice in an object, or half of a surrogate pair.
+    """
+    try:
+        return json_value(data, limit)
+    except ValueError as error:
+        raise RosmlError(f"{what} is no JSON: {error}", remedy, exit_code) from None
+
+
+def json_value(data: bytes | str, limit: int = SIZE) -> Any:
+    """The same.
+
+    Raises:
+        ValueError: as RosmlError above.
+    """
+    (found,) = json_values(data, limit, one=True)
+    return found
+
+
+def json_values(data: bytes | str, limit: int = SIZE, one: bool = False) -> list[Any]:
+    """The values of JSON texts that follow each other.
+
+    Args:
+        limit: bytes of all. one: there is exactly one.
+
+    Raises:
+        ValueError: as RosmlError of `json_of`.
+    """
+    text = _text(data, limit)
+    found: list[Any] = []
+    place = _BLANKS.match(text, 0).end()  # type: ignore[union-attr] # it matches anywhere
+    try:
+        while place < len(text) or (one and not found):
+            value, place = _DECODER.raw_decode(text, place)
+            place = _BLANKS.match(text, place).end()  # type: ignore[union-attr]
+            found.append(value)
+            if one and place < len(text):
+                raise ValueError("something follows its value")
+    except RecursionError:
+        raise ValueError(_DEEP) from None
+    _require_shallow(found)
+    if _SURROGATE.search(text) and not _is_unicode(found):
+        raise ValueError("it has half of a surrogate pair")
+    return found
+
+
+_DEEP = f"it is nested more than {DEPTH} levels deep"
+_BLANKS = re.compile(r"[ \t\r\n]*")
+_SURROGATE = re.compile(r"\\u[dD][89a-fA-F]|[\ud800-\udfff]")
+
+
+def _text(data: bytes | str, limit: int) -> str:
+    if len(data) > limit:
+        raise ValueError(f"it has more than {limit:,} bytes")
+    if isinstance(data, str):
+        return data
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"it is not UTF-8 (byte 0x{data[error.start]:02x})") from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise ValueError("a key is there twice")
+    return found
+
+
+def _whole(text: str) -> int:
+    if len(text.lstrip("-")) > DIGITS:
+        raise ValueError(f"it has a number of {len(text)} digits")
+    return int(text)
+
+
+def _fraction(text: str) -> float:
+    if not math.isfinite(found := float(text)):
+        raise ValueError("it has a number that is too large")
+    return found
+
+
+def _constant(text: str) -> float:
+    raise ValueError(f"it has {text}, which is no number")
+
+
+_DECODER = json.JSONDecoder(parse_int=_whole, parse_float=_fraction, parse_constant=_constant, object_pairs_hook=_once)
+
+
+def _require_shallow(values: list[Any]) -> None:
+    """Raises ValueError where values are nested too deep. The lists and objects of one level are looked at together."""
+    level: list[Any] = [item for item in values if isinstance(item, (dict, list))]
+    for _ in range(DEPTH + 1):
+        if not level:
+            return
+        below = (item.values() if isinstance(item, dict) else item for item in level)
+        level = [item for items in below for item in items if isinstance(item, (dict, list))]
+    raise ValueError(_DEEP)
+
+
+def _is_unicode(found: Any) -> bool:
+    try:
+        json.dumps(found, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+# ---- YAML ------------------------------------------------------------------------------------------------------------
+
+
+def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:
+    """The value of a YAML text: what YAML's safe constructor makes of it. It may have aliases.
+
+    Args:
+        what: the text is, for messages. limit: its bytes. remedy, exit_code: of the error.
+
+    Raises:
+        RosmlError: the text is larger, nested deeper than `DEPTH`, or no YAML in UTF-8; its aliases make more than `NODES` values
+            of it, or lead into themselves; a value is none of its type.
+    """
+    import yaml
+
+    try:
+        node = yaml_node(_text(data, limit))
+        return None if node is None else _constructor().construct_document(node)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        why = f"line {mark.line + 1}: {error.problem}" if mark else str(error.problem)
+    except yaml.YAMLError:
+        why = "it has a character that YAML does not allow"
+    except (ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError) as error:
+        # PyYAML itself raises these for `0x_`, `!!bool x`, `!!timestamp x` and `!!int ""`.
+        why = str(error) if type(error) is ValueError else "a value is none of its type"
+    raise RosmlError(f"{what} is no YAML: {why}", remedy, exit_code)
+
+
+def yaml_node(text: str) -> Any:
+    """The top node of a YAML text; None of an empty one.
+
+    Raises:
+        yaml.YAMLError: it is no YAML, nested too deep, or its aliases are too many or lead into themselves.
+    """
+    import yaml
+
+    _require_small(yaml_events(text))
+    return yaml.compose(text, Loader=_loader())
+
+
+def yaml_events(text: str) -> Iterator[Any]:
+    """The events of a YAML text, up to `DEPTH` levels. libyaml's compose ends the process where there are some ten thousand.
+
+    Raises:
+        yaml.YAMLError: it is no YAML, or nested too deep.
+    """
+    import yaml
+
+    depth = 0
+    for event in yaml.parse(text, Loader=_loader()):
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+            if depth > DEPTH:
+                raise _refused(f"nested more than {DEPTH} levels deep", event)
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1
+        yield event
+
+
+def _loader() -> Any:
+    """libyaml comes with PyYAML's wheels; the parser in Python reads the same, ten times slower."""
+    import yaml
+
+    return getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+def _refused(why: str, event: Any) -> yaml.MarkedYAMLError:
+    import yaml
+
+    return yaml.MarkedYAMLError(problem=why, problem_mark=event.start_mark)
+
+
+def _require_small(events: Iterator[Any]) -> None:
+    """Raises yaml.YAMLError where aliases make too much of a text, go too deep, or lead into themselves."""
+    import yaml
+
+    known: dict[str, tuple[int, int]] = {}  # of what an anchor names: how many values, and how many levels of them
+    above: list[tuple[str, int, int]] = [
+        ("", 0, 0)
+    ]  # of each collection that is open: its anchor, values and levels so far
+    for event in events:
+        if isinstance(event, yaml.CollectionStartEvent):
+            above.append((event.anchor or "", 1, 1))
+            known.pop(event.anchor or "", None)
+            continue
+        if isinstance(event, yaml.CollectionEndEvent):
+            anchor, values, levels = above.pop()
+        elif isinstance(event, yaml.AliasEvent):
+            anchor, (values, levels) = "", known.get(event.anchor or "", (0, 0))
+            if not values:
+                raise _refused(f"the alias {event.anchor} leads nowhere, or into itself", event)
+        elif isinstance(event, yaml.ScalarEvent):
+            anchor, values, levels = event.anchor or "", 1, 0
+        else:
+            continue
+        if anchor:
+            known[anchor] = values, levels
+        outer, count, deepest = above[-1]
+        above[-1] = outer, count + values, max(deepest, levels + 1)
+        if count + values > NODES:
+            raise _refused("its aliases make too much of it", event)
+        if len(above) + levels > DEPTH + 1:
+            raise _refused(f"nested more than {DEPTH} levels deep", event)
+
+
+def _constructor() -> Any:
+    """PyYAML's safe one, without numbers that are as long as a file."""
+    import yaml
+
+    known, whole = yaml.constructor.SafeConstructor.yaml_constructors, "tag:yaml.org,2002:int"
+
+    def short(self: Any, node: yaml.ScalarNode) -> Any:
+        if isinstance(node.value, str) and len(node.value) > 2 * DIGITS:
+            raise yaml.constructor.ConstructorError(None, None, "a number is too long", node.start_mark)
+        return known[whole](self, node)
+
+    class Constructor(yaml.constructor.SafeConstructor):
+        yaml_constructors: ClassVar[dict[Any, Any]] = {**known, whole: short}
+
+    return Constructor()
