@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -143,11 +144,27 @@ def test_what_a_repository_may_say_counts(
         ('COMMAND="costs \\$5"', "costs $5"),
         ("COMMAND=", ""),
         ("# COMMAND=no\nCOMMAND='one\ntwo'", "one\ntwo"),
+        ("COMMAND=one\\\ntwo", "onetwo"),
+        ('COMMAND="one\\\ntwo"', "onetwo"),
+        ("COMMAND='one\\\ntwo'", "one\\\ntwo"),
+        ("COMMAND=one\\\\", "one\\"),
+        ("COMMAND=a'b c'\"d e\"\\ f#g # h", "ab cd e f#g"),
+        # These characters end no line and are no blanks.
+        ("COMMAND='a\u2028b'", "a\u2028b"),
+        ("COMMAND=a\u2028b", "a\u2028b"),
+        ("COMMAND=a\x0cb\x1cc\x85d\xa0e", "a\x0cb\x1cc\x85d\xa0e"),
     ],
 )
 def test_a_file_of_variables_is_read_as_a_shell_reads_it(line: str, value: str, tmp_path: Path) -> None:
     (tmp_path / ".env").write_text(f"\n{line}\n")
     assert inputs.read_env(tmp_path / ".env") == {"COMMAND": value}
+    shell = ["sh", "-c", '. ./.env; printf %s "$COMMAND"']
+    assert subprocess.run(shell, cwd=tmp_path, capture_output=True, check=True).stdout.decode() == value
+
+
+def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
+    (tmp_path / ".env").write_bytes(b"A=1\r\nB='2\r\n3'\r\n")
+    assert inputs.read_env(tmp_path / ".env") == {"A": "1", "B": "2\n3"}
 
 
 @pytest.mark.parametrize(
@@ -158,6 +175,9 @@ def test_a_file_of_variables_is_read_as_a_shell_reads_it(line: str, value: str, 
         ("COMMAND=`id`", ".env:1: a shell would expand it"),
         ("COMMAND='ros2", ".env:1: its quotation has no end"),
         ("command: ros2", ".env:1: it is not NAME=VALUE"),
+        ("A=1\nCOMMAND=ros2\\", ".env:2: its quotation has no end"),
+        ("A=\0", ".env: it has a NUL character"),
+        ("A=" + "1" * (1 << 20), ".env: it has more than 1024 KiB"),
     ],
 )
 def test_what_a_shell_would_be_needed_for_is_refused(text: str, says: str, tmp_path: Path) -> None:

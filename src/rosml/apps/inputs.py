@@ -191,8 +191,6 @@ _PATTERNS = {
 
 _PIECE = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^\s'"\\]+)""", re.DOTALL)
 
-_LINE = re.compile(r"\s*(?:export\s+)?([A-Za-z_][A-Za-z0-9_]*)=(.*)", re.DOTALL)
-
 
 def default(name: str) -> str:
     """The value of an input of the table where nobody says anything."""
@@ -346,60 +344,70 @@ def read_env(file: Path) -> dict[str, str]:
         RosmlError: it cannot be read; or a line is no such line, or would need a shell (exit code 2).
     """
     try:
-        text = file.read_text("utf-8-sig")
+        with file.open("rb") as stream:
+            content = stream.read(LARGEST_ENV + 1)
+        text = content.decode("utf-8-sig").replace("\r\n", "\n")
     except FileNotFoundError:
         return {}
     except UnicodeDecodeError:
         raise RosmlError(f"{file} is not UTF-8", "save it as UTF-8", exit_code=2) from None
     except OSError as error:
         raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
+    if len(content) > LARGEST_ENV or "\0" in text:
+        what = "it has a NUL character" if "\0" in text else f"it has more than {LARGEST_ENV >> 10} KiB"
+        raise RosmlError(f"{file}: {what}", "name a file of NAME='value' lines so", exit_code=2)
     found: dict[str, str] = {}
-    pending, first = "", 0
-    for number, line in enumerate(text.splitlines(), 1):
-        first = first if pending else number
-        pending += line
-        if not pending.strip() or pending.lstrip().startswith("#"):
-            pending = ""
-            continue
-        match = _LINE.fullmatch(pending)
-        if not match:
-            raise _damaged(file, first, "it is not NAME=VALUE")
-        value = _unquoted(match[2], functools.partial(_damaged, file, first))
-        if value is None:  # a quotation that goes on in the next line
-            pending += "\n"
-            continue
-        found[match[1]] = value
-        pending = ""
-    if pending:
-        raise _damaged(file, first, "its quotation has no end")
+    place = 0
+    while (place := _NOTHING.match(text, place).end()) < len(text):  # type: ignore[union-attr] # it matches anywhere
+        refusal = functools.partial(_damaged, file, text.count("\n", 0, place) + 1)
+        begun = _BEGIN.match(text, place)
+        if not begun:
+            raise refusal("it is not NAME=VALUE")
+        found[begun[1]], place = _unquoted(text, begun.end(), refusal)
     return found
+
+
+LARGEST_ENV = 1 << 20
+"""Bytes that a file of variables may have."""
+
+_NOTHING = re.compile(r"(?:[ \t\n]|(?<![^ \t\n])#[^\n]*)*+")
+"""Blanks, lines without anything, and comments."""
+
+_BEGIN = re.compile(r"(?:export[ \t]+)?([A-Za-z_][A-Za-z0-9_]*)=")
+
+_PART = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*+)"|\\(.)|([^ \t\n'"\\]++)""", re.DOTALL)
+"""A piece of a value. Only spaces, tabs and line ends are blanks for a shell."""
 
 
 def _damaged(file: Path, line: int, why: str) -> RosmlError:
     return RosmlError(f"{file}:{line}: {why}", "write NAME='value'", exit_code=2)
 
 
-def _unquoted(text: str, refusal: Callable[[str], RosmlError]) -> str | None:
-    """What a shell makes of the value of a variable; None where a quotation has no end."""
-    value, place = "", 0
-    while place < len(text):
-        if text[place].isspace():
-            rest = text[place:].strip()
-            if rest and not rest.startswith("#"):
-                raise refusal("a value with blanks needs quotes")
-            return value
-        piece = _PIECE.match(text, place)
+def _unquoted(text: str, place: int, refusal: Callable[[str], RosmlError]) -> tuple[str, int]:
+    """What a shell makes of the value of a variable that begins at a place, and where it ends.
+
+    Raises:
+        RosmlError: a quotation has no end, or a shell would make something else of it.
+    """
+    pieces: list[str] = []
+    while place < len(text) and text[place] not in " \t\n":
+        piece = _PART.match(text, place)
         if piece is None:
-            return None
+            raise refusal("its quotation has no end")
         single, double, escaped, bare = piece.groups()
         if re.search(r"(?<!\\)(\\\\)*(\$[A-Za-z_{(]|`)", double or bare or ""):
             raise refusal("a shell would expand it: put the value into single quotes")
         if double is not None:
-            value += re.sub(r"\\([$`\"\\\n])", lambda found: found[1].strip("\n"), double)
-        else:
-            value += single or escaped or bare or ""
+            pieces.append(re.sub(r"\\([$`\"\\\n])", lambda found: found[1].strip("\n"), double))
+        elif escaped != "\n":  # which joins two lines
+            pieces.append(single or escaped or bare or "")
         place = piece.end()
-    return value
+    end = text.find("\n", place)
+    end = len(text) if end < 0 else end
+    rest = text[place:end].strip(" \t")
+    if rest and not rest.startswith("#"):
+        raise refusal("a value with blanks needs quotes")
+    return "".join(pieces), end
 
 
 def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -> str:

@@ -12,7 +12,6 @@ from typing import Any
 from pydantic import BaseModel
 
 from rosml.base import untrusted
-from rosml.base.errors import RosmlError
 from rosml.images import labels
 from rosml.images.image_set import Image
 from rosml.machine import base_images, buildx, exported, regctl
