@@ -34,7 +34,7 @@ UP, LOOPBACK, MULTICAST = 0x1, 0x8, 0x1000
 OF_ENGINES = ("docker", "br-", "veth", "podman", "cni", "virbr")
 """How interfaces begin that lead to containers and virtual machines alone."""
 
-MASTER = re.compile(r"https?://(?P<machine>[^:/\s]+):(?P<port>\d{1,5})/?")
+MASTER = re.compile(r"https?://(?P<machine>[^:/\s]+):(?P<port>[0-9]{1,5})/?")
 """An address of ROS 1's master."""
 
 ROUTER = 7447
@@ -124,7 +124,7 @@ def ros_2(context: Context, place: Place, here: Place | None, installed: Sequenc
 def domain(place: Place, here: Place | None) -> Finding:
     """The domain, which both sides must have."""
     if not _is_domain(place.domain):
-        text = f"{place.domain!r}: no node starts"
+        text = f"{place.domain[:20]!r}{'…' * (len(place.domain) > 20)}: no node starts"
         return Finding("domain", PROBLEM, text, f"ROS_DOMAIN_ID is a number from 0 to {LARGEST_DOMAIN}")
     if here and here.domain != place.domain:
         remedy = f"-e ROS_DOMAIN_ID={here.domain}, or export ROS_DOMAIN_ID={place.domain}"
@@ -133,7 +133,7 @@ def domain(place: Place, here: Place | None) -> Finding:
 
 
 def _is_domain(text: str) -> bool:
-    return text.isdecimal() and int(text) <= LARGEST_DOMAIN
+    return bool(re.fullmatch("0*[0-9]{1,3}", text)) and int(text[-3:]) <= LARGEST_DOMAIN
 
 
 def middleware(place: Place, here: Place | None, installed: Sequence[str]) -> Finding:
@@ -218,7 +218,11 @@ def size(context: Context, place: Place) -> Finding:
     if place.ipc == HOST:
         bytes_, remedy = _room(context), f"sudo mount -o remount,size=1g {places.SHM}"
     else:
-        bytes_, remedy = _bytes(context.line.value("shm-size")), "--shm-size 1g"
+        bytes_, remedy = _bytes(said := context.line.value("shm-size")), "--shm-size 1g"
+        if bytes_ < 0:
+            return Finding(
+                what, PROBLEM, f"{said[:20]!r}{'…' * (len(said) > 20)} is no size: no container starts", remedy
+            )
     if not bytes_:
         return Finding(what, GOOD, "of unknown size")
     text = f"{bytes_ // MIB} MiB"
@@ -236,11 +240,11 @@ def _room(context: Context) -> int:
 
 
 def _bytes(text: str) -> int:
-    """How many bytes `--shm-size` says, such as 512m; 0 where that is unknown."""
+    """How many bytes `--shm-size` says, such as 512m; 0 for no limit, -1 for what is no size."""
     if not text:
         return SMALL_MEMORY
-    found = re.fullmatch(r"(\d+(?:\.\d+)?)\s*([bkmg]?)(?:i?b)?", text.lower())
-    return int(float(found[1]) * 1024 ** " kmg".index(found[2].replace("b", "") or " ")) if found else 0
+    found = re.fullmatch(r"([0-9]{1,15}(?:\.[0-9]{1,15})?) ?([kmgtp]?)i?b?", text.lower())
+    return int(float(found[1]) * 1024 ** " kmgtp".index(found[2] or " ")) if found else -1
 
 
 def multicast(context: Context, place: Place) -> Finding:
@@ -269,7 +273,7 @@ def _flags(context: Context, interface: str) -> int:
 def buffers(context: Context) -> Iterator[Finding]:
     """The kernel's limits for large messages."""
     limits = [context.host.text(place).strip() for place in (RECEIVED, FRAGMENTS, SECONDS)]
-    if not all(map(str.isdecimal, limits)):
+    if not all(re.fullmatch("[0-9]{1,20}", limit) for limit in limits):
         return
     received, fragments, seconds = map(int, limits)
     text = f"net.core.rmem_max={received}"

@@ -174,16 +174,16 @@ def _mount(option: Option, folder: str) -> dict[str, Any]:
 
 def _octal(mode: str) -> int | str:
     """The engines read it with the base 8, compose with the base 10."""
-    return int(mode, 8) if re.fullmatch("[0-7]+", mode) else mode
+    return int(mode, 8) if re.fullmatch("[0-7]{1,9}", mode) else mode
 
 
 def _gpus(option: Option, folder: str) -> dict[str, Any]:
     """`all`, `2`, `device=0`, `"device=0,1"`, and whatever else has fields."""
     device: dict[str, Any] = {"driver": "nvidia", "capabilities": ["gpu"]}
     for key, value in fields(option):
-        if key == "all" or key.isdigit() or key == "count":
+        if key in ("all", "count") or NUMBER.fullmatch(key):
             count = value or key
-            device["count"] = int(count) if count.isdigit() else count
+            device["count"] = int(count) if NUMBER.fullmatch(count) else count
         elif key == "device":
             device["device_ids"] = value.split(",")
         elif key == "driver":
@@ -204,7 +204,11 @@ def _ulimit(option: Option, folder: str) -> dict[str, Any]:
 
 
 def _number(found: str) -> int | str:
-    return int(found) if re.fullmatch(r"-?\d+", found) else found
+    return int(found) if NUMBER.fullmatch(found) else found
+
+
+NUMBER = re.compile("-?[0-9]{1,18}")
+"""What a file has as a number; other engines' words stay text."""
 
 
 MADE: Mapping[str, Callable[[Option, str], dict[str, Any]]] = {

@@ -28,6 +28,9 @@ KEYS = {
 }
 """What a file may have, and an example of each."""
 
+DOTTED = re.compile(r"""(?<![A-Za-z0-9_-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){20}""")
+"""A key of so many parts, which no file here has: tomllib takes a gigabyte and seconds for one of 32 kB."""
+
 LIMIT = 64 * 1024
 """Bytes that a file may have: the whole of it is shown to people who are asked about it."""
 
@@ -177,6 +180,9 @@ def _line(path: str, text: str, options: Collection[str], refused: Collection[st
     """
     import tomllib  # most folders have no file
 
+    if long := DOTTED.search(text):
+        line = text.count("\n", 0, long.start()) + 1
+        raise _wrong(path, line, "a key has too many parts", f"the keys are {', '.join(KEYS)}")
     try:
         found = tomllib.loads(text)
     except (ValueError, RecursionError) as error:

@@ -161,7 +161,7 @@ def _variables(context: Context, line: words.Line) -> dict[str, str]:
     """The variables that a command sets; those of a file count less. One without a value is the caller's."""
     outer, found = context.host.environment, dict[str, str]()
     files = [context.host.text(f"{context.person.folder}/{x}" if x[:1] != "/" else x) for x in line.values("env-file")]
-    entries = [entry for text in files for entry in text.splitlines() if not entry.startswith("#")]
+    entries = [entry for text in files for entry in text.replace("\r\n", "\n").split("\n") if not entry.startswith("#")]
     for entry in [*entries, *line.values("env")]:
         name, equals, value = entry.partition("=")
         if equals or name in outer:

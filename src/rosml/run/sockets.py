@@ -14,7 +14,7 @@ from rosml.run.plugin import NOTHING, Added, Plugin
 OURS = "/run/rosml"
 """The folder of the container in which rosml mounts what has no place of its own there."""
 
-DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>\d+)(?:\.\d+)?")
+DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>[0-9]{1,4})(?:\.[0-9]+)?")
 """Such as `:0`, `localhost:10.0`, `robot:1`."""
 
 NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
