@@ -17,7 +17,6 @@ from __future__ import annotations
 
 import compileall
 import filecmp
-import json
 import os
 import py_compile
 import re
@@ -49,6 +48,9 @@ WORKING = re.compile(r"docker-ros/ws(/.*)?|root/\.(ros|colcon|cache|ccache)(/.*)
 
 STATUS = "var/lib/dpkg/status"
 """dpkg's database."""
+
+KEY = re.compile("[a-z0-9][a-z0-9.+-]*:[a-z0-9][a-z0-9-]*")
+"""A package and its architecture: the name is also that of a file."""
 
 INSTALLED = re.compile(r"(install|hold) ok (installed|triggers-awaited|triggers-pending)")
 """What dpkg says of a package that is there; some are held back from upgrades."""
@@ -84,19 +86,20 @@ def belongs(path: str, facts: os.stat_result) -> bool:
 def libraries(root: Path) -> set[str]:
     """The libraries that only ld.so.cache finds, such as those in /usr/local/lib."""
     command = ["ldconfig", "-p", "-C", str(root / "etc/ld.so.cache")]
-    said = subprocess.run(command, capture_output=True, text=True, check=False).stdout
-    paths = {line.rpartition(" => ")[2].strip() for line in said.splitlines() if " => " in line}
+    said = os.fsdecode(subprocess.run(command, capture_output=True, check=False).stdout)
+    paths = {line.rpartition(" => ")[2].strip() for line in said.split("\n") if " => " in line}
     return {path for path in paths if not FOUND_ALONE.fullmatch(path)}
 
 
 def status(root: Path) -> dict[str, str]:
-    """dpkg's entries, by package and architecture."""
+    """dpkg's entries, by package and architecture. One that lacks either counts for none, as for dpkg."""
     entries = {}
     path = root / STATUS
-    for text in path.read_text().split("\n\n") if path.exists() else []:
+    for text in path.read_text("utf-8", "replace").split("\n\n") if path.exists() else []:
         fields = dict(re.findall(r"^(Package|Architecture|Status): (.*)$", text, re.MULTILINE))
-        if INSTALLED.fullmatch(fields.get("Status", "")):
-            entries[f"{fields['Package']}:{fields['Architecture']}"] = text.strip() + "\n"
+        key = f"{fields.get('Package', '')}:{fields.get('Architecture', '')}"
+        if INSTALLED.fullmatch(fields.get("Status", "")) and KEY.fullmatch(key):
+            entries[key] = text.strip() + "\n"
     return entries
 
 
@@ -112,7 +115,7 @@ def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:
             if known.get(key) != version:
                 apt.setdefault(name if of in ("all", architecture) else key, version)
         file = root / "usr/local/share/rosml/pip.lock"
-        pip.update(file.read_text().splitlines() if file.exists() else [])
+        pip.update(file.read_text("utf-8", "replace").split("\n")[:-1] if file.exists() else [])
     return {"architecture": architecture, "apt": apt, "pip": sorted(pip)}
 
 
@@ -179,7 +182,7 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
         (root / STATUS).unlink()
         folder.mkdir()
         for name in facts["packages"]:
-            (folder / name.partition(":")[0]).write_text(installed[name])
+            (folder / name.partition(":")[0]).write_text(installed[name], encoding="utf-8")
     return facts
 
 
@@ -227,7 +230,7 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
     for above, folders, names in os.walk(root):
         for name in [*folders, *names, "."]:
             os.utime(os.path.join(above, name), (TIME, TIME), follow_symlinks=False)
-    (out / "app.json").write_text(json.dumps(facts, indent=2) + "\n")
+    (out / "app.json").write_text(contents.as_json(facts, indent=2))
     below = runtime if facts["replaced"] or facts["removed"] else base
     contents.write(contents.files([below, root]), status(runtime).values(), contents.owned(runtime), out)
 

@@ -49,7 +49,7 @@ def _counts(path: str, facts: os.stat_result) -> bool:
 def owned(root: Path) -> set[str]:
     """The files of packages of the operating system, as dpkg lists them."""
     lists = root.glob("var/lib/dpkg/info/*.list")
-    return {line[1:] for file in lists for line in file.read_text(errors="surrogateescape").splitlines()}
+    return {line[1:] for file in lists for line in os.fsdecode(file.read_bytes()).split("\n") if line}
 
 
 def packages(known: dict[str, Path], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
@@ -69,18 +69,24 @@ def packages(known: dict[str, Path], entries: Iterable[str], others: Container[s
 
 def write(known: dict[str, Path], entries: Iterable[str], others: Container[str], out: Path) -> None:
     """Writes OUT/packages.json and OUT/files.gz: the same for the same image, on any day."""
-    (out / "packages.json").write_text(json.dumps(packages(known, entries, others), indent=1) + "\n")
+    (out / "packages.json").write_text(as_json(packages(known, entries, others), indent=1))
     with open(out / "files.gz", "wb") as raw, gzip.GzipFile("", "wb", 9, raw, 0) as file:
         file.writelines(path + b"\n" for path in sorted(map(os.fsencode, known)))
 
 
+def as_json(facts: Any, indent: int) -> str:
+    """Facts as JSON that any reader takes: of names that are no Unicode, the bytes that are none are replaced."""
+    text = json.dumps(facts, indent=indent, ensure_ascii=False) + "\n"
+    return json.dumps(json.loads(text.encode("utf-8", "replace")), indent=indent) + "\n"
+
+
 def _paragraphs(place: Path) -> list[str]:
-    return place.read_text(errors="replace").split("\n\n")
+    return place.read_text("utf-8", "replace").split("\n\n") if place.is_file() else []
 
 
 def _system(known: dict[str, Path]) -> dict[str, str]:
     place = known.get("usr/lib/os-release")
-    text = place.read_text(errors="replace") if place else ""
+    text = place.read_text("utf-8", "replace") if place and place.is_file() else ""
     fields = {name: value.strip("\"'") for name, value in re.findall(r"^(\w+)=(.*)$", text, re.MULTILINE)}
     return {"name": fields.get("ID", ""), "version": fields.get("VERSION_ID", "")}
 

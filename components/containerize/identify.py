@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections import defaultdict
@@ -37,6 +38,9 @@ KINDS = {
 
 DOWNSTREAM = "downstream"
 """The folder of packages that use the others, and what they need for whatever: they are in no image."""
+
+NAME = re.compile(r"[A-Za-z0-9][!-~]*")
+"""A package of apt or pip in a list with one on each line. Options of these programs begin with a dash."""
 
 INSTALLERS = ("apt", "pip")
 """Ways of rosdep to install something that an image can have."""
@@ -71,8 +75,8 @@ def read(folder: Path, left_out: Path) -> Packages:
     for path, package in manifests.packages(folder, left_out):
         try:
             package.evaluate_conditions(context)
-        except ValueError as error:
-            fail(f"{path}: {error}", "check its conditions")
+        except Exception as error:  # whatever pyparsing raises
+            fail(f"{path}: {str(error)[:500] or type(error).__name__}", "check its conditions")
         kinds = {
             kind: {
                 dependency.name
@@ -125,15 +129,23 @@ class Rosdep:
         self._update("", "")
         return list(self._resolve(key))
 
-    def _resolve(self, key: str) -> Iterator[Answer]:
+    def _resolve(self, key: str, above: tuple[str, ...] = ()) -> Iterator[Answer]:
+        if key in above:
+            fail(f"rosdep's lists are wrong about {key}: it depends on itself", "correct them")
         try:
             rule_installer, rule = self._view.lookup(key).get_rule_for_platform(*self._platform)
+            installer = self._context.get_installer(rule_installer)
+            names = tuple(str(name) for name in installer.resolve(rule))
+            others = [str(other) for other in installer.get_depends(rule)]
         except (KeyError, ResolutionError):
             raise KeyError(key) from None
-        installer = self._context.get_installer(rule_installer)
-        yield Answer(rule_installer, tuple(str(name) for name in installer.resolve(rule)))
-        for other in installer.get_depends(rule):
-            yield from self._resolve(other)
+        except Exception as error:  # rosdep takes its lists to have the right shape
+            fail(f"rosdep's lists are wrong about {key}: {str(error)[:500] or type(error).__name__}", "correct them")
+        if wrong := [name for name in names if not NAME.fullmatch(name)]:
+            fail(f"rosdep's lists are wrong about {key}: {wrong[0][:100]!r} is no package", "correct them")
+        yield Answer(rule_installer, names)
+        for other in others:
+            yield from self._resolve(other, (*above, key))
 
     def _local(self) -> str:
         """A folder with the lists that are files: the image's and the folder's."""
@@ -142,7 +154,7 @@ class Rosdep:
         for path in sorted(SOURCES.glob("*.list")):
             if path.name == DEBIAN and os.environ.get("ROS_VERSION") != "1":
                 continue
-            lines = [line for line in path.read_text().splitlines() if line.startswith("yaml file:")]
+            lines = [line for line in path.read_text("utf-8", "replace").split("\n") if line.startswith("yaml file:")]
             (folder / path.name).write_text("\n".join(lines) + "\n")
         listed = [f"yaml file://{path}" for path in sorted(self._index.glob("rosdep/*.yaml"))]
         (folder / "00-index.list").write_text("\n".join(listed) + "\n")
@@ -163,12 +175,16 @@ class Rosdep:
         if self._distribution and not index.endswith(EMPTY):
             command.append(f"--rosdistro={self._distribution}")
         given = {"ROSDEP_SOURCE_PATH": sources, "ROSDISTRO_INDEX_URL": index} if index else {}
-        done = subprocess.run(command, env={**os.environ, **given}, capture_output=True, text=True)
+        done = subprocess.run(command, env={**os.environ, **given}, capture_output=True)
         if done.returncode:
-            told = [line.strip(" []\t") for line in done.stderr.splitlines() if line.strip(" []\t")]
+            said = done.stderr.decode(errors="replace").split("\n")
+            told = [line.strip(" []\t") for line in said if line.strip(" []\t")]
             self.failure = told[-1] if told else f"rosdep update ended with {done.returncode}"
-        lookup = RosdepLookup.create_from_rospkg(sources_loader=SourcesListLoader.create_default())
-        self._view = lookup.get_rosdep_view(DEFAULT_VIEW_KEY)
+        try:
+            lookup = RosdepLookup.create_from_rospkg(sources_loader=SourcesListLoader.create_default())
+            self._view = lookup.get_rosdep_view(DEFAULT_VIEW_KEY)
+        except Exception as error:
+            fail(f"rosdep's lists cannot be read: {str(error)[:500] or type(error).__name__}", "correct them")
         self._context = create_default_installer_context()
         _, keys, default, system, version = get_default_installer(self._context)
         self._platform = system, version, keys, default

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 from typing import Any, NoReturn
 
-from catkin_pkg.package import InvalidPackage, parse_package
+from catkin_pkg.package import parse_package
 
 IGNORED = {"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"}
 """Files that keep colcon from looking for packages in a folder."""
@@ -42,16 +42,23 @@ def shown(place: Path) -> Path:
     return place.relative_to("target") if place.parts[:1] == ("target",) else place
 
 
+def _parsed(path: Path, name: Path) -> Any:
+    """A manifest, as colcon reads it. catkin_pkg raises what it likes: AssertionError for `format="4"`, ValueError for "x"."""
+    try:
+        return parse_package(str(path))
+    except UnicodeDecodeError:
+        fail(f"{name} is not UTF-8, and colcon reads nothing else", "save it as UTF-8, and let its first line say so")
+    except Exception as error:
+        why = " ".join(str(error).replace(str(path), "").split()).strip(" :'")[:500]
+        fail(f"{name} is no manifest: {why or type(error).__name__}", "correct it")
+
+
 def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
     """All packages by name: the place of each below the folder, and its manifest."""
     found: dict[str, tuple[Path, Any]] = {}
     for path in _manifests(folder):
         place = path.parent.relative_to(folder)
-        try:
-            package = parse_package(str(path))
-        except InvalidPackage as error:
-            why = " ".join(str(error).replace(str(path), "").split()).strip(" :'")
-            fail(f"{shown(place) / path.name} is no manifest: {why}", "correct it")
+        package = _parsed(path, shown(place) / path.name)
         if package.name in found:
             fail(
                 f"two packages are called {package.name}: {shown(found[package.name][0])} and {shown(place)}",

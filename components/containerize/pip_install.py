@@ -5,6 +5,7 @@
 
 The arguments are those of pip. WRITTEN gets a line for each package, beside those that it has. LOCKED is such a list: if it is
 there and pip installs something else, this fails. pip before 22.2 says no hashes. A requirement that is a folder has no line.
+The lines go into images and lock files, so addresses in them have no user, password or query, which may be a secret.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ import sys
 import tempfile
 from importlib.metadata import distributions
 from pathlib import Path
-from typing import Any, Iterable, Sequence
+from typing import Any, Iterable, NoReturn, Sequence
+from urllib.parse import urlsplit, urlunsplit
 
 
 def normal(name: str) -> str:
@@ -24,22 +26,61 @@ def normal(name: str) -> str:
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
+def fail(message: str, remedy: str) -> NoReturn:
+    sys.exit(f"error: {message}; {remedy}")
+
+
+def address(url: str) -> str:
+    """An address without a user, a password and a query. The user of ssh stays: it is no secret, and nothing is found without it.
+
+    Raises:
+        ValueError: it is no address.
+    """
+    parts = urlsplit(url)
+    user, at, host = parts.netloc.rpartition("@")
+    kept = user.partition(":")[0] + at if parts.scheme.endswith("ssh") else ""
+    return urlunsplit((parts.scheme, kept + host, parts.path, "", ""))
+
+
 def line(name: str, version: str, info: dict[str, Any], direct: bool) -> str:
     """A requirement that means this archive, or this commit, and no other; empty for a folder.
 
     Args:
         info: where it is from, as in direct_url.json. direct: the user named that place.
+
+    Raises:
+        AttributeError, KeyError, TypeError, ValueError: pip does not describe a place so.
     """
+    if not (NAME.fullmatch(name) and VERSION.fullmatch(version)):
+        raise ValueError(f"{name!r} {version!r} is no package")
     if "dir_info" in info:
         return ""
     if "vcs_info" in info:
-        return f"{normal(name)} @ {info['vcs_info']['vcs']}+{info['url']}@{info['vcs_info']['commit_id']}"
-    archive = info.get("archive_info", {})
-    hashes = archive.get("hashes") or dict([archive.get("hash", "=").split("=", 1)])
-    sha256 = hashes.get("sha256", "")
+        vcs, commit = info["vcs_info"]["vcs"], info["vcs_info"]["commit_id"]
+        return f"{normal(name)} @ {vcs}+{address(info['url'])}@{commit}{fragment('', info)}"
+    sha256 = digest(info.get("archive_info", {}))
     if direct:
-        return f"{normal(name)} @ {info['url']}#sha256={sha256}"
+        return f"{normal(name)} @ {address(info['url'])}{fragment(sha256, info)}"
     return f"{normal(name)}=={version}" + (f" --hash=sha256:{sha256}" if sha256 else "")
+
+
+NAME = re.compile(r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?")
+VERSION = re.compile(r"[A-Za-z0-9.+!_-]+")
+SHA256 = re.compile("[0-9a-f]{64}")
+
+
+def digest(archive: dict[str, Any]) -> str:
+    """The SHA-256 of an archive; empty where pip says none, or another kind of hash alone."""
+    kind, _, value = archive.get("hash", "").partition("=")
+    found = archive.get("hashes", {}).get("sha256", value if kind == "sha256" else "")
+    return found if SHA256.fullmatch(found) else ""
+
+
+def fragment(sha256: str, info: dict[str, Any]) -> str:
+    """The end of an address: the hash of an archive, and the folder in it that has the package."""
+    named = (("sha256", sha256), ("subdirectory", info.get("subdirectory", "")))
+    said = "&".join(f"{name}={value}" for name, value in named if value)
+    return f"#{said}" if said else ""
 
 
 def run(arguments: Sequence[str]) -> None:
@@ -48,22 +89,41 @@ def run(arguments: Sequence[str]) -> None:
         sys.exit(done.returncode)
 
 
+DAMAGED = (AttributeError, KeyError, RecursionError, TypeError, ValueError)
+"""What reading a description of another shape raises."""
+
+
+def requirements(report: bytes) -> list[str]:
+    """A line for each package that pip's report says.
+
+    Raises:
+        SystemExit: it is no such report.
+    """
+    try:
+        items = json.loads(report)["install"]
+        metadata = [(item["metadata"], item["download_info"], item["is_direct"]) for item in items]
+        return [line(data["name"], data["version"], info, direct) for data, info, direct in metadata]
+    except DAMAGED as error:
+        fail(f"pip's report cannot be read: {error!r}"[:300], "install another version of pip in the base image")
+
+
 def reported(arguments: Sequence[str]) -> list[str]:
     """Installs; gives a line for each package, as pip says them."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
         run(["--report", str(report), *arguments])
-        items = json.loads(report.read_text())["install"]
-    metadata = [(item["metadata"], item["download_info"], item["is_direct"]) for item in items]
-    return [line(data["name"], data["version"], info, direct) for data, info, direct in metadata]
+        return requirements(report.read_bytes())
 
 
 def installed() -> set[str]:
-    """What is installed, as lines without hashes."""
+    """What is installed, as lines without hashes. A folder that does not say which package it is counts for none, as for pip."""
     found = set()
     for item in distributions():
-        text = item.read_text("direct_url.json")
-        found.add(line(item.metadata["Name"], item.version, json.loads(text) if text else {}, bool(text)))
+        try:
+            text = item.read_text("direct_url.json")
+            found.add(line(item.metadata["Name"], item.version, json.loads(text) if text else {}, bool(text)))
+        except DAMAGED:
+            continue
     return found
 
 
@@ -83,13 +143,17 @@ def knows_report() -> bool:
     return version is not None and (int(version[1]), int(version[2])) >= (22, 2)
 
 
+def lines_of(file: Path) -> list[str]:
+    return file.read_text(encoding="utf-8").split("\n")[:-1]
+
+
 def constraints(locked: Iterable[str]) -> str:
     """What keeps pip at these versions. A place cannot be constrained that the user names another way."""
     return "".join(f"{item.partition(' ')[0]}\n" for item in sorted(locked) if " @ " not in item)
 
 
 def main(written: Path, lock: Path, *arguments: str) -> None:
-    locked = set(lock.read_text().splitlines()) if lock.exists() else set()
+    locked = set(lines_of(lock)) if lock.exists() else set()
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "constraints"
         file.write_text(constraints(locked))
@@ -100,7 +164,7 @@ def main(written: Path, lock: Path, *arguments: str) -> None:
         sys.exit(
             f"error: the lock file does not have what pip installed: {', '.join(others)}; write it anew with --lock"
         )
-    before = written.read_text().splitlines() if written.exists() else []
+    before = lines_of(written) if written.exists() else []
     written.parent.mkdir(parents=True, exist_ok=True)
     written.write_text("".join(f"{item}\n" for item in sorted({*before, *new})))
 

@@ -29,7 +29,9 @@ class Archive:
     """What apt knows of packages, by name: their sections and dependencies."""
 
     def __init__(self) -> None:
-        said = subprocess.run(["apt-cache", "dumpavail"], capture_output=True, text=True, check=True).stdout
+        said = subprocess.run(["apt-cache", "dumpavail"], capture_output=True, check=True).stdout.decode(
+            errors="replace"
+        )
         self._known: dict[str, tuple[str, list[str]]] = {}
         self._providers: dict[str, str] = {}
         for text in said.split("\n\n"):

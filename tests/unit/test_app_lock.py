@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -52,6 +53,9 @@ def other(**changes: Any) -> str:
         (other(apt={"amd64": {"tree": "1\nPin: origin *"}}), "apt.amd64.tree"),
         (other(apt={"amd64": {"*": "1"}}), "apt.amd64."),
         (other(pip={"amd64": ["--index-url https://example.org"]}), "pip.amd64.0"),
+        (other(pip={"amd64": ["a @ https://example.org/a.whl?private_token=x"]}), "pip.amd64.0: its address has a user or a query, which may be a secret"),
+        (other(pip={"amd64": ["a @ git+https://me:x@example.org/a@c0"]}), "pip.amd64.0: its address has a user or a query, which may be a secret"),
+        (other(format=True), "format: "),
     ],
 )  # fmt: skip
 def test_what_is_no_lock_file_is_refused_with_a_remedy(text: str, why: str, tmp_path: Path) -> None:
@@ -125,30 +129,64 @@ def script() -> ModuleType:
     return script_of_a_build("containerize/pip_install.py")
 
 
-HASH = {"hash": "sha256=aa", "hashes": {"sha256": "aa"}}
+SUM = "0a" * 32
+HASH = {"hash": f"sha256={SUM}", "hashes": {"sha256": SUM}}
+GIT = {"vcs": "git", "commit_id": "c0"}
 
 
 @pytest.mark.parametrize(
     ("name", "info", "direct", "line"),
     [
-        ("Ruamel.YAML", {"url": "x.whl", "archive_info": HASH}, False, "ruamel-yaml==1.0 --hash=sha256:aa"),
-        ("a", {"url": "x.whl", "archive_info": {"hash": "sha256=aa"}}, False, "a==1.0 --hash=sha256:aa"),
+        ("Ruamel.YAML", {"url": "x.whl", "archive_info": HASH}, False, f"ruamel-yaml==1.0 --hash=sha256:{SUM}"),
+        ("a", {"url": "x.whl", "archive_info": {"hash": f"sha256={SUM}"}}, False, f"a==1.0 --hash=sha256:{SUM}"),
         ("a", {"url": "x.whl", "archive_info": {"hash": "md5=aa"}}, False, "a==1.0"),
         ("a", {}, False, "a==1.0"),
+        ("a", {"url": "https://e.org/a", "vcs_info": GIT}, True, "a @ git+https://e.org/a@c0"),
+        ("a", {"url": "https://e.org/a.whl", "archive_info": HASH}, True, f"a @ https://e.org/a.whl#sha256={SUM}"),
+        ("a", {"url": "file:///a", "dir_info": {}}, True, ""),
+        # Without a SHA-256 there is none to compare with.
+        ("a", {"url": "https://e.org/a.whl", "archive_info": {}}, True, "a @ https://e.org/a.whl"),
+        ("a", {"url": "https://e.org/a.whl", "archive_info": {"hash": "md5=aa"}}, True, "a @ https://e.org/a.whl"),
+        ("a", {"url": "https://e.org/a.whl", "archive_info": {"hashes": {"md5": "aa"}}}, True, "a @ https://e.org/a.whl"),
+        # A repository has several packages.
         (
             "a",
-            {"url": "https://example.org/a", "vcs_info": {"vcs": "git", "commit_id": "c0"}},
+            {"url": "https://e.org/a", "vcs_info": GIT, "subdirectory": "python/a"},
             True,
-            "a @ git+https://example.org/a@c0",
+            "a @ git+https://e.org/a@c0#subdirectory=python/a",
         ),
-        ("a", {"url": "https://e.org/a.whl", "archive_info": HASH}, True, "a @ https://e.org/a.whl#sha256=aa"),
-        ("a", {"url": "file:///a", "dir_info": {}}, True, ""),
+        (
+            "a",
+            {"url": "https://e.org/a.zip", "archive_info": HASH, "subdirectory": "a"},
+            True,
+            f"a @ https://e.org/a.zip#sha256={SUM}&subdirectory=a",
+        ),
+        # Lines are in images and lock files: no password is.
+        ("a", {"url": "https://me:secret@e.org/a?private_token=secret", "vcs_info": GIT}, True, "a @ git+https://e.org/a@c0"),
+        ("a", {"url": "ssh://git:secret@e.org/a", "vcs_info": GIT}, True, "a @ git+ssh://git@e.org/a@c0"),
+        ("a", {"url": "https://e.org/a.whl?private_token=secret", "archive_info": {}}, True, "a @ https://e.org/a.whl"),
     ],
-)
+)  # fmt: skip
 def test_what_pip_installed_becomes_a_line(
     name: str, info: dict[str, Any], direct: bool, line: str, script: ModuleType
 ) -> None:
     assert script.line(name, "1.0", info, direct) == line
+
+
+def test_a_damaged_package_of_the_base_image_counts_for_none(
+    script: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A folder without METADATA, as a removed package may leave, and one that says no JSON of its place."""
+    for name, files in {
+        "a-1.dist-info": {"METADATA": "Name: a\nVersion: 1\n"},
+        "b-1.dist-info": {},
+        "c-1.dist-info": {"METADATA": "Name: c\nVersion: 1\n", "direct_url.json": "[" * 100_000},
+    }.items():
+        (tmp_path / name).mkdir()
+        for file, text in files.items():
+            (tmp_path / name / file).write_text(text)
+    monkeypatch.setattr(sys, "path", [str(tmp_path)])
+    assert script.installed() == {"a==1"}
 
 
 def install(script: ModuleType, folder: Path, new: list[str], locked: str | None) -> str:

@@ -11,11 +11,12 @@ import os
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints, ValidationError
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, ValidationError
 
 from rosml.apps import inputs, within
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 
 SUFFIX = ".lock"
@@ -30,8 +31,25 @@ Digest = Annotated[str, StringConstraints(pattern=r"^sha256:[0-9a-f]{64}$")]
 Architecture = Annotated[str, StringConstraints(pattern=r"^[a-z0-9][a-z0-9-]{0,30}$")]
 Deb = Annotated[str, StringConstraints(pattern=r"^[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?$")]
 Version = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9][A-Za-z0-9.+:~-]*$")]
+
+
+def _without_secrets(line: str) -> str:
+    """A requirement whose address has no user and no query, which may be a password. The user of ssh is none.
+
+    Raises:
+        ValueError: it has one.
+    """
+    address = line.partition(" @ ")[2].partition("#")[0]
+    scheme, _, rest = address.partition("://")
+    if "?" in address or ("@" in rest.partition("/")[0] and not scheme.endswith("ssh")):
+        raise ValueError("its address has a user or a query, which may be a secret")
+    return line
+
+
 Requirement = Annotated[
-    str, StringConstraints(pattern=r"^[a-z0-9-]+(==[A-Za-z0-9.+!_-]+( --hash=sha256:[0-9a-f]{64})?| @ [a-z+]+:[!-~]+)$")
+    str,
+    StringConstraints(pattern=r"^[a-z0-9-]+(==[A-Za-z0-9.+!_-]+( --hash=sha256:[0-9a-f]{64})?| @ [a-z+]+:[!-~]+)$"),
+    AfterValidator(_without_secrets),
 ]
 
 
@@ -83,7 +101,7 @@ class Packages(BaseModel):
 class Lock(Packages):
     """A lock file. `format` is another number where older releases cannot read it."""
 
-    format: Literal[1] = 1
+    format: Annotated[int, Field(strict=True, ge=1, le=1)] = 1
     base_image: Image
     slim_base_image: Image | None = None
     rosdep_index: Image | None = None
@@ -169,20 +187,12 @@ def read(file: Path, folder: Path) -> Lock | None:
     if not within.there(file, folder):
         return None
     try:
-        return Lock.model_validate(json.loads(file.read_bytes(), object_pairs_hook=_once))
+        return Lock.model_validate(untrusted.json_value(file.read_bytes()))
     except OSError as error:
         raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
     except ValidationError as error:
         first = error.errors()[0]
-        why = ": ".join(filter(None, (".".join(map(str, first["loc"])), first["msg"])))
-    except (ValueError, RecursionError) as error:
+        why = ": ".join(filter(None, (".".join(map(str, first["loc"])), first["msg"].removeprefix("Value error, "))))
+    except ValueError as error:
         why = str(error)
     raise RosmlError(f"{file} is no lock file: {why}", RENEW, exit_code=2) from None
-
-
-def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """An object of JSON, in which nothing is there twice, as after a merge."""
-    found = dict(pairs)
-    if len(found) < len(pairs):
-        raise ValueError("a key is there twice")
-    return found
