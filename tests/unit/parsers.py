@@ -1,0 +1,560 @@
+"""All parsers of what comes from outside: the kind of their documents, some valid ones, and what reads one. A new parser is one
+more line of `PARSERS`."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import sys
+from collections.abc import Callable, Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from types import ModuleType
+from typing import Any, TypeVar
+
+from conftest import ROOT, SMALL
+from fuzz import Parser
+from memory_registry import PREFIX, MemoryRegistry
+from mutations import tar_of
+from stubs import script_of_a_build
+
+sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts find each other
+
+from rosml.apps import inputs, lock, names, repos_file, rosdep_index, tree, workspace
+from rosml.base import untrusted
+from rosml.build import apt_sources, package_state, structure_tests, sync
+from rosml.catalogue import read
+from rosml.images import labels, load
+from rosml.machine.services import Services
+from rosml.matrix import source
+from rosml.publish import plan_file
+from rosml.records import store, tag_moves
+from rosml.registry import oci
+from rosml.run import check, compose, consent, defaults, engine, export, places
+from rosml.run.context import Context, Engine, Host, Image, Person
+from rosml.run.words import split
+from rosml.scan import judge, policy, trivy
+from rosml.scan.sbom import Sbom
+
+T = TypeVar("T")
+
+NOW = datetime(2026, 11, 22, tzinfo=UTC)
+DIGEST = f"sha256:{'1' * 64}"
+
+
+def written(name: str, read: Callable[[Path], object]) -> Callable[[bytes, Path], object]:
+    """Reads a document that is a file of that name, below the folder."""
+
+    def put(document: bytes, folder: Path) -> object:
+        file = folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(document)
+        return read(file)
+
+    return put
+
+
+def text(read: Callable[[str], object]) -> Callable[[bytes, Path], object]:
+    """Reads a document as text that somebody has decoded."""
+    return lambda document, folder: read(document.decode(errors="replace"))
+
+
+def as_json(*values: Any) -> tuple[bytes, ...]:
+    return tuple(json.dumps(value, indent=1).encode() for value in values)
+
+
+# ---- Apps ------------------------------------------------------------------------------------------------------------
+
+MANIFEST = """\
+<?xml version="1.0" encoding="utf-8"?>
+<?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
+<package format="3">
+  <name>robot</name>
+  <version>0.1.0</version>
+  <description>Moves é</description>
+  <maintainer email="me@example.org">Me</maintainer>
+  <license>MIT</license>
+  <depend condition="$ROS_VERSION == 2">rclpy</depend>
+  <test_depend>python3-pytest</test_depend>
+</package>
+""".encode()
+
+ENV = b"""\
+# comment
+export BASE_IMAGE=ros:jazzy-base
+COMMAND='ros2 run a b'
+CMAKE_ARGS="-DA=\\"1\\" \\
+ -DB=2"
+PUSH=false # no
+"""
+
+REPOS = b"repositories:\n  a/b: {type: git, url: https://example.org/a.git, version: 1.10}\n"
+
+LOCK = lock.Lock(
+    base_image=lock.Image(name="ros:jazzy-base", digest=DIGEST),
+    repositories={"up": lock.Pin(url="https://example.org/up.git", version="main", commit="c" * 40)},
+    apt={"amd64": {"tree": "2.1", "libc6:i386": "1:2.36+b1~x"}},
+    pip={"amd64": [f"toolz==1.0 --hash=sha256:{'0' * 64}", f"a @ git+https://example.org/a@{'c' * 40}"]},
+)
+
+KEYS = (
+    b"boost:\n  ubuntu: &a [libboost-dev]\n  debian:\n    bookworm: *a\nnumpy: {ubuntu: {pip: {packages: [numpy]}}}\n"
+)
+INDEX = (
+    b"distributions:\n  jazzy: {distribution: [jazzy/distribution.yaml], distribution_status: active}\ntype: index\n"
+)
+
+
+def rosdep_index_of(document: bytes, folder: Path) -> object:
+    """A checkout of ros/rosdistro with this index."""
+    (folder / "rosdep").mkdir()
+    (folder / "jazzy").mkdir()
+    (folder / "rosdep/base.yaml").write_bytes(KEYS)
+    (folder / "jazzy/distribution.yaml").write_bytes(b"repositories: {}\n")
+    (folder / "index-v4.yaml").write_bytes(document)
+    return rosdep_index.packed(folder)
+
+
+def rosdep_list_of(document: bytes, folder: Path) -> object:
+    """A checkout of ros/rosdistro with this list."""
+    (folder / "rosdep").mkdir()
+    (folder / "jazzy").mkdir()
+    (folder / "rosdep/base.yaml").write_bytes(document)
+    (folder / "jazzy/distribution.yaml").write_bytes(b"repositories: {}\n")
+    (folder / "index-v4.yaml").write_bytes(INDEX)
+    return rosdep_index.packed(folder)
+
+
+def requirements_of(document: bytes, folder: Path) -> object:
+    """Steps of a build read what pip reports."""
+    return script("pip_install").requirements(document)
+
+
+def script(name: str) -> ModuleType:
+    return script_of_a_build(f"containerize/{name}.py")
+
+
+PIP = {
+    "version": "1",
+    "install": [
+        {
+            "download_info": {
+                "url": "https://example.org/a-1.whl",
+                "archive_info": {"hash": f"sha256={'0' * 64}", "hashes": {"sha256": "0" * 64}},
+            },
+            "is_direct": False,
+            "metadata": {"name": "a_b", "version": "1.0"},
+        },
+        {
+            "download_info": {
+                "url": "https://example.org/b",
+                "vcs_info": {"vcs": "git", "commit_id": "c" * 40, "requested_revision": "main"},
+                "subdirectory": "python",
+            },
+            "is_direct": True,
+            "metadata": {"name": "b", "version": "1.0"},
+        },
+        {
+            "download_info": {"url": "file:///x", "dir_info": {}},
+            "is_direct": True,
+            "metadata": {"name": "c", "version": "1"},
+        },
+    ],
+}
+
+STATUS = b"""\
+Package: libc6
+Status: install ok installed
+Architecture: amd64
+Source: glibc (2.36-9)
+Version: 2.36-9+b1
+Description: library
+ of many lines
+ .
+ Moves \xc3\xa9
+
+Package: tree
+Status: install ok installed
+Architecture: all
+Version: 1:2.1
+"""
+
+
+def dpkg_of(document: bytes, folder: Path) -> object:
+    """What dpkg says of a base image."""
+    file = folder / "var/lib/dpkg/status"
+    file.parent.mkdir(parents=True)
+    file.write_bytes(document)
+    files = script("app_files")
+    return files.versions(folder, [folder]), [*files.status(folder).values()]
+
+
+def contents_of(name: str) -> Callable[[bytes, Path], object]:
+    """What files of an image say of its packages."""
+
+    def read(document: bytes, folder: Path) -> object:
+        (folder / "file").write_bytes(document)
+        return script("contents").packages({name: folder / "file"}, [document.decode(errors="replace")], ())
+
+    return read
+
+
+# ---- Registries and records ------------------------------------------------------------------------------------------
+
+ENTRY = store.Entry(
+    "alpha-base",
+    "amd64",
+    inputs="i",
+    repository="ros",
+    digest=DIGEST,
+    parts={"cuda": DIGEST},
+    size=1,
+    passed=2,
+    failures=("a",),
+    scan={"findings": {"high": 1}, "packages": 2, "updated": "2026-11-22T03:00:00Z", "failing": ["CVE-1"]},
+    seconds={"build": 1.5},
+    superseded=(DIGEST,),
+).to_json()
+
+
+def entry_of(document: bytes, folder: Path) -> object:
+    """The annotation of a record, and an entry that is attached to an image."""
+    registry = MemoryRegistry()
+    records = store.Records(registry, PREFIX)
+    annotation = document.decode(errors="replace")
+    records.artifact("alpha-base.amd64", document, {store.ANNOTATION: annotation})
+    image = registry.put_manifest(f"{PREFIX}/ros", "", {"schemaVersion": 2, "layers": []})
+    data = b'{"entry": ' + document + b', "inputs": {}}'
+    registry.attach(f"{PREFIX}/ros", {"digest": image}, store.ARTIFACT, data, store.LAYER)
+    return records.read("alpha-base", "amd64"), records.attached("ros", image)
+
+
+def scan_of(document: bytes, folder: Path) -> object:
+    """What a record says of a scan."""
+    entry = store.parse({**ENTRY, "scan": untrusted.json_of(document, "a")})
+    return entry and read.scan_of(entry)
+
+
+def inputs_of(document: bytes, folder: Path) -> object:
+    """The layer of a record."""
+    records = store.Records(MemoryRegistry(), PREFIX)
+    records.artifact("alpha-base.amd64", document, {})
+    return records.inputs("alpha-base", "amd64")
+
+
+def moves_of(document: bytes, folder: Path) -> object:
+    """The layer of a record of moves."""
+    records = store.Records(MemoryRegistry(), PREFIX)
+    records.artifact("undo.1", document, {})
+    return [move.to_json() for move in tag_moves.read_moves(records, "undo.1")]
+
+
+class Sent(MemoryRegistry):
+    """A registry that sends one blob."""
+
+    document = b""
+
+    def read_blob(self, repository: str, digest: str, read: Callable[[Iterator[bytes]], T]) -> T:
+        return read(iter([self.document[at : at + 65536] for at in range(0, len(self.document), 65536)]))
+
+
+def layer_of(document: bytes, folder: Path) -> object:
+    """A layer of a base image."""
+    registry = Sent()
+    registry.document = document
+    facts = {"mediaType": "application/vnd.oci.image.layer.v1.tar+gzip", "digest": DIGEST}
+    texts, _ = apt_sources.read_layer(registry, oci.Reference("registry.test", "base", "1"), facts)
+    return apt_sources.parse(texts, "base")
+
+
+def unpacked(document: bytes, folder: Path) -> object:
+    """rosdep's lists of a registry."""
+    rosdep_index.unpack(document, folder, "the lists")
+    return sorted(folder.rglob("*"))
+
+
+def labels_of(found: str) -> object:
+    return labels.any_python(found, "cuda"), labels.required_driver(found)
+
+
+SOURCE = apt_sources.Source("http://archive.test/debian", "bookworm", ("main",))
+RELEASE = f"""\
+Origin: Debian
+Suite: stable
+Date: Sat, 21 Nov 2026 10:11:12 UTC
+SHA256:
+ {"0" * 64} 1234 main/binary-amd64/Packages
+ {"1" * 64} 1234 main/binary-all/Packages
+""".encode()
+LINES = b"deb http://archive.test/debian bookworm main\ndeb [arch=amd64] http://archive.test/debian x main # x\n"
+STANZAS = b"Types: deb\nURIs: http://archive.test/debian\nSuites: bookworm\n bookworm-updates\nComponents: main\n\nTypes: deb-src\n"
+
+# ---- Scans -----------------------------------------------------------------------------------------------------------
+
+SBOM = {
+    "bomFormat": "CycloneDX",
+    "specVersion": "1.6",
+    "metadata": {"component": {"name": f"registry.test/ros@{DIGEST}", "type": "container"}},
+    "components": [
+        {"bom-ref": "1", "type": "operating-system", "name": "debian", "version": "12.12"},
+        {"bom-ref": "2", "type": "library", "name": "tree", "version": "2.1", "purl": "pkg:deb/debian/tree@2.1"},
+        {"bom-ref": "3", "type": "library", "name": "torch", "version": "2", "purl": "pkg:pypi/torch@2"},
+    ],
+}
+REPORT = {
+    "SchemaVersion": 2,
+    "Metadata": {"OS": {"Family": "debian", "Name": "12.12", "EOSL": True}},
+    "Results": [
+        {
+            "Type": "debian",
+            "Packages": [{"Name": "tree"}],
+            "Vulnerabilities": [
+                {
+                    "VulnerabilityID": "CVE-2026-1",
+                    "PkgName": "tree",
+                    "InstalledVersion": "2.1",
+                    "FixedVersion": "2.2",
+                    "Severity": "HIGH",
+                    "Title": "bad",
+                    "PrimaryURL": "https://example.org",
+                }
+            ],
+        }
+    ],
+}
+
+
+def sbom_of(document: bytes, folder: Path) -> object:
+    """An SBOM of a registry."""
+    found = Sbom(document)
+    found.require("alpha", ros=True)
+    return found.is_of(DIGEST), found.packages, found.system, found.sources
+
+
+def report_of(document: bytes, folder: Path) -> object:
+    """What trivy wrote."""
+    return judge.part_report(
+        trivy.read_report(document, "alpha"), judge.Part("alpha", "registry.test", "ros", DIGEST, ros=True)
+    )
+
+
+def database_of(document: bytes, folder: Path) -> object:
+    """The facts of trivy's database."""
+    (folder / "db").mkdir()
+    (folder / "db/metadata.json").write_bytes(document)
+    (folder / "db/trivy.db").write_bytes(b"x")
+    found = trivy.Trivy("trivy", "1", folder).database()
+    found.require_fresh(policy.DatabaseRules(repositories=("a/b",), max_age_hours=24), NOW)
+    return found
+
+
+# ---- Run -------------------------------------------------------------------------------------------------------------
+
+INFO = {
+    "ServerVersion": "27",
+    "SecurityOptions": ["name=seccomp"],
+    "Runtimes": {"runc": {}},
+    "CDISpecDirs": ["/etc/cdi"],
+    "Name": "robot",
+}
+IMAGE = {
+    "Id": DIGEST,
+    "Config": {"Env": ["A=b"], "Labels": {"a": "b"}, "Entrypoint": ["/x"], "Cmd": ["bash"], "User": ""},
+}
+CONTAINER = b" ".join(
+    json.dumps(value).encode()
+    for value in (
+        "/one",
+        "running",
+        DIGEST,
+        {**IMAGE["Config"], "Image": "ros:jazzy"},  # type: ignore[dict-item]
+        [{"Destination": "/dev/shm"}],
+        {"NetworkMode": "host", "IpcMode": "host"},
+    )
+)
+DEFAULTS = (
+    b'# comment\nimage = "ros:jazzy"\noptions = ["--mws", "-e", "ROS_DOMAIN_ID=7"]\ncommand = ["ros2", "topic"]\n'
+)
+
+
+def answered(what: str, ask: Callable[[str], object]) -> Callable[[bytes, Path], object]:
+    """Asks an engine that answers one question with the document, and fails at others."""
+
+    def read(document: bytes, folder: Path) -> object:
+        (folder / "answer").write_bytes(document)
+        program = folder / "docker"
+        program.write_text(f"#!/bin/sh\n[ $1 = {what} ] && exec cat {folder}/answer\nexit 1\n")
+        program.chmod(0o755)
+        return ask(str(program))
+
+    return read
+
+
+def defaults_of(document: bytes, folder: Path) -> object:
+    """A project's file."""
+    (folder / ".rosml.toml").write_bytes(document)
+    environment = {"XDG_CONFIG_HOME": str(folder / "none")}
+    found = defaults.files(environment, str(folder), ["--mws"], ["--new"]).project
+    return found and consent.wanted(found.line, trusted=False)
+
+
+def words_of(document: bytes, folder: Path) -> object:
+    """Values of options, a line each, that are checked and written into a file of compose."""
+    options = document.decode(errors="surrogateescape").split("\n")
+    line = split([word for option in options if option.startswith("--") for word in [option]] + ["ros:jazzy"], ())
+    host = Host(folder, {"ROS_DOMAIN_ID": options[0].partition("=")[2][-5000:]})
+    context = Context(
+        line, Engine(), Person(1000, 1000, "me", str(folder)), Image(environment={"ROS_DISTRO": "jazzy"}), host
+    )
+    argv = ["docker", "run", *(word for given in line.engine for word in given.words), "ros:jazzy"]
+    found = check.findings(context, places.planned(context, argv), [], ())
+    return found, compose.text(export.call(context, argv))
+
+
+WORDS = b"""\
+--env=ROS_DOMAIN_ID=7
+--shm-size=512m
+--gpus=2
+--ulimit=nofile=1024:2048
+--stop-timeout=3
+--memory=2g
+"""
+
+
+def kernel_of(document: bytes, folder: Path) -> object:
+    """Files of the kernel, and of variables."""
+    for place in (check.RECEIVED, check.FRAGMENTS, check.SECONDS, "/sys/class/net/eth0/flags"):
+        file = folder / place.lstrip("/")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_bytes(document)
+    (folder / "variables").write_bytes(document)
+    line = split(["--network=host", "--ipc=host", "--env-file=/variables", "ros:jazzy"], ())
+    host = Host(folder, {}, echoes=bool)
+    context = Context(line, Engine(), Person(0, 0, "me", "/"), Image(environment={"ROS_DISTRO": "jazzy"}), host)
+    argv = ["docker", "run", *(word for given in line.engine for word in given.words), "ros:jazzy"]
+    return check.findings(context, places.planned(context, argv), [], ())
+
+
+# ---- The machine -----------------------------------------------------------------------------------------------------
+
+TESTS = {"Results": [{"Name": "Command Test: a", "Pass": True, "Duration": 5e9, "Errors": ["x"], "Stdout": "y"}]}
+SERVICES = {
+    "registry": "127.0.0.1:5000",
+    "buildx": ["docker", "buildx"],
+    "builder": "rosml",
+    "builder_kind": "ours",
+    "buildx_config": None,
+    "regctl": "regctl",
+    "uv": "uv",
+    "ca_bundle": "",
+    "bases": [],
+}
+PLAN = {
+    "version": 1,
+    "date": "2026-11-22T03:00:00Z",
+    "registry": "registry.test/rosml",
+    "architectures": ["amd64"],
+    "serve": [],
+    "force": False,
+    "upstream": {"jazzy": "x"},
+    "targets": ["alpha"],
+    "shards": [],
+    "tasks": [],
+    "unchanged": 0,
+    "remarks": [],
+}
+
+
+PARSERS: dict[str, Parser] = {
+    ".env": Parser("text", [ENV], written(".env", inputs.read_env)),
+    ".repos": Parser("yaml", [REPOS], written("a.repos", lambda file: repos_file.read(file, "a.repos", local=False))),
+    ".rosml.toml": Parser("text", [DEFAULTS], defaults_of),
+    "allowed.json": Parser(
+        "json",
+        as_json({"/a/.rosml.toml": hashlib.sha256(b"x").hexdigest()}),
+        written("a", lambda file: consent.is_allowed(defaults.File("/a/.rosml.toml", b"x", 0, split((), ())), file)),
+    ),
+    "apt's list of sources": Parser("text", [LINES], text(lambda found: apt_sources.parse({"a.list": found}, "base"))),
+    "apt's paragraphs of sources": Parser(
+        "text", [STANZAS], text(lambda found: apt_sources.parse({"a.sources": found}, "base"))
+    ),
+    "apt's sources in a layer": Parser("tar", [tar_of(("etc/apt/sources.list", LINES))], layer_of),
+    "date of a Release file": Parser("text", [RELEASE], text(lambda found: sync.date_of(found, "http://ros.test"))),
+    "Release file": Parser(
+        "text", [RELEASE], text(lambda found: package_state.described(SOURCE, found, "http://archive.test"))
+    ),
+    "dpkg's status": Parser("text", [STATUS], dpkg_of),
+    "package.xml": Parser("xml", [MANIFEST], written("a/package.xml", lambda file: [*workspace.names(file.parent)])),
+    "package.xml in an image": Parser("xml", [MANIFEST], contents_of("docker-ros/ws/install/share/a/package.xml")),
+    "METADATA in an image": Parser(
+        "text", [b"Name: a\nVersion: 1\n\nx"], contents_of("usr/lib/python3/a-1.dist-info/METADATA")
+    ),
+    "packages of apt in an image": Parser("text", [STATUS], contents_of("var/lib/dpkg/status.d/a")),
+    "os-release in an image": Parser("text", [b'ID=debian\nVERSION_ID="12"\n'], contents_of("usr/lib/os-release")),
+    "report of pip": Parser("json", as_json(PIP), requirements_of),
+    "lock file": Parser("json", [LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))),
+    "folder of upstream sources": Parser(
+        "json", as_json({"a": ["https://example.org/a", "c" * 40]}), written(".up.json", lambda file: upstream(file))
+    ),
+    "rosdep's index": Parser("yaml", [INDEX], rosdep_index_of),
+    "rosdep's list": Parser("yaml", [KEYS], rosdep_list_of),
+    "rosdep's lists of a registry": Parser(
+        "tar", [tar_of(("rosdep/base.yaml", KEYS), ("index-v4.yaml", INDEX))], unpacked
+    ),
+    "record": Parser("json", as_json(ENTRY), entry_of),
+    "scan of a record": Parser(
+        "json",
+        as_json(ENTRY["scan"]),
+        scan_of,
+    ),
+    "inputs of a record": Parser("json", as_json({"inputs": {"a": "b"}, **ENTRY}), inputs_of),
+    "moves of tags": Parser(
+        "json", as_json({"date": "x", "moves": [{"repository": "ros", "tag": "a", "old": "", "new": DIGEST}]}), moves_of
+    ),
+    "SBOM": Parser("json", as_json(SBOM), sbom_of),
+    "report of trivy": Parser("json", as_json(REPORT), report_of),
+    "database of trivy": Parser(
+        "json", as_json({"Version": 2, "UpdatedAt": "2026-11-22T00:00:00.123Z", "NextUpdate": "x"}), database_of
+    ),
+    "info of an engine": Parser(
+        "json",
+        as_json(INFO, {"host": {"security": {"rootless": True}, "hostname": "a"}}),
+        answered("info", lambda command: engine.ask(command, "a", "b")),
+    ),
+    "image of an engine": Parser(
+        "json", as_json(IMAGE, [IMAGE]), answered("image", lambda command: engine.image(command, "a"))
+    ),
+    "container of an engine": Parser(
+        "text", [CONTAINER], answered("container", lambda command: engine.container(command, "a"))
+    ),
+    "words of run": Parser("text", [WORDS], words_of),
+    "files of run": Parser("text", [b"2147483647\n", b"0x1003\n", b"ROS_DOMAIN_ID=7\nA=b\n"], kernel_of),
+    "results of structure tests": Parser(
+        "json",
+        as_json(TESTS),
+        written("contract.json", lambda file: structure_tests.read_report(file.parent, ("contract",))),
+    ),
+    "versions in an image": Parser(
+        "text",
+        [b"torch 2.10.0\ncuda 12.8\n"],
+        written("versions", lambda file: structure_tests.read_report(file.parent, ("contract",))),
+    ),
+    "services.json": Parser(
+        "json", as_json(SERVICES), written(".state/services.json", lambda file: Services.load(file.parent.parent))
+    ),
+    "plan": Parser("json", as_json(PLAN), written("plan.json", plan_file.read_plan)),
+    "matrix": Parser("yaml", [SMALL.encode()], lambda document, folder: load.image_set(source.parse(document))),
+    "scan policy": Parser(
+        "yaml", [(ROOT / "scan.yaml").read_bytes()], lambda document, folder: policy.parsed(source.parse(document))
+    ),
+    "label of a part": Parser("text", [b"torch=cuda*,common tensorflow=cuda*"], text(labels_of)),
+    "JSON": Parser("json", as_json(PLAN), lambda document, folder: untrusted.json_of(document, "a")),
+    "YAML": Parser("yaml", [KEYS], lambda document, folder: untrusted.yaml_of(document, "a")),
+}
+
+
+def upstream(file: Path) -> object:
+    """The folder beside its file."""
+    folder = file.with_name("up")
+    folder.mkdir()
+    return tree.Tree(folder).has("a", "b", "c"), names
