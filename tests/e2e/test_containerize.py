@@ -590,6 +590,8 @@ def test_lines_of_a_build_are_no_commands(
     [
         ("a/package.xml", PACKAGE.format("a", "<depend>a_typo</depend>"), " not know a_typo (asked for by a)"),
         ("a/package.xml", "<package>", "error: a/package.xml is no manifest"),
+        ("a/package.xml", PACKAGE.format("a", "").replace('"2"', '"4"'), "error: a/package.xml is no manifest"),
+        ("a/package.xml", PACKAGE.format("a", "<!-- \xfc -->").encode("latin-1"), "error: a/package.xml is not UTF-8"),
         ("b/package.xml", PACKAGE.format("a", ""), "two packages are called a: a and b"),
         ("docker/blacklisted-packages.txt", "c", "no package is called c"),
         ("docker/custom.sh", "echo before; false; echo after", "the script after the installation of dependencies ended with 1"),
@@ -597,11 +599,11 @@ def test_lines_of_a_build_are_no_commands(
         ("docker/before_dependency_identification.sh", "#!/bin/sh\nexit 3", "identification of dependencies ended with 3"),
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_named(file: str, text: str, says: str, published: Publish, tmp_path: Path) -> None:
+def test_what_is_wrong_is_named(file: str, text: str | bytes, says: str, published: Publish, tmp_path: Path) -> None:
     folder = tmp_path / "robot"
     for path, content in (("a/package.xml", PACKAGE.format("a", "")), (file, text)):
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_text(content)
+        (folder / path).write_bytes(content if isinstance(content, bytes) else content.encode())
     outcome = containerize(folder, "--base-image", published(BASE).result["reference"], "--command", "true")
     assert outcome.code == 1
     assert says in json.loads(outcome.out)["error"]

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any, TypeVar
 
 from conftest import ROOT, SMALL
@@ -27,7 +27,7 @@ from rosml.catalogue import read
 from rosml.images import labels, load
 from rosml.machine.services import Services
 from rosml.matrix import source
-from rosml.publish import plan_file
+from rosml.publish import plan_file, scan_results
 from rosml.records import store, tag_moves
 from rosml.registry import oci
 from rosml.run import check, compose, consent, defaults, engine, export, places
@@ -235,6 +235,24 @@ def scan_of(document: bytes, folder: Path) -> object:
     return entry and read.scan_of(entry)
 
 
+class Receiver:
+    """As much of a publishing run as takes the results of a scan."""
+
+    host, prefix = "registry.test", PREFIX
+
+    def __init__(self) -> None:
+        self.registry, self.outcomes = MemoryRegistry(), list[Any]()
+        self.records = store.Records(self.registry, PREFIX)
+        self.plan = SimpleNamespace(known={("alpha-base", "amd64"): store.parse(ENTRY)}, date="2026-11-22T03:00:00Z")
+
+
+def results_of(file: Path) -> object:
+    """What a scan handed over."""
+    receiver: Any = Receiver()
+    scan_results.record(receiver, file)
+    return [*receiver.outcomes]
+
+
 def inputs_of(document: bytes, folder: Path) -> object:
     """The layer of a record."""
     records = store.Records(MemoryRegistry(), PREFIX)
@@ -437,6 +455,22 @@ def kernel_of(document: bytes, folder: Path) -> object:
 
 # ---- The machine -----------------------------------------------------------------------------------------------------
 
+RESULTS = {
+    "version": 1,
+    "date": "2026-11-22T03:00:00Z",
+    "entries": [
+        {
+            "target": "alpha-base",
+            "architecture": "amd64",
+            "digest": DIGEST,
+            "scanned": "clean",
+            "scan": {"findings": {"high": 1}, "packages": 2},
+        }
+    ],
+    "sboms": [
+        {"repository": f"{PREFIX}/ros", "digest": DIGEST, "scanner": "trivy 1", "content": json.dumps(SBOM)},
+    ],
+}
 TESTS = {"Results": [{"Name": "Command Test: a", "Pass": True, "Duration": 5e9, "Errors": ["x"], "Stdout": "y"}]}
 SERVICES = {
     "registry": "127.0.0.1:5000",
@@ -542,6 +576,7 @@ PARSERS: dict[str, Parser] = {
     "services.json": Parser(
         "json", as_json(SERVICES), written(".state/services.json", lambda file: Services.load(file.parent.parent))
     ),
+    "results of a scan": Parser("json", as_json(RESULTS), written("results.json", results_of)),
     "plan": Parser("json", as_json(PLAN), written("plan.json", plan_file.read_plan)),
     "matrix": Parser("yaml", [SMALL.encode()], lambda document, folder: load.image_set(source.parse(document))),
     "scan policy": Parser(

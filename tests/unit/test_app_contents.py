@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import gzip
 import json
+import os
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import pytest
+from conftest import ROOT
 from registry_stand_in import Fault, StandIn
 from stubs import script_of_a_build
 
 from rosml.apps import contents, workspace
 from rosml.apps.sources import Repository
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.join import file_lists
 from rosml.registry import oci
@@ -114,6 +117,28 @@ def made(packages: object = PACKAGES) -> dict[str, Any]:
     sources = {"filters": Repository("filters", "https://example.org/filters", "noetic", "c0ffee", ".repos", True)}
     found: dict[str, Any] = json.loads(contents.sbom(json.dumps(packages).encode(), "example.org/robot@x", sources))
     return found
+
+
+def test_what_dpkg_says_in_other_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Bytes that are no UTF-8 are replaced. What lacks an architecture, or names a place in the place of a package, is none."""
+    monkeypatch.syspath_prepend(str(ROOT / "components/containerize"))  # where scripts find each other
+    files = script_of_a_build("containerize/app_files.py")
+    installed = "Status: install ok installed\n"
+    entries = (
+        f"Package: tree\n{installed}Architecture: all\nVersion: 1\nMaintainer: M\xfcller\n",
+        f"Package: half\n{installed}Version: 1\n",
+        f"Package: ../../../root/x\n{installed}Architecture: all\nVersion: 1\n",
+        "Package: gone\nStatus: deinstall ok config-files\nArchitecture: all\nVersion: 1\n",
+    )
+    (tmp_path / "var/lib/dpkg").mkdir(parents=True)
+    (tmp_path / "var/lib/dpkg/status").write_bytes("\n".join(entries).encode("latin-1"))
+    assert {*files.status(tmp_path)} == {"tree:all"} and "M\ufffdller" in files.status(tmp_path)["tree:all"]
+    assert files.versions(tmp_path / "none", [tmp_path])["apt"] == {"tree": "1"}
+
+
+def test_names_that_are_no_unicode_are_json_for_all_readers(script: ModuleType) -> None:
+    text = script.as_json({"changed": [os.fsdecode(b"etc/M\xfcller"), "etc/é"]}, indent=2)
+    assert untrusted.json_of(text, "it") == {"changed": ["etc/M?ller", "etc/é"]}
 
 
 def test_an_sbom() -> None:

@@ -41,7 +41,7 @@ def resolve(git: Git, url: str, version: str) -> Version:
     """
     if re.fullmatch(r"[0-9a-fA-F]{40}", version):
         return Version(version.lower())
-    lines = [line.split("\t", 1) for line in git("ls-remote", "--quiet", "--", url).splitlines() if "\t" in line]
+    lines = [line.split("\t", 1) for line in git("ls-remote", "--quiet", "--", url).split("\n") if "\t" in line]
     refs = {name: commit for commit, name in lines}
     wanted = version or "HEAD"
     names = [wanted] if wanted == "HEAD" or wanted.startswith("refs/") else []

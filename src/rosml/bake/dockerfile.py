@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
+
+from rosml.base import untrusted
 
 _FROM = re.compile(r"FROM\s+(?:--\S+\s+)*(?P<base>\S+)(?:\s+AS\s+(?P<name>\S+))?")
 
@@ -76,7 +77,7 @@ def _instruction(text: str) -> Iterator[tuple[str, str]]:
         copied = dict(flags)
         paths = [item for item in words if not item.startswith("--")]
         if paths and paths[0].startswith("["):
-            paths = json.loads(" ".join(paths))
+            paths = untrusted.json_value(" ".join(paths))
         if "from" in copied:
             yield "stage", copied["from"]
         else:

@@ -10,7 +10,6 @@ that Python are built on, and `{"python": …}` says which Python it has.
 from __future__ import annotations
 
 import functools
-import json
 import os
 import platform
 import re
@@ -18,6 +17,7 @@ import subprocess
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.machine.services import REMEDY, Services
 from rosml.matrix import names
@@ -120,9 +120,9 @@ def _answer(services: Services, name: str, image: str, keys: tuple[str, ...], *a
     command = [*services.bases, image, *arguments]
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, check=False)
-        answer = json.loads(done.stdout)
+        answer = untrusted.json_value(done.stdout)
         if "error" in answer:
-            raise RosmlError(answer["error"], f"{answer['remedy']}; or {name_another(name)}")
+            raise RosmlError(str(answer["error"]), f"{answer['remedy']}; or {name_another(name)}")
         return tuple(str(answer[key]) for key in keys)
     except (OSError, ValueError, TypeError, KeyError) as error:
         text = f"no base image for {name}: {' '.join(command)}: {error}"

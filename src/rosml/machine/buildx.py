@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shlex
@@ -13,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.machine import trust
@@ -232,7 +232,7 @@ def _stop(process: subprocess.Popen[str]) -> None:
 def _metadata(path: Path, target: str) -> dict[str, str]:
     """What buildx wrote about a target; empty where it wrote nothing."""
     try:
-        content = json.loads(path.read_text())[target].items()
+        content = untrusted.json_value(path.read_bytes())[target].items()
     except (OSError, ValueError, TypeError, KeyError, AttributeError):
         return {}
     return {key: value for key, value in content if isinstance(value, str)}

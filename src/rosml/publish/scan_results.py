@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.publish.pipeline import Outcome as Done
@@ -19,6 +20,7 @@ from rosml.registry.oci import is_digest, is_place
 from rosml.registry.repositories import repository_path
 from rosml.scan.judge import Outcome
 from rosml.scan.sbom import Sbom, Shelf
+from rosml.scan.trivy import WRITTEN_BYTES
 
 
 class _Facts(BaseModel):
@@ -47,13 +49,13 @@ def record(pipeline: Pipeline, file: Path) -> None:
         RosmlError: the file cannot be read, or the registry fails.
     """
     try:
-        content = _Handed.model_validate_json(file.read_bytes())
+        content = _Handed.model_validate(untrusted.json_value(file.read_bytes(), WRITTEN_BYTES))
         entries = [_entry(item) for item in content.entries]
         sboms = [_sbom(item, pipeline.host, pipeline.prefix) for item in content.sboms]
     except (OSError, ValueError) as error:
         reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error
         text = f"{file} holds no results of a scan: {reason}"
-        raise RosmlError(text, "write it anew with: rosml publish scan --output FILE", exit_code=2) from None
+        raise RosmlError(text, "write it again with: rosml publish scan --output FILE", exit_code=2) from None
     for repository, digest, scanner, sbom in sboms:
         shelf = Shelf(pipeline.registry, scanner)
         if pipeline.registry.head(repository, digest) and shelf.load(repository, digest) is None:

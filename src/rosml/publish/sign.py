@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import json
 import os
 import re
 import shutil
@@ -17,7 +16,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from rosml.base import files
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
 from rosml.machine.regctl import LOOPBACK
@@ -137,7 +136,7 @@ def _program(root: Path, environment: Mapping[str, str]) -> str:
     """Path of the pinned cosign."""
     file = root / ".state" / "signer.json"
     try:
-        program = str(json.loads(file.read_text())["cosign"])
+        program = str(untrusted.json_value(file.read_bytes())["cosign"])
     except FileNotFoundError:
         program = shutil.which("cosign", path=environment.get("PATH")) or ""
     except (OSError, ValueError, KeyError, TypeError):

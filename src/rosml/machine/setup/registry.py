@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from rosml.base import files
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.units import duration
 from rosml.machine.setup import network
@@ -61,7 +61,7 @@ def daemon(state: State) -> Daemon:
 def last_port(state: State) -> int | None:
     """Port of the last run."""
     try:
-        return int(json.loads((state.run / "registry.yaml").read_text())["http"]["addr"].rpartition(":")[2])
+        return int(untrusted.json_value((state.run / "registry.yaml").read_bytes())["http"]["addr"].rpartition(":")[2])
     except (OSError, ValueError, KeyError, TypeError, AttributeError):  # never run, or damaged
         return None
 
