@@ -355,11 +355,11 @@ def read_env(file: Path) -> dict[str, str]:
         raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
     if len(content) > LARGEST_ENV or "\0" in text:
         what = "it has a NUL character" if "\0" in text else f"it has more than {LARGEST_ENV >> 10} KiB"
-        raise RosmlError(f"{file}: {what}", "name a file of NAME='value' lines so", exit_code=2)
+        raise RosmlError(f"{file}: {what}", "write lines of NAME='value' into it", exit_code=2)
     found: dict[str, str] = {}
     place = 0
     while (place := _NOTHING.match(text, place).end()) < len(text):  # type: ignore[union-attr] # it matches anywhere
-        refusal = functools.partial(_damaged, file, text.count("\n", 0, place) + 1)
+        refusal = functools.partial(_damaged, file, text, place)
         begun = _BEGIN.match(text, place)
         if not begun:
             raise refusal("it is not NAME=VALUE")
@@ -379,7 +379,8 @@ _PART = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*+)"|\\(.)|([^ \t\n'"\\]++)""",
 """A piece of a value. Only spaces, tabs and line ends are blanks for a shell."""
 
 
-def _damaged(file: Path, line: int, why: str) -> RosmlError:
+def _damaged(file: Path, text: str, place: int, why: str) -> RosmlError:
+    line = text.count("\n", 0, place) + 1
     return RosmlError(f"{file}:{line}: {why}", "write NAME='value'", exit_code=2)
 
 

@@ -181,9 +181,9 @@ def _gpus(option: Option, folder: str) -> dict[str, Any]:
     """`all`, `2`, `device=0`, `"device=0,1"`, and whatever else has fields."""
     device: dict[str, Any] = {"driver": "nvidia", "capabilities": ["gpu"]}
     for key, value in fields(option):
-        if key in ("all", "count") or NUMBER.fullmatch(key):
+        if key in ("all", "count") or COUNT.fullmatch(key):
             count = value or key
-            device["count"] = int(count) if NUMBER.fullmatch(count) else count
+            device["count"] = int(count) if COUNT.fullmatch(count) else count
         elif key == "device":
             device["device_ids"] = value.split(",")
         elif key == "driver":
@@ -207,8 +207,8 @@ def _number(found: str) -> int | str:
     return int(found) if NUMBER.fullmatch(found) else found
 
 
-NUMBER = re.compile("-?[0-9]{1,18}")
-"""What a file has as a number; other engines' words stay text."""
+COUNT, NUMBER = re.compile("[0-9]{1,18}"), re.compile("-?[0-9]{1,18}")
+"""What a file has as a number. Whatever else somebody writes stays text."""
 
 
 MADE: Mapping[str, Callable[[Option, str], dict[str, Any]]] = {
