@@ -80,7 +80,7 @@ def _work(module: str, name: str, first: int, count: int, out: Connection) -> No
         cases = itertools.islice(mutations.mutated(parser.documents, parser.kind, name), first, count)
         for number, document in enumerate(cases, first):
             out.send((number, document[:200]))
-            signal.setitimer(signal.ITIMER_PROF, 5 * SECONDS)  # whose signal ends the process
+            signal.setitimer(signal.ITIMER_PROF, 2 * SECONDS)  # whose signal ends the process
             found = problem(parser, document, Path(tempfile.mkdtemp(dir=place)))
             signal.setitimer(signal.ITIMER_PROF, 0)
             out.send(found)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 
 import fuzz
@@ -18,6 +19,23 @@ COUNT = 5_000 if os.environ.get("HYPOTHESIS_PROFILE") == "thorough" else 200
 def test_a_parser_takes_any_document(name: str) -> None:
     found = [*fuzz.problems("parsers", name, COUNT)]
     assert not found, f"{len(found)} of {COUNT}:\n" + "\n".join(found[:20])
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("hang", "it ends the process with -27"),  # SIGPROF
+        ("crash", "it ends the process with -11"),
+        ("slow", "it (takes 1|ends the process with -27)"),
+        ("waste", "MemoryError"),
+        ("traceback", "KeyError: 'name'"),
+        ("helpless", "no remedy"),
+        ("script", "no remedy"),
+    ],
+)
+def test_the_fuzz_catches_what_no_parser_may_do(name: str, says: str) -> None:
+    found = [*fuzz.problems("bad_parsers", name, 1)]
+    assert len(found) == 1 and re.match(f"{name} 0: {says}", found[0]), found
 
 
 @pytest.mark.parametrize("name", parsers.PARSERS)

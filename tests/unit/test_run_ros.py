@@ -223,7 +223,12 @@ def test_all_is_well(robot: Robot) -> None:
         (["--network", "host"], "shared memory", "problem: its own, with --network host", "--ipc host"),
         (["-e", "ROS_DOMAIN_ID=7"], "domain", "problem: 7, and 3 in this shell", "-e ROS_DOMAIN_ID=3, or export"),
         (["-e", "ROS_DOMAIN_ID=233"], "domain", "problem: '233': no node starts", "ROS_DOMAIN_ID is a number"),
-        (["-e", f"ROS_DOMAIN_ID={'9' * 5000}"], "domain", f"problem: '{'9' * 20}'…: no node starts", "ROS_DOMAIN_ID is a number"),
+        (
+            ["-e", f"ROS_DOMAIN_ID={'9' * 5000}"],
+            "domain",
+            f"problem: '{'9' * 20}'…: no node starts",
+            "ROS_DOMAIN_ID is a number",
+        ),
         (["-e", "ROS_DOMAIN_ID=٣"], "domain", "problem: '٣': no node starts", "ROS_DOMAIN_ID is a number"),
         (["-e", "ROS_DOMAIN_ID=x"], "domain", "problem: 'x': no node starts", "ROS_DOMAIN_ID is a number"),
         (["--env-file", "vars"], "domain", "problem: 9, and 3 in this shell", "-e ROS_DOMAIN_ID=3"),
