@@ -10,6 +10,9 @@ The lines go into images and lock files, so addresses in them have no user, pass
 
 from __future__ import annotations
 
+import base64
+import csv
+import hashlib
 import json
 import re
 import subprocess
@@ -17,7 +20,7 @@ import sys
 import tempfile
 from importlib.metadata import distributions
 from pathlib import Path
-from typing import Any, Iterable, NoReturn, Sequence
+from typing import Any, Container, Iterable, NoReturn, Sequence
 from urllib.parse import urlsplit, urlunsplit
 
 
@@ -89,6 +92,9 @@ def run(arguments: Sequence[str]) -> None:
         sys.exit(done.returncode)
 
 
+PLACE = "direct_url.json"
+"""Where a package says what place a user named for it."""
+
 DAMAGED = (AttributeError, KeyError, RecursionError, TypeError, ValueError)
 """What reading a description of another shape raises."""
 
@@ -120,7 +126,7 @@ def installed() -> set[str]:
     found = set()
     for item in distributions():
         try:
-            text = item.read_text("direct_url.json")
+            text = item.read_text(PLACE)
             found.add(line(item.metadata["Name"], item.version, json.loads(text) if text else {}, bool(text)))
         except DAMAGED:
             continue
@@ -132,6 +138,32 @@ def compared(arguments: Sequence[str]) -> list[str]:
     before = installed()
     run(arguments)
     return [item for item in installed() if item not in before]
+
+
+def forget_secrets(names: Container[str]) -> None:
+    """Has packages say where they are from without a user, a password and a query: pip keeps queries in the image.
+
+    Args:
+        names: of packages that were installed now. Those of the base image stay as they are.
+    """
+    for item in distributions():
+        try:
+            found = [file for file in item.files or () if file.name == PLACE and normal(item.metadata["Name"]) in names]
+            facts = json.loads(item.read_text(PLACE) or "{}") if found else {}
+            url = address(facts["url"]) if facts else ""
+        except DAMAGED:
+            continue
+        if not facts or url == facts["url"]:
+            continue
+        content = json.dumps({**facts, "url": url}).encode()
+        file = Path(str(found[0].locate()))
+        file.write_bytes(content)
+        with file.with_name("RECORD").open(newline="", encoding="utf-8") as stream:
+            rows = [row for row in csv.reader(stream) if row]
+        state = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+        own = [str(found[0]), f"sha256={state}", str(len(content))]
+        with file.with_name("RECORD").open("w", newline="", encoding="utf-8") as stream:
+            csv.writer(stream, lineterminator="\n").writerows(own if row[0] == own[0] else row for row in rows)
 
 
 def knows_report() -> bool:
@@ -159,6 +191,7 @@ def main(written: Path, lock: Path, *arguments: str) -> None:
         file.write_text(constraints(locked))
         install = reported if knows_report() else compared
         new = sorted(filter(None, install([*arguments, "--constraint", str(file)] if locked else arguments)))
+    forget_secrets({item.partition(" @ ")[0] for item in new if " @ " in item})
     others = [item for item in new if item not in locked]
     if lock.exists() and others:
         sys.exit(

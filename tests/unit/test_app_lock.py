@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import json
 import sys
 from pathlib import Path
@@ -187,6 +189,32 @@ def test_a_damaged_package_of_the_base_image_counts_for_none(
             (tmp_path / name / file).write_text(text)
     monkeypatch.setattr(sys, "path", [str(tmp_path)])
     assert script.installed() == {"a==1"}
+
+
+def test_no_package_says_a_password(script: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """pip leaves the query of an address in the image. Only packages that were installed now are changed."""
+    for name in ("new", "old"):
+        folder = tmp_path / f"{name}-1.dist-info"
+        folder.mkdir()
+        place = {"url": f"https://e.org/{name}?private_token=secret", "vcs_info": {**GIT, "requested_revision": "main"}}
+        (folder / "METADATA").write_text(f"Name: {name}\nVersion: 1\n")
+        (folder / "direct_url.json").write_text(json.dumps(place))
+        files = "".join(f"{folder.name}/{file},sha256=x,1\n" for file in ("METADATA", "direct_url.json"))
+        (folder / "RECORD").write_text(f"{files}{folder.name}/RECORD,,\n")
+    monkeypatch.setattr(sys, "path", [str(tmp_path)])
+    old = (tmp_path / "old-1.dist-info/direct_url.json").read_text()
+    install(script, tmp_path, ["new @ git+https://e.org/new@c0"], None)
+    content = (tmp_path / "new-1.dist-info/direct_url.json").read_bytes()
+    assert (
+        json.loads(content)["url"] == "https://e.org/new"
+        and (tmp_path / "old-1.dist-info/direct_url.json").read_text() == old
+    )
+    said = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
+    assert (tmp_path / "new-1.dist-info/RECORD").read_text() == (
+        "new-1.dist-info/METADATA,sha256=x,1\n"
+        f"new-1.dist-info/direct_url.json,sha256={said},{len(content)}\n"
+        "new-1.dist-info/RECORD,,\n"
+    )
 
 
 def install(script: ModuleType, folder: Path, new: list[str], locked: str | None) -> str:
