@@ -20,7 +20,7 @@ import subprocess
 import sys
 from collections import defaultdict
 from pathlib import Path
-from typing import Iterator, NamedTuple
+from typing import Dict, Iterator, NamedTuple, Set
 
 import manifests
 from manifests import fail
@@ -56,7 +56,7 @@ DEBIAN = "10-debian.list"
 WORKSPACES = (Path(os.environ.get("WORKSPACE", "/docker-ros/ws")), Path("/opt/ws_base_image"))
 """Where a base image may have built packages."""
 
-Packages = dict[str, dict[str, set[str]]]
+Packages = Dict[str, Dict[str, Set[str]]]
 """Keys of rosdep that packages ask for, by package and kind."""
 
 

@@ -68,7 +68,9 @@ class Archive:
 
 def needed(packages: Iterable[str], archive: Archive) -> list[str]:
     """The packages that stay."""
-    kept, seen, todo = set[str](), set[str](), list(packages)
+    kept: set[str] = set()
+    seen: set[str] = set()
+    todo = list(packages)
     while todo:
         seen.update(todo)
         found = []
