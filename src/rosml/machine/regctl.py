@@ -9,8 +9,11 @@ import subprocess
 from dataclasses import dataclass
 from typing import Any
 
+from pydantic import TypeAdapter, ValidationError
+
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
 from rosml.machine.services import REMEDY, Services
 from rosml.registry import certificates
 
@@ -81,8 +84,18 @@ def image_config(services: Services, reference: str, platform: str) -> dict[str,
 
 
 def layers(services: Services, reference: str) -> tuple[Layer, ...]:
-    """The layers of an image manifest, lowest first."""
-    return tuple(Layer(entry["digest"], entry["size"]) for entry in manifest(services, reference)["layers"])
+    """The layers of an image manifest, lowest first.
+
+    Raises:
+        RosmlError: as in `regctl`; or it is no image manifest.
+    """
+    try:
+        return _LAYERS.validate_python(manifest(services, reference).get("layers"))
+    except ValidationError as error:
+        raise RosmlError(f"{reference} is no image: {first_of(error)}", "look at its name, and push it again") from None
+
+
+_LAYERS = TypeAdapter(tuple[Layer, ...])
 
 
 def digest(services: Services, reference: str) -> str:
