@@ -117,7 +117,7 @@ def _special_text(document: bytes) -> Iterator[bytes]:
     yield b"a = " + b"[" * 20_000 + b"\n"
     yield b"a = " + b"{b=" * 10_000 + b"\n"
     yield (key + b"\n") * 50_000
-    yield b"A=1\n" * 250_000
+    yield b"A=1\n" * 60_000
     yield document + b"#" * 300_000
     yield document + b" " * 300_000 + b"x"
     yield document + b"\\" * 100_000 + b"$A"

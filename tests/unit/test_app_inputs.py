@@ -177,7 +177,7 @@ def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
         ("command: ros2", ".env:1: it is not NAME=VALUE"),
         ("A=1\nCOMMAND=ros2\\", ".env:2: its quotation has no end"),
         ("A=\0", ".env: it has a NUL character"),
-        ("A=" + "1" * (1 << 20), ".env: it has more than 1024 KiB"),
+        ("A=" + "1" * (1 << 18), ".env: it has more than 256 KiB"),
     ],
 )
 def test_what_a_shell_would_be_needed_for_is_refused(text: str, says: str, tmp_path: Path) -> None:

@@ -163,7 +163,7 @@ def test_what_is_wrong_with_a_file_is_said_in_words(
     file.write_bytes(text)
     with pytest.raises(RosmlError, match=rf"holds no results of a scan: {re.escape(says)}") as caught:
         scan_results.record(run(), file)
-    assert caught.value.remedy == "write it anew with: rosml publish scan --output FILE"
+    assert caught.value.remedy == "write it again with: rosml publish scan --output FILE"
 
 
 def test_a_file_of_results_that_is_not_there(run: Callable[[], Run], tmp_path: Path) -> None:

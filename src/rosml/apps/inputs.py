@@ -367,7 +367,7 @@ def read_env(file: Path) -> dict[str, str]:
     return found
 
 
-LARGEST_ENV = 1 << 20
+LARGEST_ENV = 256 << 10
 """Bytes that a file of variables may have."""
 
 _NOTHING = re.compile(r"(?:[ \t\n]|(?<![^ \t\n])#[^\n]*)*+")

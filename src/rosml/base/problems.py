@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -60,7 +61,8 @@ def dotted(path: Path) -> str:
 def first_of(error: ValidationError) -> str:
     """The first problem of data of the wrong shape: `manifests[0].digest: field required`."""
     wrong = error.errors(include_url=False, include_context=False, include_input=False)[0]
-    return ": ".join(part for part in (dotted(wrong["loc"]), wrong["msg"][:1].lower() + wrong["msg"][1:]) if part)
+    text = re.sub(r"a valid dictionary or instance of \w+", "an object", wrong["msg"])
+    return ": ".join(part for part in (dotted(wrong["loc"]), text[:1].lower() + text[1:]) if part)
 
 
 def listed(names: Sequence[str], last: str = "and") -> str:
