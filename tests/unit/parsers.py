@@ -3,9 +3,12 @@ more line of `PARSERS`."""
 
 from __future__ import annotations
 
+import contextlib
+import gzip
 import hashlib
 import json
 import sys
+import zlib
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
@@ -20,7 +23,7 @@ from stubs import script_of_a_build
 
 sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts find each other
 
-from rosml.apps import inputs, lock, names, repos_file, rosdep_index, tree, workspace
+from rosml.apps import ci, contents, inputs, junit, lock, names, report, repos_file, rosdep_index, tree, workspace
 from rosml.base import untrusted
 from rosml.build import apt_sources, package_state, structure_tests, sync
 from rosml.catalogue import read
@@ -103,6 +106,57 @@ KEYS = (
 INDEX = (
     b"distributions:\n  jazzy: {distribution: [jazzy/distribution.yaml], distribution_status: active}\ntype: index\n"
 )
+
+
+SUITE = """<testsuites><testsuite name="robot"><testcase name="good" classname="a"/>
+<testcase name="later"><skipped/></testcase><testcase name="bad"><failure message="1 is not 2"/></testcase>
+</testsuite><testsuite name="bad" failures="1"/></testsuites>"""
+
+CTEST = """<Site><Testing><Test Status="failed"><Name>bad</Name><FullCommandLine>bad</FullCommandLine><Results>
+<NamedMeasurement name="Exit Code"><Value>SEGFAULT</Value></NamedMeasurement>
+<Measurement><Value>last</Value></Measurement></Results></Test></Testing></Site>"""
+
+APP: dict[str, Any] = {name: [] for name in ("packages", "changed", "replaced", "removed", "outside", "pip")}
+APP |= {"architecture": "amd64", "apt": {"tree": "2.1"}}
+
+JOB: dict[str, Any] = {
+    "target": "run",
+    "name": "ghcr.io/me/robot",
+    "tags": ["latest"],
+    "end": "-amd64",
+    "platforms": ["linux/amd64"],
+}
+JOB |= {"digest": DIGEST}
+
+PACKAGES = {
+    "system": {"name": "debian", "version": "12"},
+    "apt": [{"name": "tree", "version": "2", "architecture": "amd64", "source": "tree", "source_version": "2"}],
+    "python": [{"name": "toolz", "version": "1.0"}],
+    "ros": [{"name": "robot", "version": "1.0.0", "licenses": ["MIT"]}],
+}
+
+
+def said_of(document: bytes, folder: Path) -> object:
+    """An archive with this `app.json`."""
+    (folder / "report.tar").write_bytes(gzip.decompress(tar_of(("app.json", document))))
+    return report.Said(folder / "report.tar", folder / "said", ("linux/amd64",)).apps()
+
+
+def left_of(document: bytes, folder: Path) -> object:
+    """This archive, as tests left it."""
+    with contextlib.suppress(zlib.error):  # the builder's is not compressed; some have more than memory holds
+        document = zlib.decompressobj(31).decompress(document, 20 << 20)
+    (folder / "results.tar").write_bytes(document)
+    return report.tests(folder / "results.tar", folder / "report", ("linux/amd64",))
+
+
+def job_of(document: bytes, folder: Path) -> object:
+    """What a job made for the one that makes the index, in its artifact."""
+    given = {"image-name": "ghcr.io/me/robot", "platform": "amd64", "push": "true"}
+    job = ci.Job(inputs.values(given, folder, {}), {}, ci.Commit("main", "", True, folder), lambda line: None)
+    (folder / job.name).mkdir()
+    (folder / job.name / ci.FILE).write_bytes(document)
+    return job.made(folder)
 
 
 def rosdep_index_of(document: bytes, folder: Path) -> object:
@@ -519,6 +573,16 @@ PARSERS: dict[str, Parser] = {
     ),
     "dpkg's status": Parser("text", [STATUS], dpkg_of),
     "package.xml": Parser("xml", [MANIFEST], written("a/package.xml", lambda file: [*workspace.names(file.parent)])),
+    "JUnit file": Parser("xml", [SUITE.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))),
+    "CTest's file": Parser(
+        "xml", [CTEST.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))
+    ),
+    "what steps of a build say": Parser("json", as_json(APP), said_of),
+    "archive of a build": Parser("tar", [tar_of(("results/a/b.xml", SUITE.encode()))], left_of),
+    "images of a job": Parser("json", as_json([JOB]), job_of),
+    "packages of an image": Parser(
+        "json", as_json(PACKAGES), lambda document, folder: contents.sbom(document, "a", {})
+    ),
     "package.xml in an image": Parser("xml", [MANIFEST], contents_of("docker-ros/ws/install/share/a/package.xml")),
     "METADATA in an image": Parser(
         "text", [b"Name: a\nVersion: 1\n\nx"], contents_of("usr/lib/python3/a-1.dist-info/METADATA")

@@ -673,6 +673,20 @@ def test_an_encoding_that_cannot_be_read_is_said(encoding: str, tmp_path: Path) 
     assert junit.read(tmp_path).failures == ("robot: a.xml has an encoding that cannot be read: write it in UTF-8",)
 
 
+@pytest.mark.parametrize("counts", ['failures="1"', 'tests="3" failures="0" errors="2"'])
+def test_a_suite_that_names_no_test_may_have_failed(counts: str, tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    suites = f'<testsuite name="bad" {counts}/><testsuite name="good" failures="0" errors="0"/>'
+    (tmp_path / "robot/a.xml").write_text(f"<testsuites>{suites}</testsuites>")
+    assert junit.read(tmp_path) == junit.Tests(1, 0, ("robot: bad: failed, and its report names no test",))
+
+
+def test_a_namespace_hides_no_test(tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/a.xml").write_text(SUITE.replace("<testsuites>", '<testsuites xmlns="http://junit.org/x">'))
+    assert junit.read(tmp_path) == junit.Tests(3, 1, ("robot: a.bad: 1 is not 2",))
+
+
 CTEST = """<Site><Testing><TestList><Test>./good</Test></TestList>
 <Test Status="passed"><Name>good</Name><FullCommandLine>good</FullCommandLine></Test>
 <Test Status="failed"><Name>bad</Name><FullCommandLine>bad</FullCommandLine><Results>

@@ -280,6 +280,19 @@ class Job:
                     _move(registries, image, 1)
         return made
 
+    def made(self, folder: Path) -> list[Image]:
+        """What the jobs for one platform each left, and one for all. They are found by their names: a job may have left other
+        things, such as what its tests wrote.
+
+        Args:
+            folder: what the jobs kept.
+
+        Raises:
+            RosmlError: what one left is damaged.
+        """
+        jobs = [Job({**self._values, "platform": name}, {}, self._what, self._say).name for name in self._platforms]
+        return [image for name in dict.fromkeys((self.name, *jobs)) for image in _read(folder / name / FILE)]
+
     def index(self, folder: Path, registries: oci.Registries) -> list[Image]:
         """Makes an index of the images that jobs for one platform each pushed, and moves the tags to it: all of them, when all
         images are there. Nothing is made of images that were not pushed.
@@ -292,10 +305,7 @@ class Job:
         """
         if self._values["push"] != "true":
             return []
-        # By their names: a job may have left other things, such as what its tests wrote.
-        jobs = [Job({**self._values, "platform": name}, {}, self._what, self._say).name for name in self._platforms]
-        found = [image for name in (self.name, *jobs) for image in _read(folder / name / FILE)]
-        made = []
+        found, made = self.made(folder), []
         for target in [*listed(self._values["target"]), SLIM]:
             wanted = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._what)))
             members = [image for image in found if (image.target, image.name, image.tags) == wanted]

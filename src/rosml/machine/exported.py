@@ -76,7 +76,7 @@ def unpack(
     refused: dict[str, str] = {}
     count = total = 0
     try:
-        with tarfile.open(archive, "r|", errors="surrogateescape") as entries:
+        with tarfile.open(archive, "r:", errors="surrogateescape") as entries:
             for entry in entries:
                 count += 1
                 if count > limits.entries:
@@ -109,7 +109,7 @@ def _refusal(entry: tarfile.TarInfo, path: PurePosixPath, limits: Limits) -> str
     """Why an entry is not written; empty if it may be."""
     if path.is_absolute() or not path.parts or ".." in path.parts:
         return "its path leads elsewhere"
-    if not entry.isreg():
+    if entry.type not in (tarfile.REGTYPE, tarfile.AREGTYPE):
         return f"it is {_KINDS.get(entry.type, 'no file')}, and not a file"
     if not str(path).isprintable() or any(len(part.encode(errors="replace")) > 255 for part in path.parts):
         return "its name cannot be shown"
