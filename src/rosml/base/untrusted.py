@@ -60,6 +60,15 @@ def json_value(data: bytes | str, limit: int = SIZE) -> Any:
     return found
 
 
+def json_object(data: bytes | str, limit: int = SIZE) -> dict[str, Any] | None:
+    """The object of a JSON text; None if it is none that `json_value` takes."""
+    try:
+        found = json_value(data, limit)
+    except ValueError:
+        return None
+    return found if isinstance(found, dict) else None
+
+
 def json_values(data: bytes | str, limit: int = SIZE, one: bool = False) -> list[Any]:
     """The values of JSON texts that follow each other.
 

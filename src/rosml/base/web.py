@@ -1,21 +1,51 @@
-"""HTTP clients, as the environment has it: proxies and certificates that cannot be used are told, and are no traceback."""
+"""HTTP clients, as the environment has it: proxies and certificates that cannot be used are told, and are no traceback.
+
+What servers answer has limits here: addresses that they name are checked, redirects are counted, and a body is read as it was
+sent, up to a size. Nothing is unpacked: a few kB of gzip can hold gigabytes.
+"""
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import os
 import ssl
+import time
+from http.cookiejar import CookieJar
 from typing import Any
 
 import httpx
 
+from rosml.base import units
 from rosml.base.errors import RosmlError
 
 PROXIES = ("HTTPS_PROXY", "https_proxy", "HTTP_PROXY", "http_proxy", "ALL_PROXY", "all_proxy")
 
+REDIRECTS = 5
+"""How many redirects one request follows."""
+
+EXCERPT = 64 << 10
+"""Bytes that are read of an answer that nobody needs as a whole: an error, or a redirect."""
+
+
+LONGEST = 600.0
+"""Seconds that a body may take that is read as a whole."""
+
+
+class Unfit(ValueError):
+    """What a server sent and this program does not take. The message says why, in words."""
+
+
+class _NoCookies(CookieJar):
+    """Keeps nothing: no server that this program asks needs a cookie."""
+
+    def extract_cookies(self, *_: object) -> None:
+        pass
+
 
 def client(**options: Any) -> httpx.Client:
-    """A client of httpx, which trusts what `trusted` says unless told otherwise by `verify`.
+    """A client of httpx, which trusts what `trusted` says unless told otherwise by `verify`. It asks for bodies as they are,
+    and keeps no cookies.
 
     Raises:
         RosmlError: a variable of the environment names a proxy of a kind that is not supported, or certificates that cannot
@@ -24,7 +54,8 @@ def client(**options: Any) -> httpx.Client:
     try:
         if "verify" not in options:  # who speaks plain http reads no certificates
             options["verify"] = trusted()
-        return httpx.Client(**options)
+        headers = {"Accept-Encoding": "identity", **options.pop("headers", {})}
+        return httpx.Client(headers=headers, cookies=_NoCookies(), **options)
     except (ImportError, ValueError) as error:
         named = [f"{name}={os.environ[name].rpartition('@')[2]}" for name in PROXIES if os.environ.get(name)]
         text = f"a proxy of the environment cannot be used: {', '.join(named) or error}"
@@ -50,3 +81,107 @@ def trusted() -> ssl.SSLContext:
 @functools.cache
 def _trusted(_file: str, _folder: str) -> ssl.SSLContext:
     return httpx.create_ssl_context()
+
+
+# ---- Answers ---------------------------------------------------------------------------------------------------------
+
+
+def joined(base: httpx.URL, text: str) -> httpx.URL:
+    """The address that a server names, as seen from the address that it was asked at.
+
+    Raises:
+        Unfit: it is none that can be asked.
+    """
+    try:
+        return checked(base.join(text))
+    except (httpx.InvalidURL, ValueError):
+        raise Unfit("it names an address that is none") from None
+
+
+def checked(address: httpx.URL) -> httpx.URL:
+    """An address, if it can be asked.
+
+    Raises:
+        Unfit: it has another scheme than http and https, or a host that is no name.
+    """
+    try:
+        address.host.encode("idna")  # as the look-up of the name does it
+    except UnicodeError:
+        raise Unfit("it names a host that is no name") from None
+    port = 80 if address.port is None else address.port
+    if address.scheme not in ("http", "https") or not address.host or not 0 < port < 1 << 16:
+        raise Unfit("it names an address that is none")
+    return address
+
+
+def origin(address: httpx.URL) -> tuple[str, str, int | None]:
+    """Scheme, host and port: who is asked."""
+    return address.scheme, address.host, address.port
+
+
+def followed(client: httpx.Client, request: httpx.Request, elsewhere: bool) -> httpx.Response:
+    """Sends a request, and follows its redirects if it only reads. `Authorization` goes to no other origin. Nothing of the
+    answer's body is read yet.
+
+    Args:
+        elsewhere: follow redirects to other origins too. Otherwise such a redirect is the answer.
+
+    Raises:
+        Unfit: there are too many redirects, or one leads to no address.
+        httpx.HTTPError: nobody answers, or in no form that is HTTP.
+    """
+    answer = client.send(request, stream=True, follow_redirects=False)
+    for _ in range(REDIRECTS):
+        following = answer.next_request
+        if following is None or request.method not in ("GET", "HEAD"):
+            return answer
+        if not elsewhere and origin(following.url) != origin(request.url):
+            return answer
+        excerpt(answer)
+        checked(following.url)
+        answer = client.send(following, stream=True, follow_redirects=False)
+    answer.close()
+    raise Unfit("redirects without end")
+
+
+def read(answer: httpx.Response, limit: int) -> bytes:
+    """The body of an answer, as it was sent, up to its end.
+
+    Args:
+        limit: its largest size, in bytes.
+
+    Raises:
+        Unfit: it is larger, or takes longer than `LONGEST`.
+        httpx.HTTPError: it does not arrive.
+    """
+    said = answer.headers.get("content-length", "")
+    if said.isdecimal() and (len(said) > 18 or int(said) > limit) and answer.request.method != "HEAD":
+        answer.close()
+        raise Unfit(f"it has more than {units.size(limit)}")
+    blocks = _blocks(answer, limit)
+    if sum(map(len, blocks)) > limit:
+        raise Unfit(f"it has more than {units.size(limit)}")
+    return b"".join(blocks)
+
+
+def excerpt(answer: httpx.Response, limit: int = EXCERPT) -> bytes:
+    """The beginning of an answer's body, as it was sent. The rest is not read.
+
+    Raises:
+        httpx.HTTPError: it does not arrive.
+    """
+    return b"".join(_blocks(answer, limit))[:limit]
+
+
+def _blocks(answer: httpx.Response, limit: int) -> list[bytes]:
+    """The pieces of a body until they are more than `limit` bytes."""
+    found, room, end = [], limit, time.monotonic() + LONGEST
+    with contextlib.closing(answer):
+        for block in answer.iter_raw():
+            found.append(block)
+            room -= len(block)
+            if room < 0:
+                break
+            if time.monotonic() > end:
+                raise Unfit(f"it takes longer than {units.duration(LONGEST)}")
+    return found

@@ -39,20 +39,16 @@ def read(url: str, limit: int, variable: str) -> str:
     Raises:
         RosmlError: it does not answer.
     """
-    text = b""
     try:
-        with web.client(timeout=SECONDS, follow_redirects=True) as client, client.stream("GET", url) as answer:
-            answer.raise_for_status()
-            for block in answer.iter_bytes():
-                text += block
-                if len(text) >= limit:
-                    break
-    except httpx.HTTPStatusError as error:
-        reason = f"HTTP Error {error.response.status_code}"
-    except (httpx.HTTPError, httpx.InvalidURL) as error:
+        with web.client(timeout=SECONDS) as client:
+            answer = web.followed(client, client.build_request("GET", url), elsewhere=True)
+            text = web.excerpt(answer, limit)
+    except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
         reason = str(error) or type(error).__name__
     else:
-        return text[:limit].decode(errors="replace")
+        if answer.is_success:
+            return text.decode(errors="replace")
+        reason = f"HTTP Error {answer.status_code}"
     raise RosmlError(f"{shown(url)} does not answer ({reason})", f"check the network, HTTP_PROXY and {variable}")
 
 

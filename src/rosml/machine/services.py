@@ -12,7 +12,7 @@ from pathlib import Path
 import httpx
 from pydantic import TypeAdapter
 
-from rosml.base import files, untrusted
+from rosml.base import files, untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.registry import credentials
 
@@ -22,6 +22,7 @@ NAMESPACE = "rosml"
 
 REMEDY = "run 'rosml setup'"
 REGISTRY_SECONDS = 5.0
+ANSWER_BYTES = 4 << 20
 BUILDER_SECONDS = 60.0
 
 
@@ -172,20 +173,16 @@ class Services:
             RosmlError: no answer, or one that is not a success.
         """
         try:
-            answer = httpx.request(
-                method,
-                f"http://{self.registry}{path}",
-                headers={"Accept": accept},
-                timeout=REGISTRY_SECONDS,
-                trust_env=False,
-                verify=False,
-            )
-        except httpx.HTTPError as error:
+            with web.client(timeout=REGISTRY_SECONDS, trust_env=False, verify=False) as client:
+                url = f"http://{self.registry}{path}"
+                answer = client.send(client.build_request(method, url, headers={"Accept": accept}), stream=True)
+                content = web.read(answer, ANSWER_BYTES)
+        except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
             raise RosmlError(f"the registry at {self.registry} does not answer: {error}", REMEDY) from None
         if not answer.is_success:
             text = f"the registry at {self.registry} answers {answer.status_code} to {method} {path}"
             raise RosmlError(text, REMEDY)
-        return answer.headers, answer.content
+        return answer.headers, content
 
     def require_builder(self, platform: str = "") -> None:
         """Checks that buildx reaches the builder, and that it runs programs of a platform.

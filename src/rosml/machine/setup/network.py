@@ -52,9 +52,9 @@ def _ask_docker_hub(ca_bundle: str, answers: list[bool]) -> None:
     """Adds whether it answers, as soon as that is known."""
     try:
         trusted = ssl.create_default_context(cafile=ca_bundle or None)
-        with web.client(verify=trusted, timeout=HUB_SECONDS) as client:
-            answers.append(_is_registry(client.get(HUB_API)))
-    except (httpx.HTTPError, httpx.InvalidURL, OSError, RosmlError):
+        with web.client(verify=trusted, timeout=HUB_SECONDS) as client, client.stream("GET", HUB_API) as answer:
+            answers.append(_is_registry(answer))
+    except (httpx.HTTPError, httpx.InvalidURL, OSError, ValueError, RosmlError):
         answers.append(False)
 
 
@@ -67,8 +67,12 @@ def _is_registry(answer: httpx.Response) -> bool:
 def registry_answers(address: str) -> bool:
     """Whether a registry answers on a loopback address; never through a proxy."""
     try:
-        return _is_registry(httpx.get(f"http://{address}/v2/", timeout=3.0, trust_env=False, verify=False))
-    except httpx.HTTPError:
+        with (
+            web.client(timeout=3.0, trust_env=False, verify=False) as client,
+            client.stream("GET", f"http://{address}/v2/") as answer,
+        ):
+            return _is_registry(answer)
+    except (httpx.HTTPError, httpx.InvalidURL, ValueError):
         return False
 
 
