@@ -70,6 +70,7 @@ class MemoryRegistry(Registry):
     die_after: bool = False
     refuses: set[str] = field(default_factory=set)
     lock: Any = field(default_factory=threading.RLock)
+    host: str = HOST
 
     def copy(self) -> MemoryRegistry:
         """A registry with the same content; what is written into one is not in the other."""
@@ -116,11 +117,11 @@ class MemoryRegistry(Registry):
         found = self.manifest(repository, reference)
         return found.digest if found else ""
 
-    def blob(self, repository: str, name: str) -> bytes:
+    def blob(self, repository: str, digest: str, limit: int = oci.BLOB_BYTES) -> bytes:
         self._read()
-        if name not in self.blobs.get(repository, {}):
-            raise RosmlError(f"{repository}: there is no blob {name}", "check the reference that leads there")
-        return self.blobs[repository][name]
+        if digest not in self.blobs.get(repository, {}):
+            raise RosmlError(f"{repository}: there is no blob {digest}", "check the reference that leads there")
+        return self.blobs[repository][digest]
 
     def put_blob(self, repository: str, data: bytes) -> str:
         with self.lock:
@@ -184,6 +185,8 @@ class MemoryRegistry(Registry):
             raise RosmlError("the registry refuses to attach", "ask who runs it")
         layer = {"mediaType": media_type, "digest": self.put_blob(repository, part), "size": len(part)}
         content = {
+            "schemaVersion": 2,
+            "mediaType": IMAGE,
             "artifactType": artifact_type,
             "layers": [layer],
             "annotations": dict(annotations or {}),

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import base64
-import binascii
-import json
 import os
 import subprocess
 from collections.abc import Mapping
@@ -12,7 +10,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from pydantic import BaseModel, ConfigDict
+
 from rosml import STATE
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 
 DOCKER_HUB = "docker.io"
@@ -30,6 +31,8 @@ OWN = "regctl/docker.json"
 
 TOKEN_USER = "<token>"
 """What a helper calls the user where the secret is an identity token."""
+
+_REMEDY = "correct it, or log in again: docker login"
 
 
 @dataclass(frozen=True)
@@ -78,10 +81,10 @@ def from_docker(host: str) -> Credentials | None:
     helpers = _object(config.get("credHelpers"), f"{file}: credHelpers")
     for name in names:
         if helpers.get(name):
-            return _helper(str(helpers[name]), name)
+            return _helper(_program(helpers[name], file), name)
     if config.get("credsStore"):
         for name in names:
-            if found := _helper(str(config["credsStore"]), name):
+            if found := _helper(_program(config["credsStore"], file), name):
                 return found
     return _of(config.get("auths"), names, str(file))
 
@@ -89,18 +92,9 @@ def from_docker(host: str) -> Credentials | None:
 def own(state: Path) -> dict[str, Any]:
     """What set-up wrote down for the local registry; nothing if it was never set up, or belongs to another user."""
     try:
-        return json_object((state / OWN).read_bytes()) or {}
+        return untrusted.json_object((state / OWN).read_bytes()) or {}
     except OSError:
         return {}
-
-
-def json_object(text: str | bytes) -> dict[str, Any] | None:
-    """The JSON object of a text; None where it is none."""
-    try:
-        content = json.loads(text)
-    except (ValueError, RecursionError):
-        return None
-    return content if isinstance(content, dict) else None
 
 
 def _from_variable(names: tuple[str, ...]) -> Credentials | None:
@@ -108,7 +102,7 @@ def _from_variable(names: tuple[str, ...]) -> Credentials | None:
     text = os.environ.get(VARIABLE, "")
     if not text:
         return None
-    content = json_object(text)
+    content = untrusted.json_object(text)
     if content is None:
         remedy = f'let it hold {{"auths": {{"{names[-1]}": {{"auth": …}}}}}}, or unset it'
         raise RosmlError(f"{VARIABLE} is no JSON object", remedy, exit_code=2)
@@ -126,18 +120,18 @@ def _object(value: Any, what: str) -> dict[str, Any]:
     """A JSON object of the file or the variable; an empty one where it says nothing. Nothing of its text is shown."""
     if value is None or isinstance(value, dict):
         return value or {}
-    raise RosmlError(f"{what} is no JSON object", "mend it, or log in again: docker login", exit_code=2)
+    raise RosmlError(f"{what} is no JSON object", _REMEDY, exit_code=2)
 
 
 def _read(file: Path) -> dict[str, Any]:
     try:
-        config = json_object(file.read_bytes())
+        config = untrusted.json_object(file.read_bytes())
     except FileNotFoundError:
         return {}
     except OSError as error:
         raise RosmlError(f"cannot read {file}: {error.strerror}", "make it readable, or set DOCKER_CONFIG") from None
     if config is None:
-        raise RosmlError(f"{file} is no JSON object", "mend it, or log in again: docker login")
+        raise RosmlError(f"{file} is no JSON object", _REMEDY)
     return config
 
 
@@ -146,25 +140,39 @@ def _bare(name: str) -> str:
     return name.partition("://")[2].partition("/")[0] if "://" in name else name.partition("/")[0]
 
 
+class _Entry(BaseModel):
+    """What `auths` has for a registry."""
+
+    model_config = ConfigDict(strict=True)
+
+    auth: str | None = None
+    username: str | None = None
+    password: str | None = None
+    identitytoken: str | None = None
+
+
 def _entry(entry: Mapping[str, Any], place: str, host: str) -> Credentials | None:
-    if token := entry.get("identitytoken"):
-        return Credentials(identity_token=str(token))
-    if auth := entry.get("auth"):
-        try:
-            username, colon, password = base64.b64decode(str(auth), validate=True).decode().partition(":")
-        except (binascii.Error, UnicodeDecodeError):
-            colon = ""
-        if not colon:
-            raise RosmlError(f"{place}: what it has for {host} cannot be read", f"docker login {host}")
-        return Credentials(username, password.rstrip("\0"))
-    if entry.get("username"):
-        return Credentials(str(entry["username"]), str(entry.get("password", "")))
-    return None
+    try:
+        found = _Entry.model_validate(entry)
+        if found.identitytoken:
+            return Credentials(identity_token=found.identitytoken)
+        if found.auth:
+            username, password = base64.b64decode(found.auth, validate=True).decode().split(":", 1)
+            return Credentials(username, password.rstrip("\0"))
+    except ValueError:  # also of text that is not ASCII, or not UTF-8. Nothing of it is shown
+        raise RosmlError(f"{place}: what it has for {host} cannot be read", f"docker login {host}") from None
+    return Credentials(found.username, found.password or "") if found.username else None
 
 
-def _helper(name: str, server: str) -> Credentials | None:
+def _program(name: Any, file: Path) -> str:
+    """The program of a credential helper that the config file names."""
+    if not isinstance(name, str) or "/" in name:
+        raise RosmlError(f"{file}: a credential helper has no name that a program can have", _REMEDY)
+    return f"docker-credential-{name}"
+
+
+def _helper(program: str, server: str) -> Credentials | None:
     """Asks a credential helper. One that fails has none: that is how they say so."""
-    program = f"docker-credential-{name}"
     try:
         done = subprocess.run(
             [program, "get"],
@@ -172,6 +180,7 @@ def _helper(name: str, server: str) -> Credentials | None:
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
             text=True,
+            encoding="utf-8",
             errors="replace",  # or the error would have its text, which may hold the secret
             timeout=HELPER_SECONDS,
             check=False,
@@ -183,9 +192,8 @@ def _helper(name: str, server: str) -> Credentials | None:
         raise RosmlError(f"{program}, which Docker's config file names for {server}: {reason}", remedy) from None
     if done.returncode != 0:
         return None
-    try:
-        answer = json.loads(done.stdout)
-        username, secret = str(answer["Username"]), str(answer["Secret"])
-    except (KeyError, TypeError, ValueError):  # its text may hold the secret: it is not shown
-        raise RosmlError(f"{program} does not answer as credential helpers do", f"docker login {server}") from None
+    answer = untrusted.json_object(done.stdout) or {}
+    username, secret = answer.get("Username"), answer.get("Secret")
+    if not isinstance(username, str) or not isinstance(secret, str):  # its text may hold the secret: it is not shown
+        raise RosmlError(f"{program} does not answer as credential helpers do", f"docker login {server}")
     return Credentials(identity_token=secret) if username == TOKEN_USER else Credentials(username, secret)

@@ -6,9 +6,8 @@ repr holds a password, a token or a signed address.
 
 from __future__ import annotations
 
-import base64
 import contextlib
-import email.utils
+import functools
 import hashlib
 import json
 import logging
@@ -22,14 +21,18 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeVar
 
 import httpx
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ValidationError
 
-from rosml.base import web
+from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.base.problems import first_of, listed
-from rosml.registry import certificates
+from rosml.base.problems import first_of
+from rosml.base.units import size as in_words
+from rosml.registry import answers, certificates, documents, login
 from rosml.registry import credentials as docker
+from rosml.registry.answers import Answer, after, codes, reason
 from rosml.registry.credentials import DOCKER_HUB, Credentials
+from rosml.registry.documents import DIGEST, MEDIA_TYPE, TAG, Descriptor
+from rosml.registry.failures import Busy, Denied, Refused, Transient, Untrusted, named, transport, unfit
 
 IMAGE = "application/vnd.oci.image.manifest.v1+json"
 INDEX = "application/vnd.oci.image.index.v1+json"
@@ -62,17 +65,24 @@ ANSWER_SECONDS = 60.0
 CONNECTIONS = 32
 """Open connections to one registry."""
 
-_TRANSIENT = (429, 500, 502, 503, 504)
-_SETTLED = frozenset(range(300, 600)).difference(_TRANSIENT)
+CONFIG_BYTES = 8 << 20
+"""Largest config of an image. Real ones have some kB."""
+
+BLOB_BYTES = 64 << 20
+"""Largest blob that is read into memory, unless who reads it says otherwise. Layers are not: they are read as they arrive."""
+
+PAGES = 1000
+"""How many pages a list has at most. Registries give 100 to 1,000 tags on each."""
+
+LIST_BYTES = 64 << 20
+"""Largest list, of all its pages together."""
+
+_SETTLED = frozenset(range(300, 600)).difference(login.BUSY)
 _UNKNOWN = {"BLOB_UNKNOWN", "MANIFEST_BLOB_UNKNOWN", "MANIFEST_UNKNOWN"}
-_REDIRECTS = 5
 _BLOCK = 1 << 20
-_TAG = r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}"
-_DIGEST = r"sha256:[0-9a-f]{64}|sha512:[0-9a-f]{128}"
 _HOST = r"(?:[A-Za-z0-9](?:[A-Za-z0-9.-]*[A-Za-z0-9])?|\[[0-9A-Fa-f:]+\])(?::[0-9]{1,5})?"
 _PATH = r"[a-z0-9]+(?:(?:[._]|__|-+)[a-z0-9]+)*(?:/[a-z0-9]+(?:(?:[._]|__|-+)[a-z0-9]+)*)*"
-_REFERENCE = re.compile(rf"({_HOST})/({_PATH})(?::({_TAG}))?(?:@({_DIGEST}))?")
-_CHALLENGE = re.compile(r'(\w+)\s*=\s*(?:"([^"]*)"|([^\s,"]+))')
+_REFERENCE = re.compile(rf"({_HOST})/({_PATH})(?::({TAG}))?(?:@({DIGEST}))?")
 
 # httpx logs whole addresses, and those of a registry's storage are signed.
 logging.getLogger("httpx").setLevel(logging.WARNING)
@@ -156,7 +166,7 @@ def is_place(host: str, path: str) -> bool:
 
 def is_digest(reference: str) -> bool:
     """Whether it is a digest; a tag otherwise."""
-    return re.fullmatch(_DIGEST, reference) is not None
+    return re.fullmatch(DIGEST, reference) is not None
 
 
 def digest_of(data: bytes) -> str:
@@ -199,12 +209,20 @@ def artifact(
 
 @dataclass(frozen=True)
 class Manifest:
-    """A manifest or index as a registry holds it. `size` is in bytes."""
+    """A manifest or index as a registry holds it. `size` is in bytes.
+
+    Attributes:
+        content: all that it has, to pass it on. To read it, there are the properties: they have the form that OCI gives them.
+    """
 
     content: dict[str, Any]
     digest: str
     media_type: str
     size: int
+
+    @functools.cached_property
+    def _document(self) -> documents.Image | documents.Index:
+        return (documents.Index if self.is_index else documents.Image).model_validate(self.content)
 
     @property
     def is_index(self) -> bool:
@@ -216,44 +234,65 @@ class Manifest:
         """What points at it: as subject, or in an index."""
         return {"mediaType": self.media_type, "digest": self.digest, "size": self.size}
 
+    @property
+    def members(self) -> list[Descriptor]:
+        """The manifests that an index lists; none of an image."""
+        return self._document.manifests or []
 
-class _Shape(BaseModel):
-    """What this program reads of an answer, in the form that the distribution API gives it; it may have more. Annotations are
-    in none: anybody may write anything there."""
+    @property
+    def layers(self) -> list[Descriptor]:
+        """The layers of an image, lowest first; none of an index."""
+        return self._document.layers or []
 
-    model_config = ConfigDict(strict=True)
+    @property
+    def config(self) -> Descriptor | None:
+        """What points at the config of an image; None of an index, and of some artifacts."""
+        return self._document.config
 
+    @property
+    def annotations(self) -> dict[str, str]:
+        """What it says of itself."""
+        return self._document.annotations
 
-class _Platform(_Shape):
-    os: str = ""
-    architecture: str = ""
-    variant: str | None = None
+    @property
+    def artifact_type(self) -> str:
+        """Of which kind an artifact is; empty of an image."""
+        return self._document.artifactType or ""
 
+    def require_shape(self) -> None:
+        """Checks that it has the form that OCI gives it.
 
-class _Descriptor(_Shape):
-    mediaType: str
-    digest: str = Field(pattern=r"^[a-z0-9+._-]+:[A-Za-z0-9=_-]+$")
-    size: int = Field(ge=0)
-    platform: _Platform | None = None
-
-
-class _Image(_Shape):
-    schemaVersion: int
-    config: _Descriptor | None = None
-    layers: list[_Descriptor] = []
-
-
-class _Index(_Shape):
-    schemaVersion: int
-    manifests: list[_Descriptor] | None
-
-
-class _Referrers(_Shape):
-    manifests: list[_Descriptor] | None
+        Raises:
+            ValidationError: it has not.
+        """
+        _ = self._document
 
 
-class _Tags(_Shape):
-    tags: list[str] | None
+@dataclass(frozen=True)
+class Config:
+    """The config of an image.
+
+    Attributes:
+        content: all that it has, to pass it on. facts: what of it this program reads.
+    """
+
+    content: dict[str, Any]
+    facts: documents.Config
+
+    @property
+    def labels(self) -> dict[str, str]:
+        """The labels of the image."""
+        return (self.facts.config and self.facts.config.Labels) or {}
+
+    @property
+    def environment(self) -> list[str]:
+        """The variables that containers get: `NAME=value`."""
+        return (self.facts.config and self.facts.config.Env) or []
+
+    @property
+    def diff_ids(self) -> list[str]:
+        """Digests of the layers before they were compressed, lowest first."""
+        return (self.facts.rootfs and self.facts.rootfs.diff_ids) or []
 
 
 REMEDY = (
@@ -265,58 +304,6 @@ REMEDY = (
 
 class Undeletable(RosmlError):
     """The registry deletes no manifest, whichever it is."""
-
-
-class _Busy(RosmlError):
-    """The registry answered each time that it cannot answer now."""
-
-
-class _Transient(Exception):
-    """Something that may be gone a moment later.
-
-    Attributes:
-        after: seconds that the registry asks to wait. connected: whether there was somebody at all.
-        final: the kind of error that it is, if it stays.
-    """
-
-    def __init__(
-        self, message: str, after: float = 0.0, connected: bool = True, final: type[RosmlError] = RosmlError
-    ) -> None:
-        super().__init__(message)
-        self.after = after
-        self.connected = connected
-        self.final = final
-
-
-class _Refused(_Transient):
-    """What the registry may take a moment later, as when another machine makes the repository, or when a part of the registry
-    has not heard yet of a blob that another part has.
-
-    Attributes:
-        error: what is wrong, if it stays.
-    """
-
-    def __init__(self, error: RosmlError) -> None:
-        super().__init__(error.message)
-        self.error = error
-
-
-class _Denied(_Refused):
-    """What is denied to an account that the registry knows. There may be no such repository yet."""
-
-
-class _Untrusted(_Transient):
-    """A registry whose certificate is not trusted, or none: sending it again does not help."""
-
-
-@dataclass(frozen=True)
-class _Challenge:
-    """How a registry wants to be told who asks."""
-
-    bearer: bool
-    realm: str
-    service: str
-    scopes: frozenset[str]
 
 
 class Registry:
@@ -343,30 +330,24 @@ class Registry:
             credentials: gives those of a host; they are asked for once, when the registry wants them.
         """
         self.host = host
-        local = _is_local(host)
+        local = login.is_local(host)
         trusted = certificates.of(host)
         scheme = "http" if (local and not trusted if plain is None else plain) else "https"
         self.base = httpx.URL(f"{scheme}://{'registry-1.docker.io' if host == DOCKER_HUB else host}")
         self._client = web.client(
-            headers={"User-Agent": "rosml", "Accept-Encoding": "identity"},  # bytes as they are stored
+            headers={"User-Agent": "rosml"},
             timeout=httpx.Timeout(ANSWER_SECONDS, connect=10.0, pool=None),
             limits=httpx.Limits(max_connections=CONNECTIONS, max_keepalive_connections=CONNECTIONS),
             verify=scheme == "https" and certificates.context(ca_bundle, trusted),
             trust_env=not local,  # a proxy could not reach this machine
         )
-        self._find_credentials = credentials
-        self._credentials: Credentials | None = None
-        self._asked = False
-        self._challenge: _Challenge | None = None
-        self._tokens: dict[frozenset[str], tuple[str, float]] = {}
+        self._login = login.Login(host, self.base, self._client, credentials)
         self._lock = threading.Lock()  # of its own state; never held while somebody is asked
-        self._asking = threading.Lock()
         self._attaching: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)  # by the tag of a list
         self._reached = False
         self.uploaded = 0
         self._keeping: set[str] = set()  # repositories that did not discard something
         self._there: set[str] = set()  # repositories that have a manifest, or had
-        self._logged_in = False  # it has taken the credentials
         self._warned = False
         self._keeps_account: bool | None = None  # of referrers; None until it was asked
 
@@ -391,17 +372,18 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses; or what it sends is damaged.
         """
-        answer = self._look("GET", f"{repository}/manifests/{reference}", repository)
+        answer = self._look("GET", _manifest(repository, reference), repository)
         if answer is None:
             return None
         if is_digest(reference):
             _verified(answer.content, reference)
         digest = reference if is_digest(reference) else digest_of(answer.content)
         content = self._object(answer)
-        kind = answer.headers.get("content-type", "").partition(";")[0].strip()
-        media_type = str(content.get("mediaType") or kind)
-        self._shaped(answer, content, _Index if media_type in INDEXES else _Image)
-        return Manifest(content, digest, media_type, len(answer.content))
+        media_type = str(content.get("mediaType") or _media_type(answer))
+        found = Manifest(content, digest, media_type, len(answer.content))
+        with self._shaped(answer):
+            found.require_shape()
+        return found
 
     def put_manifest(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str = IMAGE
@@ -421,7 +403,7 @@ class Registry:
         digest = digest_of(data)
         answer = self._ask(
             "PUT",
-            f"{repository}/manifests/{reference or digest}",
+            _manifest(repository, reference or digest),
             repository,
             headers={"Content-Type": media_type},
             content=data,
@@ -436,11 +418,11 @@ class Registry:
         Raises:
             RosmlError: it is not there; the registry does not answer or refuses.
         """
-        answer = self._look("GET", f"{repository}/manifests/{digest}", repository)
+        answer = self._look("GET", _manifest(repository, digest), repository)
         if answer is None:
             raise RosmlError(f"{self.host}/{repository}@{digest} is not there, so no tag can point at it")
         _verified(answer.content, digest)
-        self.put_manifest(repository, name, answer.content, answer.headers.get("content-type", IMAGE))
+        self.put_manifest(repository, name, answer.content, _media_type(answer) or IMAGE)
 
     def head(self, repository: str, reference: str) -> str:
         """The digest behind a tag or digest; empty if there is nothing.
@@ -448,10 +430,11 @@ class Registry:
         Raises:
             RosmlError: the registry does not answer or refuses.
         """
-        answer = self._look("HEAD", f"{repository}/manifests/{reference}", repository)
+        answer = self._look("HEAD", _manifest(repository, reference), repository)
         if answer is None:
             return ""
-        if digest := answer.headers.get("docker-content-digest", ""):
+        digest = answer.headers.get("docker-content-digest", "")
+        if digest == reference or (is_digest(digest) and not is_digest(reference)):
             return str(digest)
         found = self.manifest(repository, reference)
         return found.digest if found else ""
@@ -463,8 +446,8 @@ class Registry:
             RosmlError: the registry does not answer or refuses.
         """
         found: list[str] = []
-        for page in self._pages(f"{repository}/tags/list?n=1000", repository, _Tags):
-            found += page["tags"] or []
+        for page in self._pages(f"{repository}/tags/list?n=1000", repository, documents.Tags):
+            found += page.get("tags") or []
         return found
 
     def delete(self, repository: str, reference: str) -> None:
@@ -487,55 +470,94 @@ class Registry:
         if repository in self._keeping:
             return
         try:  # 404 may also be how a registry says that it knows no such request; nobody waits for one that is busy
-            answer = self._deletion(repository, digest, (404, 405, *_TRANSIENT))
+            answer = self._deletion(repository, digest, (404, 405, *login.BUSY))
             gone = answer.is_success or not self.head(repository, digest)
         except RosmlError:
             gone = False
         if not gone:
             self._keeping.add(repository)
 
-    def _deletion(self, repository: str, reference: str, allow: tuple[int, ...]) -> httpx.Response:
-        path, also = f"{repository}/manifests/{reference}", (_scope(repository, "delete"),)
+    def _deletion(self, repository: str, reference: str, allow: tuple[int, ...]) -> Answer:
+        path, also = _manifest(repository, reference), (_scope(repository, "delete"),)
         return self._ask("DELETE", path, repository, allow=allow, push=True, also=also)
 
     # ---- Blobs -------------------------------------------------------------------------------------------------------
 
-    def blob(self, repository: str, digest: str) -> bytes:
+    def blob(self, repository: str, digest: str, limit: int = BLOB_BYTES) -> bytes:
         """A blob, checked against its digest; for small ones.
 
-        Raises:
-            RosmlError: there is none, or it has another digest; the registry does not answer or refuses.
-        """
-        return _verified(self._ask("GET", f"{repository}/blobs/{digest}", repository).content, digest)
+        Args:
+            limit: its largest size, in bytes.
 
-    def json_blob(self, repository: str, digest: str) -> dict[str, Any]:
+        Raises:
+            RosmlError: there is none, it is larger, or it has another digest; the registry does not answer or refuses.
+        """
+        _hash(digest)
+        return _verified(self._ask("GET", f"{repository}/blobs/{digest}", repository, limit=limit).content, digest)
+
+    def part(self, repository: str, descriptor: Descriptor, limit: int = BLOB_BYTES) -> bytes:
+        """A blob that a manifest points at, as `blob` reads it. It has no more bytes than the manifest says."""
+        if descriptor.size > limit:
+            text = f"{self.host}/{repository}: {descriptor.digest} has {in_words(descriptor.size)}, and at most"
+            raise RosmlError(f"{text} {in_words(limit)} are read", "push what belongs there")
+        return self.blob(repository, descriptor.digest, descriptor.size)
+
+    def json_blob(self, repository: str, digest: str, limit: int = BLOB_BYTES) -> dict[str, Any]:
         """A blob that is a JSON object, as an image's config is.
 
         Raises:
             RosmlError: as in `blob`; or it is no JSON object.
         """
-        content = docker.json_object(self.blob(repository, digest))
-        if content is None:
-            raise RosmlError(f"{self.host}/{repository}: {digest} is no JSON object", "push it anew")
+        try:
+            content = untrusted.json_value(self.blob(repository, digest, limit), limit)
+        except ValueError as error:
+            text = f"{self.host}/{repository}: {digest} cannot be read: {error}"
+            raise RosmlError(text, "push it again") from None
+        if not isinstance(content, dict):
+            raise RosmlError(f"{self.host}/{repository}: {digest} is no JSON object", "push it again")
         return content
 
-    def read_blob(self, repository: str, digest: str, read: Callable[[Iterator[bytes]], T]) -> T:
+    def config(self, repository: str, manifest: Manifest, name: str = "") -> Config:
+        """The config of an image for one platform.
+
+        Args:
+            name: what the user called the image; by default its place and digest.
+
+        Raises:
+            RosmlError: it is no image (exit code 2), or its config has another form than OCI gives it; or as in `blob`.
+        """
+        name = name or f"{self.host}/{repository}@{manifest.digest}"
+        if manifest.config is None:
+            raise RosmlError(f"{name} is no image: it has no config", "check its name", exit_code=2)
+        if manifest.config.mediaType not in (CONFIG, DOCKER_CONFIG):
+            raise RosmlError(f"{name} is an artifact of another kind, no image", "check its name", exit_code=2)
+        content = self.json_blob(repository, manifest.config.digest, CONFIG_BYTES)
+        try:
+            return Config(content, documents.Config.model_validate(content))
+        except ValidationError as error:
+            text = f"{name}: its config is damaged: {first_of(error)}"
+            raise RosmlError(text, "build the image again and push it, or name another one") from None
+
+    def read_blob(
+        self, repository: str, digest: str, read: Callable[[Iterator[bytes]], T], size: int | None = None
+    ) -> T:
         """Has a function read a blob while it arrives. It may stop early: the rest is not downloaded.
 
         Args:
             read: gets the blob in pieces; from the beginning again if the connection breaks. Who reads to the end knows that
                 the digest is right.
+            size: of the blob, in bytes; not known if left out.
 
         Returns:
             What the function returns.
 
         Raises:
-            RosmlError: as in `blob`.
+            RosmlError: as in `blob`; or it is larger than `size`.
         """
 
         def once() -> T:
-            with self._stream(repository, digest) as answer:
-                return read(_checked(answer.iter_bytes(), digest))
+            with self._stream(repository, digest) as blocks:
+                return read(_checked(blocks, digest, size))
 
         return self._retried(once)
 
@@ -583,8 +605,8 @@ class Registry:
         """
 
         def blocks() -> Iterator[bytes]:
-            with source._stream(source_repository, digest) as answer:
-                yield from _checked(answer.iter_bytes(_BLOCK), digest)
+            with source._stream(source_repository, digest, _BLOCK) as found:
+                yield from _checked(found, digest, size)
 
         self._retried(lambda: self._upload(repository, digest, blocks(), size))
 
@@ -592,14 +614,12 @@ class Registry:
         scopes = self._scopes(repository, push=True)
         begun = self._send("POST", self._address(f"{repository}/blobs/uploads/"), scopes)
         self._expect(begun, (202,), repository, push=True)
-        if not begun.headers.get("location"):
-            raise RosmlError(f"{self.host} does not say where to upload to", "check the registry's set-up")
-        location = str(begun.url.join(begun.headers["location"]))
+        location = str(self._location(begun))
         address = httpx.URL(f"{location}{'&' if '?' in location else '?'}digest={_quoted(digest)}")
         headers = {"Content-Type": "application/octet-stream", "Content-Length": str(size)}
         ended = self._send("PUT", address, scopes, headers=headers, content=content)
         if ended.status_code == 404:  # the registry forgot the upload: another one may hold
-            raise _Transient("the registry no longer knows the upload")
+            raise Transient("the registry no longer knows the upload")
         self._expect(ended, (), repository, push=True)
 
     def may_push(self, repository: str) -> None:
@@ -610,11 +630,20 @@ class Registry:
         """
         self._give_up(repository, self._ask("POST", f"{repository}/blobs/uploads/", repository, push=True))
 
-    def _give_up(self, repository: str, begun: httpx.Response) -> None:
-        """Ends an upload that nobody wants."""
-        if location := begun.headers.get("location"):
-            with contextlib.suppress(RosmlError, _Transient):
-                self._send("DELETE", begun.url.join(location), self._scopes(repository, push=True))
+    def _location(self, begun: Answer) -> httpx.URL:
+        """Where an upload goes that was begun."""
+        try:
+            return web.joined(begun.url, begun.headers.get("location") or "//")
+        except web.Unfit:
+            text = f"{self.host} does not say where to upload to"
+            raise RosmlError(text, "check the set-up of the registry and its proxy") from None
+
+    def _give_up(self, repository: str, begun: Answer) -> None:
+        """Ends an upload that nobody wants. No other host is told to delete something."""
+        with contextlib.suppress(RosmlError, Transient):
+            address = self._location(begun)
+            if web.origin(address) == web.origin(self.base):
+                self._send("DELETE", address, self._scopes(repository, push=True))
 
     # ---- Referrers ---------------------------------------------------------------------------------------------------
 
@@ -630,7 +659,9 @@ class Registry:
             return []  # in a repository that does not exist, the registry may deny anything
         query = f"?artifactType={_quoted(artifact_type)}" if artifact_type else ""
         path = f"{repository}/referrers/{digest}{query}"
-        pages = list(self._pages(path, repository, _Referrers)) if self._has_referrers(path, repository) else []
+        pages = (
+            list(self._pages(path, repository, documents.Referrers)) if self._has_referrers(path, repository) else []
+        )
         if not pages and (fallback := self.manifest(repository, _fallback_tag(digest))):
             pages = [fallback.content]
         found = [entry for page in pages for entry in page.get("manifests") or []]
@@ -645,9 +676,9 @@ class Registry:
         if self._keeps_account is None:
             try:
                 answer = self._ask("GET", path, repository, allow=_SETTLED)
-                content = docker.json_object(answer.content) if answer.status_code == 200 else None
-                found = content is not None and not _misfit(content, _Referrers)
-            except _Busy:
+                content = untrusted.json_object(answer.content) if answer.status_code == 200 else None
+                found = content is not None and not answers.misfit(content, documents.Referrers)
+            except Busy:
                 found = False
             with self._lock:  # an artifact that was put meanwhile knows it better
                 self._keeps_account = self._keeps_account or found
@@ -768,17 +799,18 @@ class Registry:
         allow: Container[int] = (),
         push: bool = False,
         also: Iterable[str] = (),
-    ) -> httpx.Response:
+        limit: int = answers.JSON_BYTES,
+    ) -> Answer:
         """A request, sent again as long as that may help. Any success is an answer, and what `allow` lists."""
         scopes = self._scopes(repository, push, also)
 
-        def once() -> httpx.Response:
-            answer = self._send(method, self._address(path), scopes, headers=headers, content=content)
+        def once() -> Answer:
+            answer = self._send(method, self._address(path), scopes, headers=headers, content=content, limit=limit)
             return self._expect(answer, allow, repository, push)
 
         return self._retried(once)
 
-    def _look(self, method: str, path: str, repository: str) -> httpx.Response | None:
+    def _look(self, method: str, path: str, repository: str) -> Answer | None:
         """A request for what may not be there; None where it is not.
 
         ghcr.io may deny what is in a repository that does not exist yet, instead of saying so. What is denied to an account
@@ -788,11 +820,11 @@ class Registry:
         """
         scopes, accept = self._scopes(repository), {"Accept": _ACCEPT} if "/manifests/" in path else {}
 
-        def once() -> httpx.Response | None:
+        def once() -> Answer | None:
             try:
                 answer = self._send(method, self._address(path), scopes, headers=accept)
                 return self._expect(answer, (404,), repository, push=False)
-            except _Denied as denied:
+            except Denied as denied:
                 if repository in self._there:
                     raise
                 self._warn(denied)
@@ -805,24 +837,48 @@ class Registry:
             self._there.add(repository)
         return answer
 
-    def _warn(self, denied: _Denied) -> None:
+    def _warn(self, denied: Denied) -> None:
         """Tells people once that what is denied counts as missing."""
         with self._lock:
             warned, self._warned = self._warned, True
         if not warned:
             _LOG.warning("%s: taken for a repository that does not exist yet, as others like it", denied)
 
-    def _pages(self, path: str, repository: str, shape: type[_Shape]) -> Iterator[dict[str, Any]]:
-        """All pages of a list; none if the registry knows no such list."""
+    def _pages(self, path: str, repository: str, shape: type[BaseModel]) -> Iterator[dict[str, Any]]:
+        """All pages of a list; none if the registry knows no such list.
+
+        Raises:
+            RosmlError: the list has no end, or goes on elsewhere; or a page has another form.
+        """
         seen: set[str] = set()
+        room = LIST_BYTES
         while path and path not in seen:  # a registry that links to where we were would never end
             seen.add(path)
             answer = self._look("GET", path, repository)
             if answer is None:
                 return
-            yield self._shaped(answer, self._object(answer), shape)
-            following = answer.links.get("next", {}).get("url", "")
-            path = answer.url.join(following).raw_path.decode().partition("/v2/")[2] if following else ""
+            room -= len(answer.content)
+            if len(seen) > PAGES or room < 0:
+                raise unfit("GET", answer.url, "a list without end")
+            content = self._object(answer)
+            with self._shaped(answer):
+                shape.model_validate(content)
+            yield content
+            path = self._next(answer)
+
+    def _next(self, answer: Answer) -> str:
+        """The path of the page after this one; empty if it is the last."""
+        found = re.match(r"\s*<([^<>\s]{1,8192})>((?:\s*;[^;,]{0,256}){1,8})", answer.headers.get("link", ""))
+        if found is None or not re.search(r';\s*rel\s*=\s*"?next"?\s*(?:;|$)', found[2]):
+            return ""
+        try:
+            address = web.joined(answer.url, found[1])
+        except web.Unfit as error:
+            raise unfit("GET", answer.url, f"the next page: {error}") from None
+        path = address.raw_path.decode()
+        if address.host != self.base.host or not path.startswith("/v2/"):  # it is asked for at this registry alone
+            raise unfit("GET", answer.url, f"the next page is elsewhere: {named(address)}")
+        return path.removeprefix("/v2/")
 
     def _retried(self, work: Callable[[], T]) -> T:
         """Does some work, again as long as that may help: later each time, or when the registry asks for it."""
@@ -830,12 +886,12 @@ class Registry:
         while True:
             try:
                 return work()
-            except _Untrusted as error:
+            except Untrusted as error:
                 raise RosmlError(f"{self.host}: {error}", certificates.remedy(self.host, str(error))) from None
-            except _Transient as error:
+            except Transient as error:
                 attempt += 1
                 self._reached = self._reached or error.connected
-                if isinstance(error, _Refused) and attempt >= ATTEMPTS_REFUSED:
+                if isinstance(error, Refused) and attempt >= ATTEMPTS_REFUSED:
                     raise error.error from None
                 if attempt >= (ATTEMPTS if self._reached else ATTEMPTS_UNREACHED):
                     remedy = "run it again; what is finished is kept"
@@ -853,35 +909,39 @@ class Registry:
         *,
         headers: Mapping[str, str] | None = None,
         content: bytes | Iterator[bytes] | None = None,
-    ) -> httpx.Response:
+        limit: int = answers.JSON_BYTES,
+    ) -> Answer:
         """One request, with who asks: again, once, if the registry then says how it wants to be told."""
         request = self._client.build_request(method, address, headers=dict(headers or {}), content=content)
-        with self._open(request, scopes, again=not isinstance(content, Iterator)) as answer:
-            with _transport(method, address):
-                answer.read()
-            return answer
+        again = not isinstance(content, Iterator)
+        with self._open(request, scopes, again) as answer, transport(method, answer.url):
+            return answers.whole(answer, limit)
 
     @contextlib.contextmanager
-    def _stream(self, repository: str, digest: str) -> Iterator[httpx.Response]:
-        """A blob while it arrives."""
+    def _stream(self, repository: str, digest: str, block: int | None = None) -> Iterator[Iterator[bytes]]:
+        """The pieces of a blob while it arrives; of `block` bytes each, if that is given."""
         address = self._address(f"{repository}/blobs/{digest}")
         request = self._client.build_request("GET", address)
+
+        def blocks() -> Iterator[bytes]:
+            with transport("GET", address):
+                yield from answer.iter_raw(block)
+
         with self._open(request, self._scopes(repository)) as answer:
             if not answer.is_success:
-                answer.read()
-                self._expect(answer, (), repository, push=False)
-            with _transport("GET", address):
-                yield answer
+                with transport("GET", address):
+                    failed = answers.whole(answer, 0)
+                self._expect(failed, (), repository, push=False)
+            yield blocks()
 
     @contextlib.contextmanager
     def _open(self, request: httpx.Request, scopes: frozenset[str], again: bool = True) -> Iterator[httpx.Response]:
         answer, sent = self._exchange(request, scopes, "")
-        if answer.status_code == 401 and (challenge := _challenge(answer)):
-            answer.close()
-            with self._lock:
-                self._challenge = challenge
+        if self._login.challenged(answer):
+            with transport(request.method, request.url):
+                web.excerpt(answer)
             if not again:
-                raise _Transient("the registry asked anew who uploads")
+                raise Transient("the registry asked again who uploads")
             answer, _ = self._exchange(request, scopes, sent)
         try:
             yield answer
@@ -889,201 +949,101 @@ class Registry:
             answer.close()
 
     def _exchange(self, request: httpx.Request, scopes: frozenset[str], refused: str) -> tuple[httpx.Response, str]:
-        """Sends a request with who asks. Gives the answer, and what it was sent with."""
-        header = ""
-        if _origin(request.url) == _origin(self.base):  # nobody else is told who asks
-            header = self._authorization(scopes, refused)
+        """Sends a request with who asks. Gives the answer, and what it was sent with.
+
+        Redirects are followed of a blob to any storage, and of anything else within the registry. Who else answers knows
+        nothing of manifests, and would say that one is missing.
+        """
+        header = self._login.header(request.url, scopes, refused)
         request.headers.pop("authorization", None)
         if header:
             request.headers["Authorization"] = header
-        with _transport(request.method, request.url):
-            answer = self._followed(request)
+        with transport(request.method, request.url):
+            blob = request.url.path.rpartition("/")[0].endswith("/blobs")
+            answer = web.followed(self._client, request, elsewhere=blob)
         with self._lock:
             self._reached = True
             self.uploaded += int(request.headers.get("content-length", 0))
         return answer, header
 
-    def _followed(self, request: httpx.Request) -> httpx.Response:
-        """Sends a request, and follows redirects: of a blob to any storage, of anything else within the registry. Who else
-        answers knows nothing of manifests, and would say that one is missing."""
-        reads = request.method in ("GET", "HEAD")
-        if reads and request.url.path.rpartition("/")[0].endswith("/blobs"):
-            return self._client.send(request, stream=True, follow_redirects=True)
-        answer = self._client.send(request, stream=True)
-        for _ in range(_REDIRECTS):
-            following = answer.next_request
-            if not reads or following is None or _origin(following.url) != _origin(request.url):
-                break
-            answer.close()
-            answer = self._client.send(following, stream=True)
-        return answer
-
-    def _expect(self, answer: httpx.Response, allow: Container[int], repository: str, push: bool) -> httpx.Response:
+    def _expect(self, answer: Answer, allow: Container[int], repository: str, push: bool) -> Answer:
         """An answer, if it is a success or one of `allow`.
 
         Raises:
-            _Transient: it may be another one soon.
+            Transient: it may be another one soon.
             RosmlError: it will not.
         """
         code = answer.status_code
         if answer.is_success or code in allow:
             return answer
-        said = f"{answer.request.method} {answer.request.url.path}: {code}{_reason(answer)}"
-        if code in _TRANSIENT:
-            raise _Transient(said, _after(answer), final=_Busy)
-        if answer.has_redirect_location and not push:
-            raise _Transient(f"{said}: a redirect to {httpx.URL(answer.headers['location']).host or 'another place'}")
+        own = web.origin(answer.url) == web.origin(self.base)
+        said = f"{answer.method} {answer.url.path if own else named(answer.url)}: {code}{reason(answer)}"
+        if code in login.BUSY:
+            raise Transient(said, after(answer.headers), final=Busy)
+        if answer.redirect and not push:
+            raise Transient(f"{said}: a redirect to {answer.redirect}")
         if code in (401, 403):
-            error = self._denied(f"{'push to' if push else 'pull from'} {repository}", said)
-            passing = code == 403 and self._credentials and answer.request.method != "DELETE"
-            raise _Denied(error) if passing else error
-        if self.base.scheme == "http" and code == 400 and "https" in answer.text.lower():
+            error = self._login.denied(f"{'push to' if push else 'pull from'} {repository}", said)
+            passing = code == 403 and self._login.known and answer.method != "DELETE"
+            raise Denied(error) if passing else error
+        if self.base.scheme == "http" and code == 400 and b"https" in answer.content.lower():
             raise RosmlError(f"{self.host} does not speak plain http", certificates.remedy(self.host, ""))
+        missing = "check that this is there: see the reference"
         refused = RosmlError(
-            f"{self.host}: {said}", "check that this is there: see the reference" if code == 404 else ""
+            f"{self.host}: {said}", missing if code == 404 else "ask who runs the registry, or look into its log"
         )
-        if push and answer.request.method != "DELETE" and (code in (404, 409) or _codes(answer) & _UNKNOWN):
-            raise _Refused(refused)
+        if push and answer.method != "DELETE" and (code in (404, 409) or codes(answer) & _UNKNOWN):
+            raise Refused(refused)
         raise refused
 
-    def _denied(self, what: str, said: str) -> RosmlError:
-        known = "with the account that is logged in" if self._credentials else "without an account"
-        remedy = f"docker login {self.host}, with an account that may; or check that there is such a repository"
-        return RosmlError(f"{self.host}: access denied: cannot {what} {known} ({said})", remedy)
-
-    def _object(self, answer: httpx.Response) -> dict[str, Any]:
-        content = docker.json_object(answer.content)
-        if content is None:
-            asked = answer.request.url
+    def _object(self, answer: Answer) -> dict[str, Any]:
+        try:
+            content = untrusted.json_value(answer.content)
+        except ValueError as error:
+            content, why = None, str(error)
+        else:
+            why = "it is another value"
+        if not isinstance(content, dict):
             raise RosmlError(
-                f"{self.host}: the answer to GET {_named(asked)} is no JSON object, so no registry gave it",
+                f"{self.host}: the answer to GET {named(answer.url)} is no JSON object, so no registry gave it: {why}",
                 "check the address, and HTTPS_PROXY: a proxy may answer in its place, such as with a page to sign in",
             )
         return content
 
-    def _shaped(self, answer: httpx.Response, content: dict[str, Any], shape: type[_Shape]) -> dict[str, Any]:
-        """An answer, if it has what this program reads of it, in the form that the distribution API gives it.
-
-        Raises:
-            RosmlError: it has not.
-        """
-        if wrong := _misfit(content, shape):
-            text = f"{self.host} does not answer as a registry: GET {answer.request.url.path}: {wrong}"
-            remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push anew what is damaged there"
-            raise RosmlError(text, remedy) from None
-        return content
-
-    # ---- Who asks ----------------------------------------------------------------------------------------------------
-
-    def _authorization(self, scopes: frozenset[str], refused: str) -> str:
-        """The header that says who asks; empty as long as the registry did not want to know.
-
-        Args:
-            refused: the header that the registry just refused.
-        """
-        with self._lock:
-            challenge = self._challenge
-        if challenge is None:
-            return ""
-        if challenge.bearer and (header := self._kept(scopes, refused)):
-            return header
-        with self._asking:  # one thread at a time runs the program that keeps passwords, and asks for tokens
-            if not self._asked:
-                self._credentials, self._asked = self._find_credentials(self.host), True
-            known = self._credentials
-            if not challenge.bearer:
-                if known is None:
-                    raise self._denied("log in", "it asks for a user's name and a password")
-                return "Basic " + base64.b64encode(f"{known.username}:{known.password}".encode()).decode()
-            if header := self._kept(scopes, refused):
-                return header
-            token, seconds = self._token(challenge, scopes | challenge.scopes if refused else scopes, known)
-            with self._lock:
-                self._tokens[scopes] = (token, time.monotonic() + 0.8 * seconds)
-            return f"Bearer {token}"
-
-    def _kept(self, scopes: frozenset[str], refused: str) -> str:
-        """The header with the token that is there for some scopes; empty where there is none, or it does not hold."""
-        with self._lock:
-            token, end = self._tokens.get(scopes, ("", 0.0))
-        header = f"Bearer {token}"
-        return header if token and header != refused and time.monotonic() <= end else ""
-
-    def _token(self, challenge: _Challenge, scopes: frozenset[str], known: Credentials | None) -> tuple[str, float]:
-        """A Bearer token for some scopes, and for how many seconds it holds."""
+    @contextlib.contextmanager
+    def _shaped(self, answer: Answer) -> Iterator[None]:
+        """Says what is wrong with an answer that has another form than the distribution API gives it."""
         try:
-            realm = self.base.join(challenge.realm)
-        except httpx.InvalidURL:
-            raise RosmlError(
-                f"{self.host} does not say where to ask for a token", "check the registry's set-up"
-            ) from None
-        if realm.scheme != "https" and self.base.scheme == "https":
-            raise RosmlError(f"{self.host} wants passwords sent in the clear, to {realm.host}", "take another registry")
-        fields = {"service": challenge.service} if challenge.service else {}
-        with _transport("asking for a token at", realm):
-            if known and known.identity_token:
-                grant = {"grant_type": "refresh_token", "refresh_token": known.identity_token, "client_id": "rosml"}
-                answer = self._client.post(realm, data={**fields, **grant, "scope": " ".join(sorted(scopes))})
-            else:
-                query = [*realm.params.multi_items(), *fields.items(), *(("scope", item) for item in sorted(scopes))]
-                password = httpx.BasicAuth(known.username, known.password) if known else None
-                answer = self._client.get(realm.copy_with(params=query), auth=password)
-        if answer.status_code in _TRANSIENT:
-            raise _Transient(f"asking for a token: {answer.status_code}", _after(answer))
-        said = f"asking for a token: {answer.status_code}"
-        if answer.status_code == 403 and known and scopes:
-            if not self._logged_in:  # without a repository, it is the log-in alone that can be refused
-                self._token(challenge, frozenset(), known)
-            raise _Denied(self._denied(f"have {' '.join(sorted(scopes))}", said))
-        if not answer.is_success:
-            raise self._denied("log in", said)
-        self._logged_in = True
-        content = self._object(answer)
-        token = content.get("token") or content.get("access_token")
-        if not isinstance(token, str) or not token:
-            raise RosmlError(f"{self.host} gave no token, although it asks for one", "run it again")
-        seconds = content.get("expires_in")
-        return token, float(seconds) if isinstance(seconds, (int, float)) and seconds > 0 else 60.0
+            yield
+        except ValidationError as error:
+            text = f"{self.host} does not answer as a registry: GET {answer.url.path}: {first_of(error)}"
+            remedy = "check its name and the proxies (HTTPS_PROXY); if they are right, push again what is damaged there"
+            raise RosmlError(text, remedy) from None
 
 
 # ---- Helpers ---------------------------------------------------------------------------------------------------------
 
 
-@contextlib.contextmanager
-def _transport(method: str, address: httpx.URL) -> Iterator[None]:
-    """Turns what goes wrong on the way into something that may be gone a moment later."""
-    try:
-        yield
-    except httpx.TransportError as error:
-        text = str(error)
-        if "CERTIFICATE_VERIFY_FAILED" in text:
-            reason = re.sub(r"^.*certificate verify failed: | \(_ssl.*$", "", text)
-            raise _Untrusted(f"its certificate is not trusted: {reason}") from None
-        connected = not isinstance(error, httpx.ConnectError | httpx.ConnectTimeout)
-        raise _Transient(f"{method} {address.path}: {error or type(error).__name__}", connected=connected) from None
-    except (httpx.TooManyRedirects, httpx.DecodingError, httpx.InvalidURL) as error:
-        what = "redirects without end" if isinstance(error, httpx.TooManyRedirects) else type(error).__name__
-        raise RosmlError(
-            f"{method} {_named(address)}: {what}", "check the address, and the set-up of the registry and its proxy"
-        ) from None
-
-
-def _named(address: httpx.URL) -> str:
-    """An address for messages: without a user, and without what is asked for."""
-    return f"{address.host}{f':{address.port}' if address.port else ''}{address.path}"
-
-
-def _is_local(host: str) -> bool:
-    name = host.rpartition(":")[0] if re.search(r":[0-9]+$", host) else host
-    return name in ("localhost", "[::1]") or re.fullmatch(r"127(\.[0-9]+){3}", name) is not None
-
-
-def _origin(address: httpx.URL) -> tuple[str, str, int | None]:
-    return address.scheme, address.host, address.port
-
-
 def _scope(repository: str, actions: str) -> str:
     return f"repository:{repository}:{actions}"
+
+
+def _manifest(repository: str, reference: str) -> str:
+    """The path of a manifest.
+
+    Raises:
+        RosmlError: what names it, such as an index or a record, has neither a tag nor a digest there.
+    """
+    if not is_digest(reference) and not re.fullmatch(TAG, reference):
+        text = f"{reference[:200]!r} in {repository} is neither a tag nor a digest"
+        raise RosmlError(text, "check the reference that leads there", exit_code=2)
+    return f"{repository}/manifests/{reference}"
+
+
+def _media_type(answer: Answer) -> str:
+    """What an answer says that its body is; empty if it says nothing that can be read."""
+    said = answer.headers.get("content-type", "").partition(";")[0].strip()
+    return said if re.fullmatch(MEDIA_TYPE, said) else ""
 
 
 def _quoted(text: str) -> str:
@@ -1094,73 +1054,25 @@ def _fallback_tag(digest: str) -> str:
     return digest.replace(":", "-")
 
 
-def _challenge(answer: httpx.Response) -> _Challenge | None:
-    """What a registry that answered 401 asks for; None if it does not say so in a way that is known."""
-    for text in answer.headers.get_list("www-authenticate"):
-        scheme, _, rest = text.partition(" ")
-        fields = {name.lower(): quoted or bare for name, quoted, bare in _CHALLENGE.findall(rest)}
-        if scheme.lower() == "bearer" and fields.get("realm"):
-            scopes = frozenset(fields.get("scope", "").split())
-            return _Challenge(True, fields["realm"], fields.get("service", ""), scopes)
-        if scheme.lower() == "basic":
-            return _Challenge(False, "", "", frozenset())
-    return None
-
-
-def _reason(answer: httpx.Response) -> str:
-    """What a registry says about an error, in brackets; nothing if it says nothing."""
-    try:
-        errors = json.loads(answer.content)["errors"]
-        said = listed(list(dict.fromkeys(str(error.get("message") or error["code"]) for error in errors)))
-    except (AttributeError, KeyError, TypeError, ValueError, httpx.ResponseNotRead):
-        return ""
-    return f" ({said[:300]})"
-
-
-def _codes(answer: httpx.Response) -> set[str]:
-    """The codes of the errors of an answer."""
-    errors = (docker.json_object(answer.content) or {}).get("errors")
-    return (
-        {str(error.get("code")) for error in errors if isinstance(error, dict)} if isinstance(errors, list) else set()
-    )
-
-
-def _after(answer: httpx.Response) -> float:
-    """Seconds that a registry asks to wait: `Retry-After` has them, or a date."""
-    text = answer.headers.get("retry-after", "")
-    if text.isdecimal():
-        return float(text)
-    try:
-        return email.utils.parsedate_to_datetime(text).timestamp() - time.time()
-    except (TypeError, ValueError):
-        return 0.0
-
-
-def _misfit(content: Mapping[str, Any], shape: type[_Shape]) -> str:
-    """What of an answer has another form than the distribution API gives it; empty where nothing has."""
-    try:
-        shape.model_validate(content)
-    except ValidationError as error:
-        return first_of(error)
-    return ""
-
-
 def _hash(digest: str) -> Any:
-    algorithm = digest.partition(":")[0]
-    if algorithm not in ("sha256", "sha512"):
-        raise RosmlError(f"{digest} is a digest of a kind that is not known")
-    return hashlib.new(algorithm)
+    if not is_digest(digest):
+        raise RosmlError(f"{digest[:200]!r} is no digest", "name one as sha256: and 64 digits, or a tag")
+    return hashlib.new(digest.partition(":")[0])
 
 
 def _check(found: str, digest: str) -> None:
     if found != digest.partition(":")[2]:
-        raise RosmlError(f"what the registry has as {digest} has another digest", "it is damaged there: push it anew")
+        raise RosmlError(f"what the registry has as {digest} has another digest", "it is damaged there: push it again")
 
 
-def _checked(blocks: Iterable[bytes], digest: str) -> Iterator[bytes]:
+def _checked(blocks: Iterable[bytes], digest: str, size: int | None) -> Iterator[bytes]:
     """The pieces of a blob; after the last one, an error if the whole has another digest."""
-    state = _hash(digest)
+    state, found = _hash(digest), 0
     for block in blocks:
+        found += len(block)
+        if size is not None and found > size:
+            text = f"what the registry has as {digest} has more than the {size} bytes that its manifest says"
+            raise RosmlError(text, "it is damaged there: push it again")
         state.update(block)
         yield block
     _check(state.hexdigest(), digest)

@@ -1,0 +1,45 @@
+"""How a registry that answers 401 wants to be told who asks: the header `WWW-Authenticate`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+LARGEST = 8 << 10
+"""Characters of a header that is read. Real ones have some hundred."""
+
+_SCHEME = re.compile(r"[ \t,]*([A-Za-z0-9-]{1,32})(?:[ \t]+|$)")
+_PARAMETER = re.compile(r'[ \t,]*([A-Za-z0-9_-]{1,32})[ \t]*=[ \t]*(?:"((?:[^"\\]|\\.)*)"|([^\s,"]+))')
+
+
+@dataclass(frozen=True)
+class Challenge:
+    """What a registry asks for.
+
+    Attributes:
+        bearer: a token, which the server at `realm` gives; a name and a password otherwise.
+        service, scopes: what that server has to be told.
+    """
+
+    bearer: bool
+    realm: str = ""
+    service: str = ""
+    scopes: frozenset[str] = frozenset()
+
+
+def read(headers: Iterable[str]) -> Challenge | None:
+    """The first challenge that is known, of the headers of an answer; None if there is none. It reads each character once."""
+    for text in headers:
+        found = _SCHEME.match(text)
+        if found is None or len(text) > LARGEST:
+            continue
+        scheme, fields = found[1].lower(), dict[str, str]()
+        while found := _PARAMETER.match(text, found.end()):
+            fields[found[1].lower()] = re.sub(r"\\(.)", r"\1", found[2]) if found[3] is None else found[3]
+        if scheme == "bearer" and fields.get("realm"):
+            scopes = frozenset(fields.get("scope", "").split())
+            return Challenge(True, fields["realm"], fields.get("service", ""), scopes)
+        if scheme == "basic":
+            return Challenge(False)
+    return None

@@ -1,0 +1,135 @@
+"""What registries send, in the form that the OCI specifications give it: manifests, indexes, configs and lists.
+
+Each model has what this program reads. A document may have more, which stays in its content and is passed on. Who read a
+document by one of these need not ask again what is in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+
+DIGEST = r"sha256:[0-9a-f]{64}|sha512:[0-9a-f]{128}"
+TAG = r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}"
+
+MEDIA_TYPE = r"[A-Za-z0-9][A-Za-z0-9!#$&^_.+-]{0,126}/[A-Za-z0-9][A-Za-z0-9!#$&^_.+-]{0,126}"
+
+Digest = Annotated[str, Field(pattern=rf"^(?:{DIGEST})$")]
+Tag = Annotated[str, Field(pattern=rf"^(?:{TAG})$")]
+MediaType = Annotated[str, Field(pattern=rf"^{MEDIA_TYPE}$")]
+Size = Annotated[int, Field(ge=0, lt=1 << 62)]
+
+
+def _texts(found: Any) -> dict[str, str]:
+    """Annotations as text: anybody may write anything there, and an image is none the worse for it."""
+    return {str(name): str(text) for name, text in found.items()} if isinstance(found, Mapping) else {}
+
+
+Annotations = Annotated[dict[str, str], BeforeValidator(_texts)]
+
+
+class _Shape(BaseModel):
+    model_config = ConfigDict(strict=True, frozen=True)
+
+
+class Platform(_Shape):
+    """Where an image runs, as an entry of an index says it."""
+
+    os: str | None = None
+    architecture: str | None = None
+    variant: str | None = None
+
+
+class Descriptor(_Shape):
+    """What points at a manifest or a blob. `size` is in bytes."""
+
+    mediaType: str
+    digest: Digest
+    size: Size
+    platform: Platform | None = None
+    artifactType: str | None = None
+    annotations: Annotations = {}
+
+
+class Image(_Shape):
+    """The manifest of an image for one platform, or of an artifact."""
+
+    schemaVersion: int
+    mediaType: MediaType | None = None
+    artifactType: str | None = None
+    config: Descriptor | None = None
+    layers: list[Descriptor] = []
+    manifests: None = None
+    annotations: Annotations = {}
+
+
+class Index(_Shape):
+    """The index of images, one for each platform; or of what is attached to one."""
+
+    schemaVersion: int
+    mediaType: MediaType | None = None
+    artifactType: str | None = None
+    config: None = None
+    layers: None = None
+    manifests: list[Descriptor] | None
+    annotations: Annotations = {}
+
+
+class Referrers(_Shape):
+    """A page of what is attached to a manifest."""
+
+    manifests: list[Descriptor] | None
+
+
+class Tags(_Shape):
+    """A page of the tags of a repository."""
+
+    tags: list[Tag] | None
+
+
+class Settings(_Shape):
+    """What a container starts with. Docker calls these fields the same."""
+
+    Env: list[str] | None = None
+    Labels: dict[str, str] | None = None
+
+
+class RootFs(_Shape):
+    """Digests of layers before they were compressed, lowest first."""
+
+    diff_ids: list[Digest] | None = None
+
+
+class Config(_Shape):
+    """The config of an image."""
+
+    os: str | None = None
+    architecture: str | None = None
+    variant: str | None = None
+    created: str | None = None
+    config: Settings | None = None
+    rootfs: RootFs | None = None
+    history: list[dict[str, Any]] | None = None
+
+
+class Error(_Shape):
+    """One error of an answer."""
+
+    code: str = ""
+    message: str | None = None
+
+
+class Errors(_Shape):
+    """The body of an answer that is an error."""
+
+    errors: list[Error]
+
+
+class Token(_Shape):
+    """What a token server answers. `expires_in` is in seconds."""
+
+    token: str | None = None
+    access_token: str | None = None
+    expires_in: Any = None

@@ -1,0 +1,171 @@
+"""Who asks, as one registry wants to be told: by a name and a password, or by a token.
+
+The credentials of a registry go to that registry, and to the token server that it names itself: in an answer of its own, and
+not in one of a host that it redirects to.
+"""
+
+from __future__ import annotations
+
+import base64
+import re
+import threading
+import time
+from collections.abc import Callable
+
+import httpx
+
+from rosml.base import untrusted, web
+from rosml.base.errors import RosmlError
+from rosml.registry import answers, challenge, failures
+from rosml.registry.answers import Answer
+from rosml.registry.challenge import Challenge
+from rosml.registry.credentials import Credentials
+from rosml.registry.documents import Token
+from rosml.registry.failures import Denied, Transient, transport
+
+TOKEN_BYTES = 256 << 10
+"""Largest answer of a token server. A token has some thousand characters."""
+
+TOKEN_SECONDS = 60.0
+"""How long a token holds whose server does not say it."""
+
+LONGEST = 86400.0
+"""How long a token is kept at most, in seconds."""
+
+BUSY = (429, 500, 502, 503, 504)
+"""Answers that may be other ones a moment later."""
+
+
+class Login:
+    """Who asks one registry. Safe to share among threads.
+
+    Attributes:
+        host: of the registry, as references have it. known: the credentials; None before the registry asked for them.
+    """
+
+    def __init__(
+        self, host: str, base: httpx.URL, client: httpx.Client, find: Callable[[str], Credentials | None]
+    ) -> None:
+        """
+        Args:
+            base: the address of the registry's root. client: for the token server.
+            find: gives the credentials of a host; they are asked for once, when the registry wants them.
+        """
+        self.host = host
+        self.known: Credentials | None = None
+        self._base, self._client, self._find = base, client, find
+        self._asked = False
+        self._challenge: Challenge | None = None
+        self._tokens: dict[frozenset[str], tuple[str, float]] = {}
+        self._lock = threading.Lock()  # of its own state; never held while somebody is asked
+        self._asking = threading.Lock()
+        self._logged_in = False  # it has taken the credentials
+
+    def challenged(self, answer: httpx.Response) -> bool:
+        """Whether an answer is the registry's own that asks who it is, in a way that is known."""
+        if answer.status_code != 401 or web.origin(answer.url) != web.origin(self._base):
+            return False
+        found = challenge.read(answer.headers.get_list("www-authenticate"))
+        with self._lock:
+            self._challenge = found or self._challenge
+        return found is not None
+
+    def header(self, address: httpx.URL, scopes: frozenset[str], refused: str) -> str:
+        """The header that says who asks; empty for another host than the registry, and as long as the registry did not want to
+        know.
+
+        Args:
+            refused: the header that the registry just refused.
+
+        Raises:
+            Transient, RosmlError: there is none.
+        """
+        with self._lock:
+            wanted = self._challenge
+        if wanted is None or web.origin(address) != web.origin(self._base):
+            return ""
+        if wanted.bearer and (header := self._kept(scopes, refused)):
+            return header
+        with self._asking:  # one thread at a time runs the program that keeps passwords, and asks for tokens
+            if not self._asked:
+                self.known, self._asked = self._find(self.host), True
+            if not wanted.bearer:
+                if self.known is None:
+                    raise self.denied("log in", "it asks for a user's name and a password")
+                return "Basic " + base64.b64encode(f"{self.known.username}:{self.known.password}".encode()).decode()
+            if header := self._kept(scopes, refused):
+                return header
+            token, seconds = self._token(wanted, scopes | wanted.scopes if refused else scopes)
+            with self._lock:
+                self._tokens[scopes] = (token, time.monotonic() + 0.8 * seconds)
+            return f"Bearer {token}"
+
+    def denied(self, what: str, said: str) -> RosmlError:
+        """The error about something that who asks may not do."""
+        known = "with the account that is logged in" if self.known else "without an account"
+        remedy = f"docker login {self.host}, with an account that may; or check that there is such a repository"
+        return RosmlError(f"{self.host}: access denied: cannot {what} {known} ({said})", remedy)
+
+    def _kept(self, scopes: frozenset[str], refused: str) -> str:
+        """The header with the token that is there for some scopes; empty if there is none, or it does not hold."""
+        with self._lock:
+            token, end = self._tokens.get(scopes, ("", 0.0))
+        header = f"Bearer {token}"
+        return header if token and header != refused and time.monotonic() <= end else ""
+
+    def _realm(self, wanted: Challenge) -> httpx.URL:
+        """The address of the token server, if credentials may go there."""
+        try:
+            realm = web.joined(self._base, wanted.realm)
+        except web.Unfit:
+            text = f"{self.host} does not say where to ask for a token"
+            raise RosmlError(text, "check the registry's set-up") from None
+        plain = realm.scheme == "http" and not is_local(realm.host)
+        if realm.scheme != "https" and (self._base.scheme == "https" or (plain and realm.host != self._base.host)):
+            raise RosmlError(f"{self.host} wants passwords sent in the clear, to {realm.host}", "take another registry")
+        return realm
+
+    def _token(self, wanted: Challenge, scopes: frozenset[str]) -> tuple[str, float]:
+        """A Bearer token for some scopes, and for how many seconds it holds."""
+        realm, known = self._realm(wanted), self.known
+        fields = {"service": wanted.service} if wanted.service else {}
+        with transport("asking for a token at", realm):
+            if known and known.identity_token:
+                grant = {"grant_type": "refresh_token", "refresh_token": known.identity_token, "client_id": "rosml"}
+                data = {**fields, **grant, "scope": " ".join(sorted(scopes))}
+                request, password = self._client.build_request("POST", realm, data=data), None
+            else:
+                query = [*realm.params.multi_items(), *fields.items(), *(("scope", item) for item in sorted(scopes))]
+                request = self._client.build_request("GET", realm.copy_with(params=query))
+                password = httpx.BasicAuth(known.username, known.password) if known else None
+            sent = self._client.send(request, stream=True, auth=password, follow_redirects=False)
+            answer = answers.whole(sent, TOKEN_BYTES)
+        said = f"asking for a token: {answer.status_code}"
+        if answer.status_code in BUSY:
+            raise Transient(said, answers.after(answer.headers))
+        if answer.status_code == 403 and known and scopes:
+            if not self._logged_in:  # without a repository, it is the log-in alone that can be refused
+                self._token(wanted, frozenset())
+            raise Denied(self.denied(f"have {' '.join(sorted(scopes))}", said))
+        if not answer.is_success:
+            raise self.denied("log in", said)
+        self._logged_in = True
+        return self._given(answer)
+
+    def _given(self, answer: Answer) -> tuple[str, float]:
+        content = untrusted.json_object(answer.content, TOKEN_BYTES)
+        if content is None or answers.misfit(content, Token):
+            raise failures.unfit("GET", answer.url, "its answer is not that of a token server")
+        found = Token.model_validate(content)
+        token, seconds = found.token or found.access_token or "", found.expires_in
+        if not re.fullmatch(r"[\x21-\x7e]+", token):
+            text = f"{self.host} gave no token that can be sent, although it asks for one"
+            raise RosmlError(text, "run it again; if it stays, its operator has to correct the token server")
+        holds = isinstance(seconds, int | float) and seconds > 0
+        return token, min(float(seconds), LONGEST) if holds else TOKEN_SECONDS
+
+
+def is_local(name: str) -> bool:
+    """Whether a host is this machine itself. It may have a port."""
+    name = name.rpartition(":")[0] if re.search(r":[0-9]+$", name) and name != "::1" else name
+    return name in ("localhost", "[::1]", "::1") or re.fullmatch(r"127(\.[0-9]+){3}", name) is not None
