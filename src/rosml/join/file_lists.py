@@ -17,8 +17,22 @@ from rosml.registry.oci import Registry
 ARTIFACT = "application/vnd.rosml.files.v1"
 MEDIA_TYPE = "application/vnd.rosml.files.v1+gzip"
 
-LARGEST = 256 << 20
-"""Bytes of a list, unpacked; that of the largest image has some 20 MB."""
+LARGEST = 64 << 20
+"""Bytes of a list, unpacked, and of the names of all folders in it. The list of the largest image has some 20 MB."""
+
+PACKED = 16 << 20
+"""Bytes of a list as it is stored; that of the largest image has 2 MB."""
+
+LINES = 2_000_000
+"""Files of a list. The largest image has some 300,000."""
+
+LONGEST = 4096
+"""Characters of a path, as Linux has them."""
+
+MEMBERS = 100
+"""Members of a gzip file. What rosml attaches has one."""
+
+_REMEDY = "attach it again: publish the image again"
 
 _MERGED = ("bin", "lib", "lib32", "lib64", "libx32", "sbin")
 """Links to folders below /usr in all systems that images are made of."""
@@ -39,14 +53,26 @@ class Files:
 
     @classmethod
     def parse(cls, text: bytes) -> Files:
-        """The files of a list, which has one on each line."""
+        """The files of a list, which has one on each line.
+
+        Raises:
+            RosmlError: no image has such files: they are too many, or their paths are too long.
+        """
+        if text.count(b"\n") > LINES:
+            raise RosmlError(f"a list of files has more than {LINES:,} lines", _REMEDY)
         entries = frozenset(line for line in os.fsdecode(text).split("\n") if line)
         folders: set[str] = set()
+        room = LARGEST
         for entry in entries:
+            if len(entry) > LONGEST:
+                raise RosmlError(f"a list of files has a path of {len(entry):,} characters", _REMEDY)
             folder = entry.rpartition("/")[0]
             while folder and folder not in folders:
                 folders.add(folder)
+                room -= len(folder)
                 folder = folder.rpartition("/")[0]
+            if room < 0:
+                raise RosmlError("a list of files has more folders than any image", _REMEDY)
         return cls(entries, frozenset(map(_place, entries)), frozenset(folders))
 
 
@@ -62,19 +88,24 @@ def clash(one: Files, other: Files) -> str:
 
 
 def unpacked(data: bytes) -> bytes:
-    """A list as it was before it was compressed.
+    """A list as it was before it was compressed: of all members of a gzip file.
 
     Raises:
         RosmlError: it is damaged, or larger than any list.
     """
-    state = zlib.decompressobj(wbits=31)
-    try:
-        text = state.decompress(data, LARGEST)
-    except zlib.error:
-        text = b""
-    if not state.eof:
-        raise RosmlError("a list of files is damaged", "attach it anew: publish the image again")
-    return text
+    text = bytearray()
+    for _ in range(MEMBERS):
+        state = zlib.decompressobj(wbits=31)
+        try:
+            text += state.decompress(data, LARGEST - len(text) + 1)
+        except zlib.error:
+            break
+        if not state.eof or len(text) > LARGEST:
+            break
+        data = state.unused_data
+        if not data:
+            return bytes(text)
+    raise RosmlError("a list of files is damaged, or too large", _REMEDY)
 
 
 class Lists:
@@ -111,6 +142,6 @@ class Lists:
             return None
         # The same files may have been listed by two publishers: in any order, the same one is taken.
         artifact = registry.manifest(repository, min(entry["digest"] for entry in entries))
-        if artifact is None or not artifact.content.get("layers"):
+        if artifact is None or not artifact.layers:
             return None
-        return Files.parse(unpacked(registry.blob(repository, artifact.content["layers"][0]["digest"])))
+        return Files.parse(unpacked(registry.part(repository, artifact.layers[0], PACKED)))
