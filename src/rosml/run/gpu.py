@@ -71,7 +71,7 @@ def _lacking(engine: Engine) -> tuple[str, str]:
 def _check_driver(context: Context) -> None:
     needed = context.image.labels.get(DRIVER, "")
     found = driver(context.host)
-    if not needed or not found or context.line.sets("NVIDIA_DISABLE_REQUIRE") or _numbers(found) >= _numbers(needed):
+    if not _numbers(found) or context.line.sets("NVIDIA_DISABLE_REQUIRE") or _numbers(found) >= _numbers(needed):
         return
     text = f"{context.line.image} needs NVIDIA's driver {needed} or newer, and this machine has {found}"
     raise RosmlError(text, "take an image with an older CUDA, or update the driver; --no-gpu computes on the CPU")
@@ -84,7 +84,9 @@ def driver(host: Host) -> str:
 
 
 def _numbers(version: str) -> tuple[int, ...]:
-    return tuple(map(int, re.findall(r"\d+", version)))
+    """The numbers of a version, to compare it; none of what is no version: an image may say anything."""
+    found = re.fullmatch(r"[0-9]{1,9}(\.[0-9]{1,9}){0,9}", version.strip())
+    return tuple(map(int, found[0].split("."))) if found else ()
 
 
 def _rendering(context: Context) -> Sequence[str]:
