@@ -12,6 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from rosml.matrix.source import parse
+from rosml.registry import oci
+from rosml.registry.documents import Descriptor
 from rosml.registry.oci import Manifest
 from rosml.scan.judge import Image, Part
 from rosml.scan.policy import Rules, parsed
@@ -200,10 +202,10 @@ class Memory:
 
     def manifest(self, repository: str, reference: str) -> Manifest | None:
         known = [item for items in self.attached.values() for item in items if item.digest == reference]
-        return known[0] if known else Manifest({}, reference, "application/vnd.oci.image.manifest.v1+json", 7)
+        return known[0] if known else Manifest({}, reference, oci.IMAGE, 7)
 
-    def blob(self, repository: str, digest: str) -> bytes:
-        return self.blobs[digest]
+    def part(self, repository: str, descriptor: Descriptor) -> bytes:
+        return self.blobs[descriptor.digest]
 
     def referrers(self, repository: str, digest: str, artifact_type: str = "") -> list[dict[str, Any]]:
         return [{"digest": item.digest} for item in self.attached.get((repository, digest), [])]
@@ -219,7 +221,13 @@ class Memory:
     ) -> str:
         blob = f"sha256:{hashlib.sha256(part).hexdigest()}"
         self.blobs[blob] = part
-        content = {"layers": [{"digest": blob}], "annotations": dict(annotations), "subject": dict(subject)}
+        layer = {"mediaType": media_type, "digest": blob, "size": len(part)}
+        content = {
+            "schemaVersion": 2,
+            "layers": [layer],
+            "annotations": dict(annotations),
+            "subject": dict(subject),
+        }
         name = digest(json.dumps(content))
         self.attached.setdefault((repository, subject["digest"]), []).append(Manifest(content, name, "m", 1))
         return name

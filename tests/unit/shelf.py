@@ -9,7 +9,7 @@ import zlib
 from collections.abc import Collection
 from dataclasses import dataclass, field
 
-from memory_registry import IMAGE, INDEX, PREFIX, MemoryRegistry
+from memory_registry import IMAGE, INDEX, LAYER, PREFIX, MemoryRegistry
 
 from rosml.images import image_set as sets
 from rosml.images.image_set import ImageSet, Part, repository_of
@@ -18,6 +18,7 @@ from rosml.matrix import names
 from rosml.records import tag_moves
 from rosml.records.store import ANNOTATION, DATE, Entry, Records
 from rosml.records.store import INDEX as INDEX_ENTRY
+from rosml.registry import oci
 
 FIRST = "2026-11-20T03:00:00Z"
 SECOND = "2026-11-21T03:00:00Z"
@@ -119,9 +120,12 @@ class Shelf:
             labels |= {"io.rosml.distribution": thing.distribution, "io.rosml.python": thing.python}
             if self.image_set.matrix.distributions[thing.distribution].apt:
                 labels["io.rosml.ros.sync"] = f"2026-11-{10 + int(self.ros)}T00:00:00Z"
-        config = json.dumps({"os": "linux", "architecture": architecture, "config": {"Labels": labels}})
-        layers = [{"digest": digest, "size": size} for digest, size in self._layers(thing, architecture)]
-        content = {"layers": layers, "config": {"digest": self.registry.put_blob(repository, config.encode())}}
+        config = json.dumps({"os": "linux", "architecture": architecture, "config": {"Labels": labels}}).encode()
+        self.registry.put_blob(repository, config)
+        layers = [
+            {"mediaType": LAYER, "digest": digest, "size": size} for digest, size in self._layers(thing, architecture)
+        ]
+        content = {"schemaVersion": 2, "layers": layers, "config": oci.descriptor(oci.CONFIG, config)}
         return self.registry.put_manifest(repository, "", content, IMAGE)
 
     def _entry(self, thing: Thing, architecture: str, digest: str, date: str) -> Entry:

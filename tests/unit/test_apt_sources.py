@@ -210,7 +210,7 @@ def received(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     counts: list[int] = []
     read_blob = Registry.read_blob
 
-    def counting(self: Registry, repository: str, digest: str, read: Callable[[Iterator[bytes]], T]) -> T:
+    def counting(self: Registry, repository: str, digest: str, read: Callable[[Iterator[bytes]], T], size: int) -> T:
         counts.append(0)
 
         def counted(blocks: Iterator[bytes]) -> Iterator[bytes]:
@@ -218,7 +218,7 @@ def received(monkeypatch: pytest.MonkeyPatch) -> list[int]:
                 counts[-1] += len(block)
                 yield block
 
-        return read_blob(self, repository, digest, lambda blocks: read(counted(blocks)))
+        return read_blob(self, repository, digest, lambda blocks: read(counted(blocks)), size)
 
     monkeypatch.setattr(Registry, "read_blob", counting)
     return counts

@@ -239,7 +239,7 @@ def test_a_registry_that_goes_away_is_no_damaged_image(real: ImageSet, monkeypat
     kept, blob = shelf.registry.head, shelf.registry.blob
     gone: list[str] = []
 
-    def read(repository: str, name: str) -> bytes:
+    def read(repository: str, name: str, limit: int) -> bytes:
         if repository.endswith("records") or not repository.endswith("ros"):
             return blob(repository, name)
         gone.append(name)

@@ -20,6 +20,7 @@ from rosml.images import locked
 from rosml.images.image_set import ImageSet
 from rosml.publish import scan_results
 from rosml.records import store
+from rosml.registry.documents import Descriptor
 from rosml.scan.results import Kept, Results
 from rosml.scan.sbom import Sbom, Shelf
 
@@ -40,8 +41,8 @@ class Shelved(Memory):
         known = [item for items in self.attached.values() for item in items if item.digest == reference]
         return known[0] if known else self.registry.manifest(repository, reference)
 
-    def blob(self, repository: str, digest: str) -> bytes:
-        return self.blobs.get(digest) or bytes(self.registry.blob(repository, digest))
+    def part(self, repository: str, descriptor: Descriptor) -> bytes:
+        return self.blobs.get(descriptor.digest) or bytes(self.registry.part(repository, descriptor))
 
 
 @pytest.fixture

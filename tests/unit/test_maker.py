@@ -46,6 +46,12 @@ def results(**passed: bool) -> str:
     return json.dumps({"Results": outcomes})
 
 
+def of_layers(*sizes: int) -> dict[str, Any]:
+    """A manifest with layers of so many bytes."""
+    layers = [{"mediaType": "x", "digest": f"sha256:{n:064}", "size": size} for n, size in enumerate(sizes)]
+    return {"schemaVersion": 2, "layers": layers}
+
+
 @dataclass
 class OneManifest:
     """A registry that has one manifest."""
@@ -62,7 +68,7 @@ class Stage:
 
     folder: Path
     image_set: sets.ImageSet
-    registry: OneManifest = field(default_factory=lambda: OneManifest({"layers": [{"digest": "x", "size": 30}]}))
+    registry: OneManifest = field(default_factory=lambda: OneManifest(of_layers(30)))
     said: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -143,8 +149,7 @@ def test_parts_beyond_the_budget_fail(stage: Stage, budget: int, failures: int) 
     image_set = parse(changed("  parts:\n    cu1:", f"  budgets: {{cu1: {{torch: {budget}}}}}\n  parts:\n    cu1:"))
     stage.image_set = locked.with_locks(image_set, {lock for part in image_set.parts for lock in part.locks})
     image = stage.image_set.image("alpha-base-torch-cu1")
-    layers = [{"digest": name, "size": 2_000_000} for name in ("ros", *image.parts[1:])]
-    stage.registry.content = {"layers": [*layers, {"digest": "last", "size": 1}]}
+    stage.registry.content = of_layers(*[2_000_000] * len(image.parts), 1)
     for name in image.tests:
         stage.write(f"report/{name}.json", results(one=True))
     maker = stage.maker

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from conftest import smaller
-from memory_registry import DAY, PREFIX, Place, place
+from memory_registry import DAY, INDEX, PREFIX, Place, place
 from projects import BASE
 from stubs import OFFLINE, services
 
@@ -235,8 +235,8 @@ def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Place, i
 def test_a_tag_of_somebody_else_stays(nights: Place, image_set: ImageSet) -> None:
     path = f"{PREFIX}/ros"
     for day in ("20200101", "20200102"):
-        nights.registry.put_manifest(path, f"backup-{day}", {"layers": [], "day": day}, "application/json")
-    nights.registry.put_manifest(path, "odd", {"manifests": None}, "application/json")
+        nights.registry.put_manifest(path, f"backup-{day}", {"schemaVersion": 2, "day": day}, "application/json")
+    nights.registry.put_manifest(path, "odd", {"schemaVersion": 2, "manifests": None}, INDEX)
     found = pruner(nights, image_set, days=0, newest=0).find()
     assert found.tags and not [tag for _, tag in found.tags if "backup" in tag]
 
@@ -268,8 +268,8 @@ def test_an_index_that_cannot_be_made_has_failed(nights: Place, image_set: Image
 @pytest.mark.parametrize("date", ["yesterday", "2026-11-22", "9999-99-99T99:99:99Z"])
 def test_a_date_that_is_none_has_no_age(nights: Place, image_set: ImageSet, date: str) -> None:
     path = f"{PREFIX}/ros"
-    content = {"manifests": None, "annotations": {"io.rosml.date": date}}
-    nights.registry.put_manifest(path, "alpha-core", content, "application/json")
+    content = {"schemaVersion": 2, "manifests": None, "annotations": {"io.rosml.date": date}}
+    nights.registry.put_manifest(path, "alpha-core", content, INDEX)
     run = nights.run(image_set, only=["alpha-core"])
     (found,) = status.read(run.plan, nights.registry, PREFIX, "2026-10-20T03:00:00Z")
     assert (found.state, found.age, found.platforms) == ("outdated", None, ())
@@ -325,8 +325,8 @@ def test_a_dated_tag_that_moved_stays(nights: Place, image_set: ImageSet) -> Non
 
 
 def test_a_dated_tag_with_a_date_that_is_none_is_somebody_elses(nights: Place, image_set: ImageSet) -> None:
-    content = {"manifests": [], "annotations": {"io.rosml.date": "yesterday"}}
-    nights.registry.put_manifest(f"{PREFIX}/ros", "mine-20200101", content, "application/json")
+    content = {"schemaVersion": 2, "manifests": [], "annotations": {"io.rosml.date": "yesterday"}}
+    nights.registry.put_manifest(f"{PREFIX}/ros", "mine-20200101", content, INDEX)
     assert ("ros", "mine-20200101") not in pruner(nights, image_set, days=0, newest=0).find().tags
 
 

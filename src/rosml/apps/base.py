@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+
+from pydantic import BaseModel, TypeAdapter
 
 from rosml.apps import lock
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
 from rosml.images.labels import PREFIX, RUNTIME, VERSION
@@ -17,6 +18,7 @@ from rosml.machine.services import NAMESPACE, Services
 from rosml.matrix.names import DATED, main_tag
 from rosml.registry import oci
 from rosml.registry.credentials import DOCKER_HUB
+from rosml.registry.documents import Config, Platform, Settings
 
 
 @dataclass(frozen=True)
@@ -126,44 +128,53 @@ def _in_docker(text: str, digest: str) -> Base | None:
     """An image that the user's Docker has: of a digest, if one is wanted."""
     try:
         command = ["docker", "image", "inspect", text]
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-        [facts] = json.loads(done.stdout)
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
+        [facts] = _INSPECTED.validate_python(untrusted.json_value(done.stdout))
     except (OSError, ValueError):
         return None
-    known = [facts["Id"], *(name.partition("@")[2] for name in facts.get("RepoDigests") or [])]
+    known = [facts.Id, *(name.partition("@")[2] for name in facts.RepoDigests or [])]
     if digest and digest not in known:
         return None
-    config = facts.get("Config") or {}
-    return Base(text, facts["Id"], _variables(config), config.get("Labels") or {}, local=True)
+    config = facts.Config or Settings()
+    return Base(text, facts.Id, _variables(config.Env), config.Labels or {}, local=True)
 
 
-def _variables(config: Mapping[str, Any]) -> dict[str, str]:
+class _Inspected(BaseModel):
+    """What Docker says of one of its images."""
+
+    Id: str
+    RepoDigests: list[str] | None = None
+    Config: Settings | None = None
+
+
+_INSPECTED = TypeAdapter(list[_Inspected])
+
+
+def _variables(environment: Iterable[str] | None) -> dict[str, str]:
     """The variables that the configuration of an image sets."""
-    return {name: value for name, _, value in (item.partition("=") for item in config.get("Env") or [])}
+    return {name: value for name, _, value in (item.partition("=") for item in environment or ())}
 
 
 def _read(registry: oci.Registry, place: oci.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
-    manifests = {"": found}
-    if found.is_index:
-        manifests = {}
-        for entry in found.content["manifests"]:
-            facts = entry.get("platform", {})
-            name = "/".join(filter(None, (facts.get("os"), facts.get("architecture"))))
-            if facts.get("os") != "unknown" and (not platforms or name in platforms):
-                manifest = registry.manifest(place.repository, entry["digest"])
-                if manifest is not None:
-                    manifests[name] = manifest
-        known = tuple(manifests)
-    configs = {
-        name: registry.json_blob(place.repository, manifest.content["config"]["digest"])
-        for name, manifest in manifests.items()
-    }
+    manifests = {} if found.is_index else {"": found}
+    for entry in found.members:
+        facts = entry.platform or Platform()
+        name = _platform(facts)
+        if facts.os != "unknown" and (not platforms or name in platforms):
+            manifest = registry.manifest(place.repository, entry.digest)
+            if manifest is not None:
+                manifests[name] = manifest
+    configs = {name: registry.config(place.repository, item, str(place)) for name, item in manifests.items()}
     if not found.is_index:
-        known = tuple(f"{config['os']}/{config['architecture']}" for config in configs.values())
-        configs = dict(zip(known, configs.values(), strict=True))
-    missing = [name for name in platforms if name not in known]
-    if missing:
-        text = f"{place} is not for {', '.join(missing)}"
+        configs = {_platform(config.facts): config for config in configs.values()}
+    missing = [name for name in platforms if name not in configs]
+    if missing or not configs:
+        text = f"{place} is not for {', '.join(missing)}" if missing else f"{place} has no image for any platform"
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
-    config = configs[platforms[0] if platforms else known[0]].get("config") or {}
-    return Base(str(place), found.digest, _variables(config), config.get("Labels") or {})
+    config = configs[platforms[0]] if platforms else next(iter(configs.values()))
+    return Base(str(place), found.digest, _variables(config.environment), config.labels)
+
+
+def _platform(facts: Platform | Config) -> str:
+    """A platform as people name it, without a variant."""
+    return "/".join(filter(None, (facts.os, facts.architecture)))

@@ -214,8 +214,8 @@ class Finder:
         manifest = registry.manifest(place.repository, place.reference)
         if manifest is None:
             return None
-        layers = manifest.content.get("layers") or []
-        if manifest.content.get("artifactType") != TYPE or len(layers) != 1:
+        layers = manifest.layers
+        if manifest.artifact_type != TYPE or len(layers) != 1:
             text = f"{place} has no lists of rosdep"
             raise RosmlError(text, "name what 'rosml publish rosdep' published", exit_code=2)
         out = self._cached(manifest.digest)
@@ -225,7 +225,7 @@ class Finder:
             old = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime)[: 1 - KEPT]
             new = Path(tempfile.mkdtemp(dir=folder))
             try:
-                unpack(registry.blob(place.repository, layers[0]["digest"]), new, str(place))
+                unpack(registry.part(place.repository, layers[0]), new, str(place))
                 new.chmod(0o755)
                 _move(new, out)
                 for path in old:

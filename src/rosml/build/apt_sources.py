@@ -28,6 +28,7 @@ from rosml.machine.services import Services
 from rosml.matrix.model import OperatingSystem
 from rosml.registry import oci
 from rosml.registry.credentials import DOCKER_HUB
+from rosml.registry.documents import Descriptor
 from rosml.registry.oci import Manifest, Registry
 
 SOURCE_BYTES = 1 << 20
@@ -188,7 +189,7 @@ def _read(services: Services, reference: str, architecture: str) -> Texts:
             registry = registries(place.host)
             if manifest := _manifest(registry, place, architecture):
                 texts: Texts = {}
-                for layer in manifest.content.get("layers") or []:
+                for layer in manifest.layers:
                     added, gone = read_layer(registry, place, layer)
                     kept = {path: text for path, text in texts.items() if not _hidden(path, gone)}
                     texts = kept | added
@@ -208,14 +209,13 @@ def _manifest(registry: Registry, place: oci.Reference, architecture: str) -> Ma
     found = registry.manifest(place.repository, place.reference)
     if found is None or not found.is_index:
         return found
-    for entry in found.content.get("manifests") or []:
-        platform = entry.get("platform") or {}
-        if (platform.get("os"), platform.get("architecture")) == ("linux", architecture):
-            return registry.manifest(place.repository, entry["digest"])
+    for entry in found.members:
+        if entry.platform and (entry.platform.os, entry.platform.architecture) == ("linux", architecture):
+            return registry.manifest(place.repository, entry.digest)
     raise RosmlError(f"{place} is not there for linux/{architecture}", "name a base image that has this architecture")
 
 
-def read_layer(registry: Registry, place: oci.Reference, layer: Mapping[str, Any]) -> tuple[Texts, set[str]]:
+def read_layer(registry: Registry, place: oci.Reference, layer: Descriptor) -> tuple[Texts, set[str]]:
     """The files of apt sources in a layer, and what of them it deletes from the layers below.
 
     The digest of a layer that was not read to its end is not known to be right: whom we ask depends on it, and no content.
@@ -224,7 +224,7 @@ def read_layer(registry: Registry, place: oci.Reference, layer: Mapping[str, Any
     def read(blocks: Iterator[bytes]) -> tuple[Texts, set[str]]:
         try:
             with (
-                _unpacked(blocks, layer["mediaType"]) as stream,
+                _unpacked(blocks, layer.mediaType) as stream,
                 tarfile.open(fileobj=stream, mode="r|", tarinfo=_TarInfo) as archive,
             ):
                 found, whole = _found(archive)
@@ -233,11 +233,11 @@ def read_layer(registry: Registry, place: oci.Reference, layer: Mapping[str, Any
             return found
         except (tarfile.TarError, zlib.error, EOFError, OSError, OverflowError, ValueError) as error:
             raise RosmlError(
-                f"{place}: the layer {layer['digest']} cannot be read: {error}",
+                f"{place}: the layer {layer.digest} cannot be read: {error}",
                 "push the base image again, or name another",
             ) from None
 
-    return registry.read_blob(place.repository, layer["digest"], read)
+    return registry.read_blob(place.repository, layer.digest, read, layer.size)
 
 
 class _TarInfo(tarfile.TarInfo):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.build.push import write_excerpt
@@ -15,7 +14,7 @@ from rosml.join.layers import platform
 from rosml.machine import base_images, buildx, exported
 from rosml.machine.services import Services
 from rosml.matrix import names
-from rosml.registry.oci import Manifest, Registry
+from rosml.registry.oci import INDEXES, Manifest, Registry
 
 TARGET = "file-list"
 """The bake target that makes a list."""
@@ -56,23 +55,26 @@ def attach_files(
 
 
 def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
-    """A manifest itself, or those of an index that are for a platform.
+    """A manifest itself, or those of an index that are for a platform. An index within an index is left out.
 
     Raises:
-        RosmlError: the image is not there.
+        RosmlError: the image is not there, or is none.
     """
     found = registry.manifest(repository, digest)
     if found is None:
         raise RosmlError(f"{registry.host}/{repository}@{digest} is not there", "push it first")
     if not found.is_index:
+        if found.config is None:
+            text = f"{registry.host}/{repository}@{digest} is no image: it has no config"
+            raise RosmlError(text, "check its name", exit_code=2)
         return [found]
-    entries = [entry for entry in found.content["manifests"] if "unknown" not in platform(entry.get("platform", {}))]
-    return [manifest for entry in entries for manifest in manifests(registry, repository, entry["digest"])]
+    entries = [entry for entry in found.members if "unknown" not in platform(entry.platform)]
+    digests = dict.fromkeys(entry.digest for entry in entries if entry.mediaType not in INDEXES)
+    return [manifest for digest in digests for manifest in manifests(registry, repository, digest)]
 
 
 def _made(services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest) -> bytes:
-
-    config: dict[str, Any] = registry.json_blob(repository, manifest.content["config"]["digest"])
+    config = registry.config(repository, manifest)
     os_name = image_set.matrix.default.assembler
     base = base_images.reference(services, image_set.matrix.operating_systems, os_name)
     file = write_excerpt(services, image_set, TARGET)
@@ -80,7 +82,7 @@ def _made(services: Services, image_set: ImageSet, registry: Registry, repositor
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
         sets = (
             f"{TARGET}.output={exported.output(Path(folder) / 'left.tar')}",
-            f"{TARGET}.platform={platform(config)}",
+            f"{TARGET}.platform={platform(config.facts)}",
             f"{TARGET}.contexts.listed=docker-image://{registry.host}/{repository}@{manifest.digest}",
         )
         variables = {names.os_variable(os_name): f"docker-image://{base}"}

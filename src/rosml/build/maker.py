@@ -26,7 +26,7 @@ from rosml.join.joiner import Joiner
 from rosml.machine import base_images, buildx
 from rosml.machine.services import Services
 from rosml.registry import repositories
-from rosml.registry.oci import Reference
+from rosml.registry.oci import Manifest, Reference
 
 
 @dataclass(frozen=True)
@@ -179,9 +179,9 @@ class BuildKitMaker:
         manifest = self.registry.manifest(repository, digest)
         if manifest is None:
             raise RosmlError(f"{image.target} is not in the registry any more", "run it again")
-        sizes = [int(layer["size"]) for layer in manifest.content["layers"]]
+        sizes = [layer.size for layer in manifest.layers]
         if image.stack:
-            self._require_same_layers(image, parts, manifest.content)
+            self._require_same_layers(image, parts, manifest)
         digests = self._digests(parts) if image.stack else {image.target: digest}
         given = self.variables(image, architecture) | {"DIGESTS": json.dumps(digests)}
         file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
@@ -247,7 +247,7 @@ class BuildKitMaker:
         known = {part.target: part.name for part in self.image_set.parts}
         return {known.get(target, target): digest for target, digest in parts.items()}
 
-    def _require_same_layers(self, image: Image, parts: Mapping[str, str], manifest: Mapping[str, Any]) -> None:
+    def _require_same_layers(self, image: Image, parts: Mapping[str, str], manifest: Manifest) -> None:
         """Checks that a joined image is the sum of its parts, which is what the tests see.
 
         Raises:
@@ -256,6 +256,6 @@ class BuildKitMaker:
         layers: list[str] = []
         for target, digest in parts.items():
             found = self.registry.manifest(self._repository(self._repositories[target]), digest)
-            layers += [layer["digest"] for layer in found.content["layers"]] if found else []
-        if layers != [layer["digest"] for layer in manifest["layers"]]:
+            layers += [layer.digest for layer in found.layers] if found else []
+        if layers != [layer.digest for layer in manifest.layers]:
             raise RosmlError(f"{image.target} does not consist of its parts' layers", "join it again: --force")

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from rosml.base import progress_bar, untrusted
+from rosml.base import progress_bar
 from rosml.base.errors import RosmlError
 from rosml.catalogue.model import (
     FORMAT,
@@ -36,11 +36,12 @@ from rosml.catalogue.model import (
 )
 from rosml.images import image_set as sets
 from rosml.images.image_set import repository_of, tags_of
-from rosml.images.labels import PREFIX, in_config
+from rosml.images.labels import PREFIX
 from rosml.images.selection import select
 from rosml.matrix.names import DATED
 from rosml.records import tag_moves
 from rosml.records.store import INDEX, READERS, Entry, Records, date_of
+from rosml.registry import documents
 from rosml.registry.oci import Registry
 from rosml.registry.repositories import repository_path
 
@@ -228,13 +229,12 @@ class Gatherer:
             found = self.registry.manifest(path, digest)
             if found is None:  # a build that was removed since
                 return None
-            listed = [
-                (str(item["digest"]), _platform(item.get("platform") or {}))
-                for item in found.content["manifests"] or []
-            ]
+            if not found.is_index:
+                raise ValueError("it is no index")
+            listed = [(item.digest, _platform(item.platform)) for item in found.members]
             members = [self._member(path, *item) for item in listed if not item[1].startswith("unknown")]
             return _Index(digest, date_of(found), tuple(members))
-        except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError, RosmlError) as error:
+        except (ArithmeticError, LookupError, TypeError, ValueError, RosmlError) as error:
             self.registry.head(path, digest)  # a registry that does not answer any more is another matter
             self.remarks.append(f"{repository}@{digest} is left out: it cannot be read ({error})")
             return None
@@ -243,14 +243,12 @@ class Gatherer:
         found = self.registry.manifest(path, digest)
         if found is None:
             raise ValueError(f"{digest} is not there")
-        config = untrusted.json_of(
-            self.registry.blob(path, found.content["config"]["digest"]), f"the config of {digest}"
-        )
-        layers = tuple((str(layer["digest"]), int(layer["size"])) for layer in found.content["layers"])
+        config = self.registry.config(path, found)
+        layers = tuple((layer.digest, layer.size) for layer in found.layers)
         entry = self._current.get(digest)
         if entry is None:  # of one that another has taken the place of since
             entry = Records(self.registry, self.prefix).attached(path.removeprefix(f"{self.prefix}/"), digest)
-        return _Member(digest, platform, layers, in_config(config), entry)
+        return _Member(digest, platform, layers, config.labels, entry)
 
     # ---- What it means -----------------------------------------------------------------------------------------------
 
@@ -487,10 +485,9 @@ def _spelled(run: str) -> str:
     return f"{found[1]}-{found[2]}-{found[3]}T{found[4]}:{found[5]}:{found[6]}Z" if found else run
 
 
-def _platform(item: Mapping[str, Any]) -> str:
+def _platform(place: documents.Platform | None) -> str:
     """Under BuildKit's name: `linux/arm64`."""
-    words = (item.get("os", ""), item.get("architecture", ""), item.get("variant", ""))
-    platform = "/".join(str(word) for word in words if word)
+    platform = "/".join(filter(None, (place.os, place.architecture, place.variant))) if place else ""
     return platform.removesuffix("/v8") if platform.startswith("linux/arm64") else platform
 
 

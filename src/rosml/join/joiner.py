@@ -151,8 +151,7 @@ class Joiner:
         if not manifest.is_index:
             source = self._source(name, where._replace(reference=manifest.digest), manifest)
             return name, {source.platform: source}
-        members = manifest.content.get("manifests") or []
-        entries = {platform(entry.get("platform") or {}): entry["digest"] for entry in members}
+        entries = {platform(entry.platform): entry.digest for entry in manifest.members}
         sources = {
             key: self._source(name, where._replace(reference=digest))
             for key, digest in entries.items()
@@ -165,12 +164,10 @@ class Joiner:
         if where not in self._sources:
             registry = self._registries(where.host)
             manifest = manifest or registry.manifest(where.repository, where.reference)
-            if manifest is None or not manifest.content.keys() >= {"config", "layers"}:
-                raise RosmlError(f"{where} is no image, or not there any more", "check its name", exit_code=2)
-            if manifest.content["config"].get("mediaType") not in (oci.CONFIG, oci.DOCKER_CONFIG):
-                raise RosmlError(f"{where} is an artifact of another kind, no image", "check its name", exit_code=2)
-            config = registry.json_blob(where.repository, manifest.content["config"]["digest"])
-            source = Source(name, where.host, where.repository, manifest.digest, manifest.content, config)
+            if manifest is None:
+                raise RosmlError(f"{where} is not there any more", "check its name", exit_code=2)
+            config = registry.config(where.repository, manifest, str(where))
+            source = Source(name, where.host, where.repository, manifest.digest, manifest, config)
             with self._lock:
                 self._sources.setdefault(where, source)
         return self._sources[where]

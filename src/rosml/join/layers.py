@@ -17,7 +17,8 @@ from rosml.images import labels
 from rosml.matrix import names
 from rosml.matrix.model import ANY_PYTHON
 from rosml.matrix.rules import Brought
-from rosml.registry import oci
+from rosml.registry import documents, oci
+from rosml.registry.oci import Config, Manifest
 
 _LAYER = "application/vnd.oci.image.layer.v1.tar"
 _OCI_LAYERS = {
@@ -38,43 +39,42 @@ class Source:
 
     Attributes:
         name: what the user called it. host, repository, digest: where it is.
-        manifest, config: their content.
+        manifest, config: of the image.
     """
 
     name: str
     host: str
     repository: str
     digest: str
-    manifest: Mapping[str, Any]
-    config: Mapping[str, Any]
+    manifest: Manifest
+    config: Config
 
     @property
     def platform(self) -> str:
         """`linux/arm64`."""
-        return platform(self.config)
+        return platform(self.config.facts)
 
     @property
     def labels(self) -> Mapping[str, str]:
         """The labels of its config."""
-        found = (self.config.get("config") or {}).get("Labels")
-        return found if isinstance(found, dict) else {}
+        return self.config.labels
 
     @property
     def layers(self) -> list[dict[str, Any]]:
         """Its layers, lowest first, with OCI's media types."""
         return [
             {
-                "mediaType": _OCI_LAYERS.get(layer["mediaType"], layer["mediaType"]),
-                "digest": layer["digest"],
-                "size": layer["size"],
+                "mediaType": _OCI_LAYERS.get(layer.mediaType, layer.mediaType),
+                "digest": layer.digest,
+                "size": layer.size,
             }
-            for layer in self.manifest["layers"]
+            for layer in self.manifest.layers
         ]
 
     @property
     def diff_ids(self) -> list[str]:
         """Digests of its layers before they were compressed."""
-        return list(self.config["rootfs"]["diff_ids"])
+        return self.config.diff_ids
 
 
 @dataclass(frozen=True)
@@ -93,10 +93,11 @@ class Joined:
         return oci.digest_of(self.manifest)
 
 
-def platform(facts: Mapping[str, Any]) -> str:
+def platform(facts: Mapping[str, Any] | documents.Config | documents.Platform | None) -> str:
     """The platform that a config, or an index' entry, is for; arm64 has one variant that matters."""
-    variant = facts.get("variant", "")
-    known = f"{facts.get('os', 'unknown')}/{facts.get('architecture', 'unknown')}"
+    found = facts if isinstance(facts, Mapping) else vars(facts) if facts else {}
+    variant = found.get("variant")
+    known = f"{found.get('os') or 'unknown'}/{found.get('architecture') or 'unknown'}"
     return known if not variant or known == "linux/arm64" else f"{known}/{variant}"
 
 
@@ -159,12 +160,8 @@ def _require_part(part: Source) -> None:
 
 
 def _require_whole(source: Source) -> None:
-    try:
-        whole = len(source.layers) == len(source.diff_ids)
-    except (KeyError, TypeError):
-        whole = False
-    if not whole:
-        raise RosmlError(f"{source.name} is no whole image: its config does not list its layers", "push it anew")
+    if not source.layers or len(source.layers) != len(source.diff_ids):
+        raise RosmlError(f"{source.name} is no whole image: its config does not list its layers", "push it again")
 
 
 def _framework(ros: Source, parts: Sequence[Source]) -> tuple[str, tuple[str, ...]]:
@@ -259,14 +256,15 @@ def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:
 def _config(
     ros: Source, parts: Sequence[Source], brought: Sequence[Brought], merged: Mapping[str, str]
 ) -> dict[str, Any]:
-    config = copy.deepcopy(dict(ros.config))
-    inner = config.setdefault("config", {})
+    config = copy.deepcopy(ros.config.content)
+    inner = config["config"] = config.get("config") or {}
     environment = labels.environment(brought)
-    kept = [entry for entry in inner.get("Env") or [] if entry.partition("=")[0] not in environment]
+    kept = [entry for entry in ros.config.environment if entry.partition("=")[0] not in environment]
     inner["Env"] = [*kept, *(f"{name}={value}" for name, value in environment.items())]
     inner["Labels"] = dict(merged)
-    for part in parts:
-        config["rootfs"]["diff_ids"] += part.diff_ids
+    config["rootfs"] = (config.get("rootfs") or {"type": "layers"}) | {
+        "diff_ids": [digest for source in (ros, *parts) for digest in source.diff_ids]
+    }
     if config.get("history"):  # one entry for each layer, or none at all
         config["history"] += [entry for part in parts for entry in _history(config, part)]
     return config

@@ -86,8 +86,8 @@ def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str]
         raise RosmlError(f"{system.image} is not there any more")
     if not manifest.is_index:
         raise RosmlError(f"{system.image} is for one platform only: its tag points at no index")
-    places = [entry.get("platform") or {} for entry in manifest.content.get("manifests") or []]
-    there = {f"{place.get('os', '')}/{place.get('architecture', '')}" for place in places}
+    places = [entry.platform for entry in manifest.members if entry.platform]
+    there = {f"{place.os}/{place.architecture}" for place in places}
     wanted = [matrix.architectures[name].platform for name in system.architectures]
     if lost := [platform for platform in wanted if platform not in there]:
         raise RosmlError(f"{system.image} is not there for {listed(lost)} now")

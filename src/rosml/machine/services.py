@@ -128,7 +128,7 @@ class Services:
         if self.buildx_config is not None:
             env["BUILDX_CONFIG"] = str(self.buildx_config)
         if auths := credentials.own(self.state).get("auths"):
-            given = credentials.json_object(env.get(credentials.VARIABLE, "")) or {}
+            given = untrusted.json_object(env.get(credentials.VARIABLE, "")) or {}
             theirs = given.get("auths")
             env[credentials.VARIABLE] = json.dumps(
                 {**given, "auths": {**(theirs if isinstance(theirs, dict) else {}), **auths}}

@@ -19,7 +19,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, TypeVar
 
-from rosml.base import progress_bar, untrusted
+from rosml.base import progress_bar
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.base.problems import some
@@ -27,13 +27,13 @@ from rosml.build import package_state as upstreams
 from rosml.build.maker import BuildKitMaker, Made, Maker
 from rosml.images import apt_source
 from rosml.images.image_set import Image, Part, repository_of
-from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, in_config, title
+from rosml.images.labels import OCI, REVISION, SOURCE, TITLE, title
 from rosml.publish import provenance, same_content
 from rosml.publish.plan import ELSEWHERE, Item, Plan
 from rosml.publish.sign import PATIENCE, Signer, SignerFailed
 from rosml.records.store import DATE, INDEX, INPUTS, READERS, Entry, Records
 from rosml.registry import oci, repositories
-from rosml.registry.oci import Manifest, Registry
+from rosml.registry.oci import Config, Manifest, Registry
 from rosml.scan import judge as scanning
 from rosml.scan import sarif
 from rosml.scan.policy import Rules
@@ -280,7 +280,7 @@ class Pipeline:
     def _sizes(self, item: Item, digest: str) -> dict[str, int]:
         """Bytes of the layers of a manifest by their digests; none where it is not in the registry."""
         found = self.registry.manifest(self.repository(item.repository), digest) if digest else None
-        return {str(x["digest"]): int(x["size"]) for x in found.content["layers"]} if found else {}
+        return {layer.digest: layer.size for layer in found.layers} if found else {}
 
     # ---- Where an image came from ------------------------------------------------------------------------------------
 
@@ -337,7 +337,7 @@ class Pipeline:
             "inputs": self.plan.inputs.digest(*item.key),
             "repository": item.repository,
             "parts": dict(parts),
-            "size": sum(int(layer["size"]) for layer in manifest.content["layers"]),
+            "size": sum(layer.size for layer in manifest.layers),
             "date": self.plan.date,
         }
 
@@ -574,8 +574,9 @@ class Pipeline:
             _require_own(thing, entry, configs[entry.architecture])
         versions = {entry.architecture: entry.versions for entry in entries}
         released = [item.name for item in thing.brought if item.released] if isinstance(thing, Image) else []
-        same_content.require(thing.target, configs, versions, released)
-        labels = (configs[entries[0].architecture].get("config") or {}).get("Labels") or {}
+        contents = {architecture: config.content for architecture, config in configs.items()}
+        same_content.require(thing.target, contents, versions, released)
+        labels = configs[entries[0].architecture].labels
         annotations = self._checkout | {name: text for name, text in labels.items() if name.startswith(OCI)}
         annotations |= {INPUTS: inputs, DATE: self.plan.date}
         members = [{**manifest.descriptor, "platform": _platform(config)} for manifest, config in images.values()]
@@ -591,14 +592,12 @@ class Pipeline:
         said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}
         return {name: text for name, text in said.items() if text}
 
-    def _image(self, repository: str, digest: str) -> tuple[Manifest, dict[str, Any]]:
+    def _image(self, repository: str, digest: str) -> tuple[Manifest, Config]:
         """A manifest and its config."""
         manifest = self.registry.manifest(repository, digest)
         if manifest is None:
             raise RosmlError(f"{repository}@{digest} is not in the registry any more", "run 'build' and 'join' again")
-        config = self.registry.blob(repository, manifest.content["config"]["digest"])
-        content = untrusted.json_of(config, f"the config of {repository}@{digest}")
-        return manifest, content if isinstance(content, dict) else {}
+        return manifest, self.registry.config(repository, manifest)
 
 
 def side_by_side(work: Callable[[T], R], items: Iterable[T]) -> list[R]:
@@ -611,19 +610,20 @@ def side_by_side(work: Callable[[T], R], items: Iterable[T]) -> list[R]:
         pool.shutdown(cancel_futures=True)
 
 
-def _platform(config: Mapping[str, Any]) -> dict[str, str]:
+def _platform(config: Config) -> dict[str, str]:
     """What an index says of where an image runs."""
-    found = {"os": config.get("os") or "linux"} | {name: config.get(name) for name in ("architecture", "variant")}
-    return {name: str(value) for name, value in found.items() if value}
+    facts = config.facts
+    found = {"os": facts.os or "linux", "architecture": facts.architecture, "variant": facts.variant}
+    return {name: value for name, value in found.items() if value}
 
 
-def _require_own(thing: Image | Part, entry: Entry, config: Mapping[str, Any]) -> None:
+def _require_own(thing: Image | Part, entry: Entry, config: Config) -> None:
     """Checks that a manifest is that of the image which the records say it is.
 
     Raises:
         RosmlError: it is not.
     """
-    found = in_config(config).get(TITLE, ""), str(config.get("architecture", ""))
+    found = config.labels.get(TITLE, ""), config.facts.architecture or ""
     if found != (title(thing), entry.architecture):
         raise RosmlError(
             f"the records' entry {entry.tag} names {entry.digest},"

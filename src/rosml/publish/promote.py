@@ -24,6 +24,7 @@ from rosml.publish.pipeline import Outcome, Pipeline, side_by_side
 from rosml.records import store
 from rosml.records.store import ANNOTATION, INDEX, READERS, Entry
 from rosml.records.tag_moves import Move, read_moves, record_name
+from rosml.registry.oci import Manifest
 
 BATCH = 64
 """So many images are prepared, and their moves recorded, before their tags move."""
@@ -101,7 +102,7 @@ class Promotion:
         found = self.registry.manifest(self.pipeline.repository(entry.repository), entry.digest)
         if found is None:
             return f"its index {entry.digest} is not in the registry any more"
-        name = store.annotations_of(found).get(TITLE, "")
+        name = found.annotations.get(TITLE, "")
         if _members(found) != dict(entry.parts) or name != labels.title(thing):
             what = f"that of {name}" if name != labels.title(thing) else "of other images than the records have"
             return f"the records name {entry.digest} as its index, which is {what}; --force makes it anew"
@@ -169,8 +170,8 @@ class Promotion:
             return f"it points at something newer, of {date}"
         elif date > entry.date and not self.pipeline.plan.force:
             return f"it points at something of {date}, which is in the future: undo that run, or move it with --force"
-        platforms = [item.get("platform") or {} for item in found.content.get("manifests") or []]
-        lost = {item.get("architecture", "") for item in platforms} - set(entry.parts) - {"unknown", ""}
+        platforms = [item.platform for item in found.members if item.platform]
+        lost = {item.architecture or "" for item in platforms} - set(entry.parts) - {"unknown", ""}
         return f"it would lose {', '.join(sorted(lost))}" if lost else ""
 
     def _record(self, planned: list[Move]) -> None:
@@ -212,12 +213,9 @@ class Promotion:
         self._say(thing, "failed" if reason else "done", reason or tags, time.monotonic() - started)
 
 
-def _members(index: Any) -> dict[str, str]:
+def _members(index: Manifest) -> dict[str, str]:
     """Digests of an index's images by architecture."""
-    return {
-        str((item.get("platform") or {}).get("architecture", "")): str(item.get("digest", ""))
-        for item in index.content.get("manifests") or []
-    }
+    return {(item.platform and item.platform.architecture) or "": item.digest for item in index.members}
 
 
 def answers(pipeline: Pipeline) -> None:

@@ -207,7 +207,7 @@ def attach(
     """
     for entry in client.referrers(repository, digest, MEDIA_TYPE):
         found = client.manifest(repository, entry["digest"])
-        if found and (found.content.get("annotations") or {}).get(BUILDER) == machine.builder:
+        if found and found.annotations.get(BUILDER) == machine.builder:
             return ""
     subject = client.manifest(repository, digest)
     if subject is None:

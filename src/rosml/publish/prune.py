@@ -129,7 +129,7 @@ class Pruner:
         found = self._known.get((path, reference)) or self.registry.manifest(path, reference)
         if found:
             self._known[path, found.digest] = found
-            self._images |= {(path, item["digest"]) for item in _members(found) if item.get("mediaType") not in INDEXES}
+            self._images |= {(path, item.digest) for item in found.members if item.mediaType not in INDEXES}
         return found
 
     @property
@@ -271,7 +271,7 @@ class Pruner:
             found |= {digest for digest in todo if (path, digest) in self._images}
             manifests = [item for item in self._each(partial(self._manifest, path), todo - found) if item]
             found |= {manifest.digest for manifest in manifests}
-            todo = {item["digest"] for manifest in manifests for item in _members(manifest)} - found
+            todo = {item.digest for manifest in manifests for item in manifest.members} - found
         return found
 
     def _attached(self, path: str, digest: str) -> list[str]:
@@ -282,11 +282,6 @@ class Pruner:
             todo += [item for item in below if item not in found]
             found += [item for item in below if item not in found]
         return found[::-1]
-
-
-def _members(manifest: Manifest) -> list[dict[str, Any]]:
-    """What an index says of its images; nothing for what is none."""
-    return manifest.content.get("manifests") or []
 
 
 def _day(text: str) -> date:

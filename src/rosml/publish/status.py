@@ -69,8 +69,8 @@ def read(plan: Plan, registry: Registry, prefix: str, now: str, serving: Sequenc
         repository, main = repository_of(thing), tags_of(thing)[0]
         found = registry.manifest(repository_path(prefix, repository), main)
         date = date_of(found)
-        members = (found.content.get("manifests") or []) if found else []
-        platforms = tuple(str((item.get("platform") or {}).get("architecture", "")) for item in members)
+        members = found.members if found else []
+        platforms = tuple((item.platform and item.platform.architecture) or "" for item in members)
         made, today = _moment(date), _moment(now)
         state, reason = _state(plan, thing, found.digest if found else "", serving)
         if odd := _odd(date, now):

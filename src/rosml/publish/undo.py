@@ -10,7 +10,6 @@ from rosml.images.image_set import PARTS
 from rosml.images.labels import TITLE
 from rosml.matrix.names import part_target
 from rosml.publish.pipeline import Outcome
-from rosml.records import store
 from rosml.records.store import INDEX, READERS, Records
 from rosml.records.tag_moves import UNDO, Move, read_moves, record_name
 
@@ -79,7 +78,7 @@ def _back(book: Records, record: str, move: Move, there: str) -> Outcome | None:
 def _hold(book: Records, repository: str, digest: str, date: str) -> None:
     """Writes down that an index gets no tags any more: in the entry of the image, or part, that its title names."""
     index = book.registry.manifest(book.path(repository), digest)
-    title = str(store.annotations_of(index).get(TITLE, ""))
+    title = index.annotations.get(TITLE, "") if index else ""
     entry = book.read(part_target(title) if repository == PARTS else title, INDEX) if title else None
     if entry and not entry.held and (entry.repository, entry.digest) == (repository, digest):
         book.write(replace(entry, held=date, changed=date), {})

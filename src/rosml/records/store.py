@@ -19,7 +19,7 @@ from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.registry.oci import Registry
+from rosml.registry.oci import Manifest, Registry
 from rosml.registry.repositories import repository_path
 
 INPUTS = "io.rosml.inputs"
@@ -152,8 +152,8 @@ class Records:
         if found is None:
             return None
         try:
-            entry = parse(untrusted.json_value(annotations_of(found)[ANNOTATION]))
-        except (KeyError, TypeError, ValueError):
+            entry = parse(untrusted.json_value(found.annotations.get(ANNOTATION, "")))
+        except ValueError:
             return None
         return entry if entry and (entry.target, entry.architecture) == (target, architecture) else None
 
@@ -170,8 +170,8 @@ class Records:
         if found is None:
             return {}
         try:
-            (layer,) = found.content["layers"]
-            content = untrusted.json_value(self.registry.blob(self.repository, layer["digest"]))
+            (layer,) = found.layers
+            content = untrusted.json_value(self.registry.part(self.repository, layer))
             return _Inputs.model_validate(content).inputs
         except (KeyError, TypeError, ValueError, RosmlError):
             return {}
@@ -214,8 +214,8 @@ class Records:
         for item in self.registry.referrers(place, digest, ARTIFACT):
             try:
                 manifest = self.registry.manifest(place, item["digest"])
-                (layer,) = manifest.content["layers"] if manifest else [{}]
-                entry = parse(untrusted.json_value(self.registry.blob(place, layer["digest"]))["entry"])
+                (layer,) = manifest.layers if manifest else []
+                entry = parse(untrusted.json_value(self.registry.part(place, layer))["entry"])
             except (KeyError, TypeError, ValueError, RosmlError):
                 continue
             if entry and (entry.repository, entry.digest) == (repository, digest):
@@ -236,12 +236,6 @@ class Records:
         return digest
 
 
-def date_of(manifest: Any) -> str:
+def date_of(manifest: Manifest | None) -> str:
     """What an index says of the date of the run that made it: anybody may write anything there. Empty where it says none."""
-    return str(annotations_of(manifest).get(DATE, ""))
-
-
-def annotations_of(manifest: Any) -> dict[str, Any]:
-    """The annotations of a manifest, whatever it has in their place; none of one that is not there."""
-    found = manifest.content.get("annotations") if manifest else None
-    return found if isinstance(found, dict) else {}
+    return manifest.annotations.get(DATE, "") if manifest else ""

@@ -50,7 +50,7 @@ def read_moves(records: Records, name: str) -> list[Move]:
     if found is None:
         return []
     try:
-        content = records.registry.blob(records.repository, found.content["layers"][0]["digest"])
-        return _Record.model_validate(untrusted.json_value(content)).moves
+        content = untrusted.json_value(records.registry.part(records.repository, found.layers[0]))
+        return _Record.model_validate(content).moves
     except (KeyError, TypeError, ValueError, IndexError):
         raise RosmlError(f"the record {name} cannot be read", "move the tags by hand: regctl image copy") from None

@@ -13,7 +13,6 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.problems import first_of
-from rosml.records.store import annotations_of
 from rosml.registry.oci import Registry
 from rosml.scan.trivy import ScannerFailed
 
@@ -170,9 +169,8 @@ class Shelf:
             manifest = self.client.manifest(repository, descriptor["digest"])
             if manifest is None:  # deleted since; its entry may stay in a list that stands in for the API
                 continue
-            layers = manifest.content.get("layers")
-            if annotations_of(manifest).get(SCANNER_ANNOTATION) == self.scanner and layers:
-                return Sbom(self.client.blob(repository, layers[0]["digest"]))
+            if manifest.annotations.get(SCANNER_ANNOTATION) == self.scanner and manifest.layers:
+                return Sbom(self.client.part(repository, manifest.layers[0]))
         return None
 
     def store(self, repository: str, digest: str, sbom: Sbom) -> None:
