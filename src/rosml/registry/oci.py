@@ -222,6 +222,14 @@ class Manifest:
 
     @functools.cached_property
     def _document(self) -> documents.Image | documents.Index:
+        return self.read()
+
+    def read(self) -> documents.Image | documents.Index:
+        """The content in the form that OCI gives it.
+
+        Raises:
+            ValidationError: it has another one.
+        """
         return (documents.Index if self.is_index else documents.Image).model_validate(self.content)
 
     @property
@@ -258,14 +266,6 @@ class Manifest:
     def artifact_type(self) -> str:
         """Of which kind an artifact is; empty of an image."""
         return self._document.artifactType or ""
-
-    def require_shape(self) -> None:
-        """Checks that it has the form that OCI gives it.
-
-        Raises:
-            ValidationError: it has not.
-        """
-        _ = self._document
 
 
 @dataclass(frozen=True)
@@ -382,7 +382,7 @@ class Registry:
         media_type = str(content.get("mediaType") or _media_type(answer))
         found = Manifest(content, digest, media_type, len(answer.content))
         with self._shaped(answer):
-            found.require_shape()
+            found.read()  # it is kept from the first use on alone: a run has thousands of manifests
         return found
 
     def put_manifest(
