@@ -35,7 +35,10 @@ from rosml.registry.oci import Registry
 
 SECONDS = 1.0
 BYTES = 100 << 20
-"""What a call may take at most, of time and memory."""
+"""What a call may take at most, of this thread's time and of memory."""
+
+WALL = 10.0
+"""Seconds until it ends, also on a machine that does other things."""
 
 SOMEBODY = Credentials("somebody", "s3cret-Pass")
 DIGEST = "sha256:" + "1" * 64
@@ -70,13 +73,14 @@ def ends(call: Callable[[], object]) -> RosmlError:
     """The error that a call ends with, soon and without much memory."""
     tracemalloc.start()
     try:
-        before = time.monotonic()
+        before, started = time.thread_time(), time.monotonic()
         with pytest.raises(RosmlError) as caught:
             call()
-        took, peak = time.monotonic() - before, tracemalloc.get_traced_memory()[1]
+        took, wall = time.thread_time() - before, time.monotonic() - started
+        peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
-    assert took < SECONDS
+    assert took < SECONDS and wall < WALL
     assert peak < BYTES
     assert caught.value.message and caught.value.remedy
     assert len(caught.value.message) < 2000
@@ -265,9 +269,9 @@ def test_a_list_has_an_end(server: Hostile) -> None:
 def test_a_link_of_60_kb_is_none(server: Hostile) -> None:
     server.answers = {"GET": reply(200, b'{"tags": ["x"]}', {"Link": "<" * 30_000 + ">; " * 10_000})}
     with Registry(server.address) as registry:
-        before = time.monotonic()
+        before = time.thread_time()
         assert registry.tags("a") == ["x"]
-        assert time.monotonic() - before < SECONDS
+        assert time.thread_time() - before < SECONDS
 
 
 def test_an_answer_takes_no_hours(server: Hostile, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -571,7 +575,7 @@ def test_what_takes_the_place_of_a_registry(server: Hostile, monkeypatch: pytest
     assert network.registry_answers(server.address) and network.docker_hub_answers("")
     server.answers = {".": reply(302, headers={"Location": "http://["})}
     assert not network.registry_answers(server.address) and not network.docker_hub_answers("")
-    assert time.monotonic() - before < 2 * SECONDS
+    assert time.monotonic() - before < WALL
 
 
 # ---- JSON ------------------------------------------------------------------------------------------------------------
@@ -586,12 +590,12 @@ def test_what_takes_the_place_of_a_registry(server: Hostile, monkeypatch: pytest
     ],
 )  # fmt: skip
 def test_json_that_is_refused(document: str | bytes, why: str) -> None:
-    before = time.monotonic()
+    before = time.thread_time()
     with pytest.raises(ValueError, match=why) as caught:
         untrusted.json_value(document)
     with pytest.raises(ValueError, match="more than"):
         untrusted.json_value(b"[]" + b" " * 100, 100)
-    assert time.monotonic() - before < SECONDS and len(str(caught.value)) < 100
+    assert time.thread_time() - before < SECONDS and len(str(caught.value)) < 100
 
 
 @pytest.mark.parametrize(
