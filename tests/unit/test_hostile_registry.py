@@ -13,6 +13,7 @@ from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import httpx
@@ -501,7 +502,120 @@ def test_an_index_without_platforms_is_a_base_image_of_any(plain: StandIn, tmp_p
 def test_the_files_of_what_is_no_image(plain: StandIn) -> None:
     with Registry(plain.address) as client:
         image(client, {}, config=None)
-        ends(lambda: file_list.manifests(client, "a", "x"))
+        assert "it has no config" in ends(lambda: file_list.manifests(client, "a", "x")).message
+        index(client, [member(client, "x", platform=LINUX)])  # an index may list indexes, and those may list more
+        index(client, [member(client, "x", platform=LINUX, mediaType=oci.IMAGE)])
+        assert "it has no config" in ends(lambda: file_list.manifests(client, "a", "x")).message
+
+
+# ---- Anything ---------------------------------------------------------------------------------------------------------
+
+ODD: list[Any] = [
+    None, 0, -1, True, "", [], {}, [[]], [None], ["x"], {"a": {}}, 10**25, 1e300, "x", "ä", "\ud800", "\0", "\x1b[2J", "../..",
+    "sha256:", DIGEST, "a" * 5000, "\u2028",
+]  # fmt: skip
+HEADERS = [
+    "Location", "Link", "WWW-Authenticate", "Retry-After", "Content-Type", "Docker-Content-Digest", "Content-Encoding",
+    "OCI-Subject", "Set-Cookie",
+]  # fmt: skip
+VALUES = [
+    "", "ä", "/v2/", "//", "?", "9" * 400, "Mon, 01 Jan 2024 99:99:99 GMT", '</v2/x>; rel="next"', '<>; rel="next"', "Basic",
+    'Bearer realm="x",scope="a b"', 'Bearer realm="', "Bearer", "a/b; charset=hex", "gzip", "chunked", "-1", "a" * 9000,
+    DIGEST, "sha256:zz", "http://user:pw@127.0.0.1:1/", "ws://x/", "http://xn--/", "http://a b/", "/\t/", *NO_HOSTS,
+]  # fmt: skip
+CODES = [*[200] * 8, 201, 202, 204, 302, 307, 401, 403, 404, 405, 429, 500]
+
+
+class Mutator:
+    """Answers of a registry with something wrong; the same ones for the same seed."""
+
+    def __init__(self, seed: int) -> None:
+        self.random = Random(seed)
+
+    def content(self, found: Any) -> Any:
+        """A document with another value somewhere in it, or without one."""
+        if not isinstance(found, dict | list) or not found or self.random.random() < 0.1:
+            return self.random.choice(ODD)
+        changed: Any = dict(found) if isinstance(found, dict) else dict(enumerate(found))
+        key = self.random.choice(list(changed))
+        changed[key] = self.content(changed[key])
+        if self.random.random() < 0.2:
+            del changed[key]
+        return changed if isinstance(found, dict) else list(changed.values())
+
+    def document(self, found: Any) -> bytes:
+        """Bytes of a document, most of them with something wrong."""
+        data = bytearray(json.dumps(self.content(found) if self.random.random() < 0.7 else found).encode())
+        if data and self.random.random() < 0.1:
+            data[self.random.randrange(len(data))] = self.random.randrange(256)
+        return bytes(data)
+
+    def reply(self, body: bytes, headers: dict[str, str | bytes] | None = None) -> bytes:
+        """An answer with this body."""
+        found = dict(headers or {})
+        if self.random.random() < 0.3:
+            found[self.random.choice(HEADERS)] = self.random.choice(VALUES).encode("latin-1")
+        return reply(self.random.choice(CODES), body, found)
+
+    def answers(self) -> dict[str, Answer]:
+        """All answers of a registry that has one image."""
+        here = {
+            "mediaType": oci.IMAGE,
+            "size": 1000,
+            "platform": LINUX,
+            "annotations": {"a": "b"},
+            "artifactType": "a/b",
+        }
+        config = self.document(
+            {**LINUX, "config": {"Env": ["A=b"], "Labels": {"a": "b"}}, "rootfs": {"diff_ids": [DIGEST]}}
+        )
+        described = oci.descriptor(oci.CONFIG, config)
+        image = self.document({**WHOLE, "config": described, "layers": [described], "annotations": {"a": "b"}})
+        entry = {**here, "digest": oci.digest_of(image)}
+        index = self.document({"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [entry, entry]})
+        place: dict[str, str | bytes] = {
+            "Location": self.random.choice(["/v2/a/blobs/uploads/1", *VALUES]).encode("latin-1")
+        }
+        return {
+            "/token": self.reply(self.document({"token": "abc", "expires_in": 300})),
+            "/tags/list": self.reply(self.document({"tags": ["x", "y"]})),
+            "/referrers/": self.reply(self.document({"manifests": [entry]})),
+            "/blobs/uploads": self.reply(b"", place),
+            f"/blobs/{described['digest']}": self.reply(config),
+            "/blobs/": self.reply(self.document({"errors": [{"code": "X", "message": "y"}]})),
+            f"/manifests/{oci.digest_of(image)}": self.reply(image),
+            "/manifests/": self.reply(self.random.choice([index, image])),
+        }
+
+
+def test_anything(server: Hostile, tmp_path: Path) -> None:
+    """Answers with something wrong somewhere: an error with a remedy, or what can be read."""
+    here = services(tmp_path, server.address)
+
+    def config(client: Registry) -> object:
+        found = client.manifest("a", "x")
+        return found and (found.layers, found.members, found.annotations, client.config("a", found))
+
+    asks: list[Ask] = [
+        head, tags, push, attached, config, by_digest, move,
+        lambda client: client.attach("a", oci.descriptor(oci.IMAGE, b"x"), "a/b", b"x", "a/b"),
+        lambda client: file_list.manifests(client, "a", "x"),
+        lambda client: file_lists.Lists().of(client, "a", DIGEST),
+        lambda client: base.find(f"{server.address}/a:x", here, ("linux/amd64",)),
+    ]  # fmt: skip
+    read = 0
+    for seed in range(200):
+        mutator = Mutator(seed)
+        server.answers = mutator.answers()
+        with Registry(server.address, credentials=lambda _: SOMEBODY) as client:
+            try:
+                mutator.random.choice(asks)(client)
+                read += 1
+            except RosmlError as error:
+                assert error.remedy, (seed, error.message)
+            except Exception as error:
+                raise AssertionError(f"seed {seed}") from error
+    assert 20 < read < 180, "some answers are whole, and some are not"
 
 
 # ---- Lists of files --------------------------------------------------------------------------------------------------

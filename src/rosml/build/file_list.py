@@ -14,7 +14,7 @@ from rosml.join.layers import platform
 from rosml.machine import base_images, buildx, exported
 from rosml.machine.services import Services
 from rosml.matrix import names
-from rosml.registry.oci import INDEXES, Manifest, Registry
+from rosml.registry.oci import Manifest, Registry
 
 TARGET = "file-list"
 """The bake target that makes a list."""
@@ -55,22 +55,26 @@ def attach_files(
 
 
 def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
-    """A manifest itself, or those of an index that are for a platform. An index within an index is left out.
+    """A manifest itself, or those of an index that are for a platform.
 
     Raises:
         RosmlError: the image is not there, or is none.
     """
+    found = _there(registry, repository, digest)
+    digests = [entry.digest for entry in found.members if "unknown" not in platform(entry.platform)]
+    images = [_there(registry, repository, name) for name in dict.fromkeys(digests)] if found.is_index else [found]
+    for image in images:
+        if image.config is None:  # also of an index within an index
+            text = f"{registry.host}/{repository}@{image.digest} is no image: it has no config"
+            raise RosmlError(text, "check its name", exit_code=2)
+    return images
+
+
+def _there(registry: Registry, repository: str, digest: str) -> Manifest:
     found = registry.manifest(repository, digest)
     if found is None:
         raise RosmlError(f"{registry.host}/{repository}@{digest} is not there", "push it first")
-    if not found.is_index:
-        if found.config is None:
-            text = f"{registry.host}/{repository}@{digest} is no image: it has no config"
-            raise RosmlError(text, "check its name", exit_code=2)
-        return [found]
-    entries = [entry for entry in found.members if "unknown" not in platform(entry.platform)]
-    digests = dict.fromkeys(entry.digest for entry in entries if entry.mediaType not in INDEXES)
-    return [manifest for digest in digests for manifest in manifests(registry, repository, digest)]
+    return found
 
 
 def _made(services: Services, image_set: ImageSet, registry: Registry, repository: str, manifest: Manifest) -> bytes:

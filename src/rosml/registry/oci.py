@@ -420,7 +420,9 @@ class Registry:
         """
         answer = self._look("GET", _manifest(repository, digest), repository)
         if answer is None:
-            raise RosmlError(f"{self.host}/{repository}@{digest} is not there, so no tag can point at it")
+            raise RosmlError(
+                f"{self.host}/{repository}@{digest} is not there, so no tag can point at it", "push it first"
+            )
         _verified(answer.content, digest)
         self.put_manifest(repository, name, answer.content, _media_type(answer) or IMAGE)
 
