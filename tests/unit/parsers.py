@@ -33,6 +33,7 @@ from rosml.matrix import source
 from rosml.publish import plan_file, scan_results
 from rosml.records import store, tag_moves
 from rosml.registry import oci
+from rosml.registry.documents import Descriptor
 from rosml.run import check, compose, consent, defaults, engine, export, places
 from rosml.run.context import Context, Engine, Host, Image, Person
 from rosml.run.words import split
@@ -326,7 +327,9 @@ class Sent(MemoryRegistry):
 
     document = b""
 
-    def read_blob(self, repository: str, digest: str, read: Callable[[Iterator[bytes]], T]) -> T:
+    def read_blob(
+        self, repository: str, digest: str, read: Callable[[Iterator[bytes]], T], size: int | None = None
+    ) -> T:
         return read(iter([self.document[at : at + 65536] for at in range(0, len(self.document), 65536)]))
 
 
@@ -334,7 +337,7 @@ def layer_of(document: bytes, folder: Path) -> object:
     """A layer of a base image."""
     registry = Sent()
     registry.document = document
-    facts = {"mediaType": "application/vnd.oci.image.layer.v1.tar+gzip", "digest": DIGEST}
+    facts = Descriptor(mediaType="application/vnd.oci.image.layer.v1.tar+gzip", digest=DIGEST, size=len(document))
     texts, _ = apt_sources.read_layer(registry, oci.Reference("registry.test", "base", "1"), facts)
     return apt_sources.parse(texts, "base")
 

@@ -21,8 +21,10 @@ from pydantic import BaseModel, ConfigDict, Field
 from rosml.apps import lock
 from rosml.apps.report import Answer
 from rosml.apps.within import SECRET
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.registry import oci
+from rosml.registry.documents import Descriptor
 
 IDENTIFIED = "identified"
 """The stage that says which packages the sources need."""
@@ -181,11 +183,11 @@ class Cache:
             layers = self._layers(keys)
             if not layers:
                 return None
-            content = self._registry.json_blob(self._place.repository, layers[0]["digest"])
+            content = untrusted.json_object(self._registry.part(self._place.repository, layers[0])) or {}
             if content.pop("format", None) != FORMAT:
                 return None
             return _Report.model_validate(content).model_dump()
-        except (RosmlError, KeyError, TypeError, ValueError):
+        except (RosmlError, ValueError):
             return None
 
     def detail(self, keys: Keys, name: str) -> bytes:
@@ -198,16 +200,14 @@ class Cache:
             RosmlError: it said nothing of that name; or the registry does not answer or refuses.
         """
         for layer in self._layers(keys):
-            if (layer.get("annotations") or {}).get(_TITLE) == name:
-                return self._registry.blob(self._place.repository, layer["digest"])
+            if layer.annotations.get(_TITLE) == name:
+                return self._registry.part(self._place.repository, layer)
         raise RosmlError(f"{self.reference(_tag(keys))} has no {name}", "delete that tag, and build again")
 
-    def _layers(self, keys: Keys) -> list[dict[str, Any]]:
+    def _layers(self, keys: Keys) -> list[Descriptor]:
         """The layers of a report: what it came to, and details; none if there is no report."""
         manifest = self._registry.manifest(self._place.repository, _tag(keys))
-        if manifest is None or manifest.content.get("artifactType") != _TYPE:
-            return []
-        return list(manifest.content.get("layers") or [])
+        return manifest.layers if manifest and manifest.artifact_type == _TYPE else []
 
     def keep(self, keys: Keys, report: Mapping[str, Any], details: Mapping[str, bytes]) -> None:
         """Keeps what a build came to.

@@ -170,7 +170,7 @@ def attach(
         has_sbom = _has_sbom(registry, repository, manifest.digest)
         if has_files and has_sbom:
             continue
-        name = platform(registry.json_blob(repository, manifest.content["config"]["digest"]))
+        name = platform(registry.config(repository, manifest).facts)
         subject = manifest.descriptor
         if not has_files:
             data = load(name, FILES)
@@ -184,6 +184,6 @@ def _has_sbom(registry: oci.Registry, repository: str, digest: str) -> bool:
     """Whether an SBOM of ours is attached; others may attach theirs."""
     for entry in registry.referrers(repository, digest, MEDIA_TYPE):
         manifest = registry.manifest(repository, entry["digest"])
-        if manifest and (manifest.content.get("annotations") or {}).items() >= FORMAT.items():
+        if manifest and manifest.annotations.items() >= FORMAT.items():
             return True
     return False
