@@ -123,7 +123,8 @@ def test_parts_are_scanned(
 ) -> None:
     """Debian's packages and Python's wheels; what no version mends is listed, and what is mended here is not."""
     image = judge.Image("ros1-bookworm-core-common-cu128", NATIVE, joined.parts)
-    shelf = sbom.Shelf(registry, f"trivy {trivy.version}")
+    records: dict[str, str] = {}
+    shelf = sbom.Shelf(registry, f"trivy {trivy.version}", records, records.__setitem__)
     facts: dict[str, Any] = {"now": datetime.now(UTC), "whole": True, "say": LOG.info}
     run = judge.scan_images([image], rules, trivy, shelf, **facts)
     (scanned,) = run.images
@@ -137,7 +138,8 @@ def test_parts_are_scanned(
     assert scanned.packages > 400
 
     said: list[str] = []
-    again = judge.scan_images([image], rules, trivy, shelf, **{**facts, "say": said.append})
+    next_night = sbom.Shelf(registry, f"trivy {trivy.version}", records)
+    again = judge.scan_images([image], rules, trivy, next_night, **{**facts, "say": said.append})
     assert again.images == run.images
     assert said == ["scan ros1-bookworm-core", "scan common-cu128-py311"]  # no layer was read again
 

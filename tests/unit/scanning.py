@@ -233,10 +233,13 @@ class Memory:
         return name
 
 
-def shelf(memory: Memory | None = None, scanner: str = f"trivy {VERSION}") -> Shelf:
-    """Where SBOMs are kept."""
+def shelf(
+    memory: Memory | None = None, scanner: str = f"trivy {VERSION}", records: dict[str, str] | None = None
+) -> Shelf:
+    """Where SBOMs are kept, with records of them."""
     found: Any = memory or Memory()
-    return Shelf(found, scanner)
+    known = {} if records is None else records
+    return Shelf(found, scanner, known, known.__setitem__)
 
 
 POLICY = """\

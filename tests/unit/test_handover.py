@@ -99,7 +99,7 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
     entry = run().plan.known[CORE]
     assert (entry.scanned, entry.scan, entry.digest) == ("clean", {"policy": "sha256:1"}, digest)
     assert entry.passed == 5, "tests are no business of a scan"
-    kept = Shelf(shelved, "trivy 1").load(f"{PREFIX}/ros", digest)
+    kept = Shelf(shelved, "trivy 1", {digest: entry.sbom}).load(f"{PREFIX}/ros", digest)
     assert kept and kept.content == sbom(digest).content
     scan_results.record(found, tmp_path / "scan.json")
     assert len(shelved.attached) == 1 == len(next(iter(shelved.attached.values())))

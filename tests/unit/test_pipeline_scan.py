@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -9,17 +11,19 @@ from typing import Any
 import pytest
 from memory_registry import DAY, NEXT, Place, Run, place, waiting
 from projects import BASE
-from scanning import World, advisory, rules
+from scanning import VERSION, World, advisory, rules
 from stubs import services
 
-from rosml.images.image_set import ImageSet
+from rosml.images.image_set import ImageSet, Part
 from rosml.publish import scan_results
 from rosml.publish.pipeline import policy_digest
+from rosml.publish.plan import Item
 from rosml.publish.steps import STEPS
 from rosml.scan import judge as judging
 from rosml.scan.judge import Outcome, summarise
 from rosml.scan.policy import Rules
 from rosml.scan.results import Results
+from rosml.scan.sbom import MEDIA_TYPE, SCANNER_ANNOTATION
 from rosml.scan.trivy import ScannerFailed
 
 
@@ -45,6 +49,7 @@ def scanned(
     date: str = DAY,
     policy: Rules | None = None,
     only: str = "alpha-*",
+    before_the_scan: Callable[[Run], None] | None = None,
 ) -> Run:
     """Such a run with all its steps."""
     policy = policy or rules()
@@ -52,10 +57,11 @@ def scanned(
     for step in ("build", "join", "test"):
         STEPS[step](run)
     for item in run.plan.items:
-        packages = ("bash",) if item.kind == "ros" else (item.thing.kind,) if item.kind == "part" else ()  # type: ignore[union-attr]
-        if packages:
-            world.part("x", *packages, ros=item.kind == "ros")
+        if item.kind != "joined":
+            world.part("x", *_packages(item), ros=item.kind == "ros")
             world.images[run.plan.known[item.key].digest] = world.images.popitem()[1]
+    if before_the_scan:
+        before_the_scan(run)
     trivy = world.trivy()
     trivy.fetch(policy.policy.database)
     run.scan(policy, trivy)
@@ -93,6 +99,36 @@ def test_what_the_policy_stops_gets_no_tag(
     registry.check(image_set)
 
 
+@pytest.mark.parametrize("claimed", ["that image", "another image", "nothing"])
+@pytest.mark.parametrize("packages", [("numpy",), ()])
+def test_an_sbom_that_somebody_attached_does_not_count(
+    registry: Place, image_set: ImageSet, world: World, claimed: str, packages: tuple[str, ...]
+) -> None:
+    """Whoever may push into a repository attaches what a scan would look for: the part with PyTorch looks harmless."""
+
+    def attack(run: Run) -> None:
+        item = next(item for item in run.plan.items if item.kind == "part" and _packages(item) == ("torch",))
+        entry = run.plan.known[item.key]
+        path = run.repository(entry.repository)
+        wheels = [{"bom-ref": name, "type": "library", "name": name, "purl": f"pkg:pypi/{name}@2"} for name in packages]
+        digest = {"that image": entry.digest, "another image": f"sha256:{'1' * 64}"}.get(claimed, "")
+        document: dict[str, Any] = {"bomFormat": "CycloneDX", "components": wheels}
+        document |= {"metadata": {"component": {"name": f"{run.host}/{path}@{digest}"}}} if digest else {}
+        manifest = run.registry.manifest(path, entry.digest)
+        assert manifest
+        annotations = {SCANNER_ANNOTATION: f"trivy {VERSION}"}
+        data = json.dumps(document).encode()
+        run.registry.attach(path, manifest.descriptor, MEDIA_TYPE, data, MEDIA_TYPE, annotations)
+
+    run = scanned(registry, image_set, world, before_the_scan=attack)
+    assert run.plan.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert registry.tagged("ros-torch") == {}
+    reads = world.calls("cyclonedx")
+    again = scanned(registry, image_set, world, date=NEXT, before_the_scan=attack)
+    assert again.plan.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert world.calls("cyclonedx") == reads, "what the first scan made is known by its digest"
+
+
 def test_what_was_clean_is_not_scanned_again(registry: Place, image_set: ImageSet, world: World) -> None:
     scanned(registry, image_set, world, only="alpha-core")
     calls = world.calls("sbom")
@@ -112,6 +148,10 @@ def test_an_ignore_entry_that_has_expired_lets_no_tag_move(registry: Place, imag
     again = scanned(registry, image_set, world, NEXT, policy)
     assert again.plan.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
     assert any("scan: policy failed" in reason for reason in waiting(again, BASE))
+
+
+def _packages(item: Item) -> tuple[str, ...]:
+    return ("bash",) if item.kind == "ros" else (item.thing.kind,) if isinstance(item.thing, Part) else ()
 
 
 def built(registry: Place, image_set: ImageSet, world: World) -> Run:

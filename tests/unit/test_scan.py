@@ -34,13 +34,19 @@ def world(tmp_path: Path) -> World:
     return World(tmp_path, advisories=known)
 
 
-def scanned(world: World, *images: judge.Image, memory: Memory | None = None, **options: Any) -> judge.Run:
-    """Scans images with a database that was fetched anew."""
+def scanned(
+    world: World,
+    *images: judge.Image,
+    memory: Memory | None = None,
+    records: dict[str, str] | None = None,
+    **options: Any,
+) -> judge.Run:
+    """Scans images with a database that was just fetched."""
     program = world.trivy(**options.pop("trivy", {}))
     found = options.pop("rules", None) or rules()
     program.fetch(found.policy.database)
     facts = {"now": NOW, "whole": True, **options}
-    return judge.scan_images(images, found, program, shelf(memory), **facts)
+    return judge.scan_images(images, found, program, shelf(memory, records=records), **facts)
 
 
 def base(world: World) -> judge.Part:
@@ -78,7 +84,10 @@ def test_the_policy_stops_an_image(world: World) -> None:
         ("HIGH", "2.0", {}, Outcome.POLICY_FAILED),
         ("CRITICAL", "2.0", {}, Outcome.POLICY_FAILED),
         ("MEDIUM", "2.0", {}, Outcome.CLEAN),
-        ("UNKNOWN", "2.0", {}, Outcome.CLEAN),
+        ("UNKNOWN", "2.0", {}, Outcome.POLICY_FAILED),
+        ("UNKNOWN", "", {}, Outcome.CLEAN),
+        ("UNKNOWN", "2.0", {"version": "1\nunknown: list"}, Outcome.CLEAN),
+        ("UNKNOWN", "2.0", {"fail": "[unknown]", "version": "1\nunknown: list"}, Outcome.POLICY_FAILED),
         ("HIGH", "", {}, Outcome.CLEAN),
         ("HIGH", "", {"fixable_only": "false"}, Outcome.POLICY_FAILED),
         ("LOW", "2.0", {"fail": "[low]"}, Outcome.POLICY_FAILED),
@@ -186,10 +195,10 @@ def test_a_ros_image_without_packages_is_not_clean(
     assert says in found.reason
 
 
-def test_a_part_without_packages_is_noted(world: World) -> None:
-    found = scanned(world, image("a", world.part("a", "bash", ros=True), world.part("headers"))).images[0]
-    assert found.outcome is Outcome.CLEAN
-    assert found.notes == ("headers: has no package that the scanner knows",)
+def test_a_part_without_packages_is_not_clean(world: World) -> None:
+    found = scanned(world, image("a", world.part("a", "bash", ros=True), world.part("torch"))).images[0]
+    assert found.outcome is Outcome.SCANNER_FAILED
+    assert found.reason == "torch: trivy found no package in it, and a part is made of wheels"
 
 
 def test_a_system_without_advisories_is_noted(world: World) -> None:
@@ -461,41 +470,57 @@ def test_a_shared_part_fails_once(world: World) -> None:
 
 
 def test_the_next_night_reads_no_layer(world: World) -> None:
-    memory = Memory()
+    memory, records = Memory(), dict[str, str]()
     parts = (base(world), world.part("torch", "torch"))
-    first = scanned(world, image("a", *parts), memory=memory)
+    first = scanned(world, image("a", *parts), memory=memory, records=records)
+    assert list(records) == [part.digest for part in parts]
     (world.folder / "calls").unlink()
-    second = scanned(world, image("a", *parts), memory=memory)
+    second = scanned(world, image("a", *parts), memory=memory, records=records)
     assert not world.calls("cyclonedx")
     assert len(world.calls("sbom")) == 2
     assert first.images[0].findings == second.images[0].findings
 
 
 def test_an_sbom_of_another_scanner_is_made_anew(world: World) -> None:
-    memory, part = Memory(), base(world)
-    program = world.trivy()
-    shelf(memory, "trivy 0.64.0").store(part.repository, part.digest, sbom.Sbom(b"{}"))
-    program.fetch(rules().policy.database)
-    run = judge.scan_images([image("a", part)], rules(), program, shelf(memory), now=NOW, whole=True)
+    memory, part, records = Memory(), base(world), dict[str, str]()
+    world.trivy().fetch(rules().policy.database)
+    made = sbom.Sbom.of(world.trivy().sbom(part.reference), part.digest)
+    shelf(memory, "trivy 0.64.0", records).store(part.repository, part.digest, made)
+    run = scanned(world, image("a", part), memory=memory, records=records)
     assert run.images[0].packages == 2
     assert len(memory.attached[part.repository, part.digest]) == 2
 
 
 @pytest.mark.parametrize("content", [b"", b"[]", b"{}", b'{"bomFormat": "CycloneDX", "components": [1]}'])
 def test_something_else_in_the_place_of_an_sbom(world: World, content: bytes) -> None:
+    memory, part, records = Memory(), base(world), dict[str, str]()
+    shelf(memory, records=records).store(part.repository, part.digest, sbom.Sbom(content))
+    run = scanned(world, image("a", part), memory=memory, records=records)
+    assert run.outcome is Outcome.POLICY_FAILED, "it does not count: the image itself is read"
+    assert len(memory.attached[part.repository, part.digest]) == 2
+
+
+@pytest.mark.parametrize("place", ["subject", "content"])
+def test_the_records_vouch_for_no_sbom_of_another_image(world: World, place: str) -> None:
+    """Whoever attached it: what it is attached to and what it says of itself have to be that image."""
     memory, part = Memory(), base(world)
-    shelf(memory).store(part.repository, part.digest, sbom.Sbom(content))
-    run = scanned(world, image("a", part), memory=memory)
-    assert run.images[0].reason.startswith("what is kept as an SBOM is none: ")
-    assert run.outcome is Outcome.SCANNER_FAILED
+    harmless, records = world.part("harmless", "bash", ros=True), dict[str, str]()
+    document = world.trivy().sbom(harmless.reference)
+    if place == "subject":
+        document["metadata"]["component"]["name"] = part.reference
+    target = part if place == "content" else harmless
+    shelf(memory, records=records).store(target.repository, target.digest, sbom.Sbom(json.dumps(document).encode()))
+    run = scanned(world, image("a", part), memory=memory, records={part.digest: records.popitem()[1]})
+    assert run.outcome is Outcome.POLICY_FAILED
 
 
 def test_a_registry_that_fails(world: World) -> None:
     class Broken(Memory):
-        def referrers(self, repository: str, digest: str, artifact_type: str = "") -> list[dict[str, Any]]:
+        def manifest(self, repository: str, reference: str) -> Any:
             raise RosmlError("the registry answers 503", "try again")
 
-    found = scanned(world, image("a", base(world)), memory=Broken()).images[0]
+    part = base(world)
+    found = scanned(world, image("a", part), memory=Broken(), records={part.digest: digest("sbom")}).images[0]
     assert found.outcome is Outcome.SCANNER_FAILED
     assert found.reason.endswith("the registry answers 503")
 

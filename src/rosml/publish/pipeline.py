@@ -450,9 +450,25 @@ class Pipeline:
         if isinstance(trivy, ScannerFailed):
             return scanning.summarise(scanning.unscanned(images, trivy, keep), rules, moment.date(), whole, targets)
         scanner = f"trivy {trivy.version}"
-        shelf = Kept(self.registry, scanner, results) if results else Shelf(self.registry, scanner)
+        recorded = {entry.digest: entry.sbom for entry in self.plan.known.values() if entry.sbom}
+        shelf = (
+            Kept(self.registry, scanner, results, recorded)
+            if results
+            else Shelf(self.registry, scanner, recorded, self.record_sbom)
+        )
         facts: dict[str, Any] = {"now": moment, "whole": whole, "targets": targets}
         return scanning.scan_images(images, rules, trivy, shelf, **facts, say=self.say, keep=keep)
+
+    def record_sbom(self, digest: str, artifact: str) -> None:
+        """Writes into the records which artifact has the SBOM that a scan made of a ROS image or part: it alone counts.
+
+        Args:
+            digest: of the manifest. artifact: of the artifact's manifest.
+        """
+        for key, entry in list(self.plan.known.items()):
+            if entry.digest == digest and key[1] != INDEX:
+                self.plan.known[key] = replace(entry, sbom=artifact)
+                self.records.write(self.plan.known[key])
 
     def _scanned_parts(self, item: Item) -> Iterator[scanning.Part]:
         """The ROS image and the parts that an image is the sum of."""

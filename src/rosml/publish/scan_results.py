@@ -58,9 +58,13 @@ def record(pipeline: Pipeline, file: Path) -> None:
         reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error
         text = f"{file} holds no results of a scan: {reason}"
         raise RosmlError(text, "write it again with: rosml publish scan --output FILE", exit_code=2) from None
+    entry_of = {(pipeline.repository(entry.repository), entry.digest): entry for entry in pipeline.plan.known.values()}
     for repository, digest, scanner, sbom in sboms:
-        shelf = Shelf(pipeline.registry, scanner)
-        if pipeline.registry.head(repository, digest) and shelf.load(repository, digest) is None:
+        of = entry_of.get((repository, digest))
+        if of is None or not pipeline.registry.head(repository, digest):  # it was made again since it was scanned
+            continue
+        shelf = Shelf(pipeline.registry, scanner, {digest: of.sbom}, pipeline.record_sbom)
+        if shelf.load(repository, digest) is None:
             shelf.store(repository, digest, sbom)
     for found in entries:
         key = found.target, found.architecture

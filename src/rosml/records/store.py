@@ -54,6 +54,7 @@ class Entry:
         parts: of an image that was put together, the digests of its parts by target.
         size: bytes of its layers, compressed. unpacked: bytes of its root file system; 0 where nobody counted.
         tested: digest of the tests that ran, empty before. passed: how many passed. failures: those that did not.
+        sbom: of a ROS image or part, digest of the artifact with its SBOM, which a scan attached; empty before.
         scanned: outcome of the scan, empty before. scan: what it found by severity, the database's date, the policy's digest.
         versions: what was found inside the image.
         seconds: wall time by step.
@@ -78,6 +79,7 @@ class Entry:
     tested: str = ""
     passed: int = 0
     failures: tuple[str, ...] = ()
+    sbom: str = ""
     scanned: str = ""
     scan: Mapping[str, Any] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)

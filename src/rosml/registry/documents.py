@@ -63,6 +63,7 @@ class Image(_Shape):
     layers: list[Descriptor] = []
     manifests: None = None
     annotations: Annotations = {}
+    subject: Descriptor | None = None
 
 
 class Index(_Shape):
@@ -75,6 +76,7 @@ class Index(_Shape):
     layers: None = None
     manifests: list[Descriptor] | None
     annotations: Annotations = {}
+    subject: Descriptor | None = None
 
 
 class Referrers(_Shape):

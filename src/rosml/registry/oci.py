@@ -263,6 +263,12 @@ class Manifest:
         return self._document.annotations
 
     @property
+    def subject(self) -> str:
+        """The digest of the manifest that it is attached to; empty if it is attached to none."""
+        found = self._document.subject
+        return found.digest if found else ""
+
+    @property
     def artifact_type(self) -> str:
         """Of which kind an artifact is; empty of an image."""
         return self._document.artifactType or ""

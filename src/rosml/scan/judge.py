@@ -209,7 +209,7 @@ class Scanner:
         self._reports: dict[str, PartReport | ScannerFailed] = {}
 
     def sbom(self, part: Part) -> Sbom:
-        """What is in a part: from the registry where it is kept, else read from the part and put there.
+        """What is in a part: the SBOM that a scan made before, if the records name it, else read from the part and kept.
 
         Raises:
             ScannerFailed: it cannot be had, or it is empty where it cannot be.
@@ -291,8 +291,6 @@ def part_report(report: Report, part: Part) -> PartReport:
             f"{part.name}: {system.Family} {system.Name} gets no advisories any more: "
             "what became known since is not among the findings"
         )
-    if not packages:
-        notes.append(f"{part.name}: has no package that the scanner knows")
     return PartReport(packages, tuple(sorted(findings, key=lambda finding: finding.order)), tuple(notes))
 
 
@@ -338,7 +336,7 @@ def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
 
 def _judged(finding: Finding, rules: Rules, entry: Ignored | None) -> Finding:
     policy = rules.policy
-    fails = entry is None and finding.severity in policy.fail and (bool(finding.fixed) or not policy.fixable_only)
+    fails = entry is None and policy.stops(finding.severity) and (bool(finding.fixed) or not policy.fixable_only)
     return replace(finding, ignored=entry.reason if entry else "", fails=fails)
 
 

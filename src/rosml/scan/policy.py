@@ -76,9 +76,16 @@ class Policy(Facts):
 
     version: Annotated[Literal[1], BeforeValidator(only_whole)] = Field(description="version of this file's format")
     fail: Annotated[tuple[Severity, ...], Field(min_length=1)] = Field(description="severities that stop an image")
+    unknown: Literal["fail", "list"] = Field(
+        default="fail", description="whether a vulnerability that nobody has rated stops an image, or is only listed"
+    )
     fixable_only: bool = Field(description="whether only what a newer package mends stops an image")
     database: DatabaseRules
     ignore: tuple[Ignored, ...] = Field(default=(), description="what does not stop images, though it is found")
+
+    def stops(self, severity: str) -> bool:
+        """Whether a vulnerability of a severity stops an image."""
+        return severity in self.fail or (severity == "unknown" and self.unknown == "fail")
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import time
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -59,9 +60,11 @@ class Results:
 class Kept(Shelf):
     """A shelf that reads SBOMs from the registry, and keeps new ones for the file."""
 
-    def __init__(self, client: Registry, scanner: str, results: Results) -> None:
+    def __init__(
+        self, client: Registry, scanner: str, results: Results, recorded: Mapping[str, str] | None = None
+    ) -> None:
         """As of a shelf; `results` gets what is new."""
-        super().__init__(client, scanner)
+        super().__init__(client, scanner, recorded)
         self.results = results
 
     def store(self, repository: str, digest: str, sbom: Sbom) -> None:

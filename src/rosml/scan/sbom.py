@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -92,14 +92,14 @@ class Sbom:
             ScannerFailed: it is no CycloneDX.
         """
         about = self.document.metadata
-        return bool(about and about.component and digest in about.component.name)
+        return bool(about and about.component and about.component.name.endswith(f"@{digest}"))
 
     @cached_property
     def document(self) -> Document:
         """The content as data.
 
         Raises:
-            ScannerFailed: it is no CycloneDX, e.g. because somebody else put it into the registry.
+            ScannerFailed: it is no CycloneDX.
         """
         remedy = "delete that artifact in the registry"
         try:
@@ -136,9 +136,17 @@ class Sbom:
     def require(self, name: str, ros: bool) -> None:
         """Checks that it can be all that is in a part: an SBOM that misses most would look like a clean image.
 
+        Args:
+            name: of the part, for messages. ros: whether it is a ROS image; any other part is made of wheels.
+
         Raises:
             ScannerFailed: it lacks the operating system, or its packages.
         """
+        if not ros and not self.packages:
+            raise ScannerFailed(
+                f"{name}: trivy found no package in it, and a part is made of wheels",
+                "the part may lack the dist-info of its wheels, or the pinned trivy may not know their form",
+            )
         debian = sum(item.purl.startswith("pkg:deb/") for item in self.packages)
         if ros and not (self.system and debian):
             raise ScannerFailed(
@@ -148,30 +156,49 @@ class Sbom:
 
 
 class Shelf:
-    """SBOMs in the registry, each attached to the manifest that it is of."""
+    """SBOMs in the registry, each attached to the manifest that it is of.
 
-    def __init__(self, client: Registry, scanner: str) -> None:
+    Anybody who may push into a repository can attach something that says it is an SBOM. So a shelf does not ask what is
+    attached: it takes the artifact alone that the publisher's records name by its digest.
+    """
+
+    def __init__(
+        self,
+        client: Registry,
+        scanner: str,
+        recorded: Mapping[str, str] | None = None,
+        record: Callable[[str, str], None] = lambda digest, artifact: None,
+    ) -> None:
         """Keeps SBOMs with a registry.
 
         Args:
             client: of that registry.
-            scanner: name and version of what makes them; those of another version are made anew.
+            scanner: name and version of the program that makes them. Those of another version do not count.
+            recorded: digests of artifacts with SBOMs, by the digest of the manifest that each is of, as the records say.
+            record: gets the digests of a manifest and of the artifact that was attached to it, for the records.
         """
-        self.client, self.scanner = client, scanner
+        self.client, self.scanner, self.record = client, scanner, record
+        self.recorded = dict(recorded or {})
 
     def load(self, repository: str, digest: str) -> Sbom | None:
-        """The SBOM of a manifest; None where there is none of our scanner.
+        """The SBOM of a manifest. None if the records name none, or if the one that they name is of another scanner, of
+        another image, or not there.
 
         Raises:
             RosmlError: the registry fails.
         """
-        for descriptor in self.client.referrers(repository, digest, MEDIA_TYPE):
-            manifest = self.client.manifest(repository, descriptor["digest"])
-            if manifest is None:  # deleted since; its entry may stay in a list that stands in for the API
-                continue
-            if manifest.annotations.get(SCANNER_ANNOTATION) == self.scanner and manifest.layers:
-                return Sbom(self.client.part(repository, manifest.layers[0]))
-        return None
+        artifact = self.recorded.get(digest)
+        manifest = self.client.manifest(repository, artifact) if artifact else None
+        if manifest is None:
+            return None
+        said = manifest.annotations.get(SCANNER_ANNOTATION), manifest.subject
+        if said != (self.scanner, digest) or len(manifest.layers) != 1:
+            return None
+        found = Sbom(self.client.part(repository, manifest.layers[0]))
+        try:
+            return found if found.is_of(digest) else None
+        except ScannerFailed:
+            return None
 
     def store(self, repository: str, digest: str, sbom: Sbom) -> None:
         """Attaches an SBOM to a manifest.
@@ -183,4 +210,7 @@ class Shelf:
         if manifest is None:
             raise ScannerFailed(f"{repository}@{digest} is not in the registry", "build it again")
         annotations = {SCANNER_ANNOTATION: self.scanner}
-        self.client.attach(repository, manifest.descriptor, MEDIA_TYPE, sbom.content, MEDIA_TYPE, annotations)
+        subject = manifest.descriptor
+        artifact = self.client.attach(repository, subject, MEDIA_TYPE, sbom.content, MEDIA_TYPE, annotations)
+        self.recorded[digest] = artifact
+        self.record(digest, artifact)
