@@ -206,6 +206,55 @@ def test_a_lock_file_names_the_commits(place: Place) -> None:
         assert "another url or version" in error.message and "--lock" in error.remedy
 
 
+@pytest.mark.parametrize("version", ["v1", "main", "", "refs/tags/v1", "HASH", "SHORT"])
+def test_a_lock_file_names_no_commit_that_its_version_does_not_lead_to(place: Place, version: str) -> None:
+    """A forge gives a commit of a pull request, or of a fork, to everybody who names its hash."""
+    url = place.root / "a"
+    first = commit(url, {"a": "1"})
+    git(url, "tag", "-a", "-m", "t", "v1")
+    git(url, "config", "uploadpack.allowAnySHA1InWant", "true")
+    git(url, "checkout", "--quiet", "--detach")
+    evil = commit(url, {"a": "evil"})
+    git(url, "update-ref", "refs/pull/7/head", evil)
+    git(url, "checkout", "--quiet", "main")
+    version = {"HASH": first, "SHORT": first[:9]}.get(version, version)
+    place.put(repos(a=(url, version)))
+    for _ in range(2):
+        error = place.refused(pins={"a": Pin(url=str(url), version=version, commit=evil)})
+        assert f"does not lead to {evil}" in error.message and "--lock" in error.remedy and error.exit_code == 2
+        assert not listing(place.out)
+        [found] = place.fetch(pins={"a": Pin(url=str(url), version=version, commit=first)})
+        assert found.commit == first and listing(place.out)["a/a"][1] == "1"
+        shutil.rmtree(place.out)
+
+
+def test_a_pinned_commit_is_asked_for_once(place: Place) -> None:
+    """And its history comes without files, if the server can leave them out."""
+    url = place.root / "a"
+    first = commit(url, {"a": "1"})
+    commit(url, {"a": "2"})
+    git(url, "config", "uploadpack.allowFilter", "true")
+    place.put(repos(a=(url, "main")))
+    pins = {"a": Pin(url=str(url), version="main", commit=first)}
+    log = trace(place)
+    place.fetch(pins=pins)
+    assert '"pack-objects"' in log.read_text() and "--filter=tree:0" in log.read_text()
+    url.rename(place.root / "gone")
+    shutil.rmtree(place.out)
+    place.fetch(pins=pins)
+    assert listing(place.out)["a/a"][1] == "1"
+    pins = {"a": Pin(url=str(url), version="main", commit="1" * 40)}
+    assert "cannot be read" in place.refused(pins=pins).message
+
+
+def test_a_version_of_a_lock_file_that_is_gone(place: Place) -> None:
+    url = place.root / "a"
+    first = commit(url, {"a": "1"})
+    place.put(repos(a=(url, "v1")))
+    error = place.refused(pins={"a": Pin(url=str(url), version="v1", commit=first)})
+    assert "it has no version 'v1'" in error.message and "--lock" in error.remedy
+
+
 def test_a_version_that_is_not_there(place: Place) -> None:
     a = place.root / "a"
     commit(a, {"f": "1"})

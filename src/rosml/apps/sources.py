@@ -180,7 +180,7 @@ def _fetch(
 ) -> Repository:
     head = f"{entry.place}: {entry.path} ({entry.url})"
     try:
-        version = resolve(git, entry.url, entry.version) if pins is None else _pinned(entry, pins)
+        version = resolve(git, entry.url, entry.version) if pins is None else _pinned(entry, pins, store)
         version = replace(version, commit=store.commit(entry.url, version))
         if version.also_branch:
             say(f"{head}: {entry.version} is a tag and a branch; the tag counts")
@@ -195,16 +195,27 @@ def _fetch(
     return Repository(entry.path, entry.url, entry.version, version.commit, entry.file, version.moving)
 
 
-def _pinned(entry: Entry, pins: Mapping[str, lock.Pin]) -> Version:
+def _pinned(entry: Entry, pins: Mapping[str, lock.Pin], store: Store) -> Version:
     """The commit that a lock file has.
 
     Raises:
-        RosmlError: it has none, or another url or version (exit code 2).
+        Failed: git could not fetch it.
+        RosmlError: it has none, or another url or version, or a commit that this version does not lead to (exit code 2).
     """
     pin = pins.get(entry.path)
     if pin is None or (urls.key(pin.url), pin.version) != (urls.key(entry.url), entry.version):
         text = "the lock file has another url or version" if pin else "the lock file does not have it"
         raise RosmlError(text, lock.RENEW, exit_code=2)
+    try:
+        leads = store.has_pinned(entry.url, entry.version, pin.commit)
+    except RosmlError as error:
+        raise RosmlError(error.message, lock.RENEW if error.exit_code == 2 else error.remedy, error.exit_code) from None
+    if not leads:
+        name = entry.version or "the default branch"
+        text = (
+            f"{name} does not lead to {pin.commit}, which the lock file has: it may be of a fork or of a pull request"
+        )
+        raise RosmlError(text, f"check who wrote the lock file; then {lock.RENEW}", exit_code=2)
     return Version(pin.commit)
 
 

@@ -9,14 +9,14 @@ import hashlib
 import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from threading import Lock
 from typing import TypeVar
 
 from rosml.apps import urls
 from rosml.apps.git import LFS, Failed, Git, Setting
-from rosml.apps.versions import Version
+from rosml.apps.versions import Version, resolve
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 
@@ -57,6 +57,52 @@ class Store:
             Failed: git could not fetch it. RosmlError: there is no such commit (exit code 2).
         """
         return version.commit if version.is_exact else self._with(url, lambda kept: self._have(kept, url, version))
+
+    def has_pinned(self, url: str, version: str, commit: str) -> bool:
+        """Whether a commit is, or was, what a version names: the commit of that tag or branch, or one in its history.
+
+        A forge gives every commit of a network of forks by its hash, also those of pull requests that nobody has looked at.
+        A commit that was found once is not asked for again. Otherwise this asks for the names of the server. If the
+        version names another commit now, the history comes too, without files if the server can leave them out.
+
+        Args:
+            version: as the user wrote it. commit: a whole hash.
+
+        Raises:
+            Failed: git could not fetch it. RosmlError: the server has no such version (exit code 2).
+        """
+
+        def check(kept: Path) -> bool:
+            found = f"refs/pinned/{hashlib.sha256(version.encode()).hexdigest()[:32]}/{commit}"
+            if self._known(kept, found):
+                return True
+            try:
+                named = resolve(self._git, url, version)
+            except Failed as error:
+                raise _Unreachable(error.said) from None
+            if named.commit != commit and not (
+                self._leads_to(url, [named.ref], commit)
+                if named.ref
+                else commit.startswith(named.commit) and self._leads_to(url, ["refs/heads/*", "refs/tags/*"], commit)
+            ):
+                return False
+            self._have(kept, url, replace(named, commit=commit))
+            self._git(f"--git-dir={kept}", "update-ref", found, commit)
+            return True
+
+        return self._with(url, check)
+
+    def _leads_to(self, url: str, refs: Iterable[str], commit: str) -> bool:
+        """Whether a commit is in the history of a server's refs."""
+        # A remote with a name, because git does not leave out files that a path could give later.
+        remote = {"url": url, "promisor": "true", "partialclonefilter": "tree:0"}
+        settings = [(f"remote.rosml.{name}", value) for name, value in remote.items()]
+        with tempfile.TemporaryDirectory(dir=self._folder, prefix="history-") as folder:
+            git_dir, wanted = f"--git-dir={folder}", [f"+{ref}:refs/named/{ref}" for ref in refs]
+            self._git("init", "--quiet", "--bare", "--template=", folder)
+            self._git(git_dir, "fetch", "--quiet", "--no-tags", "rosml", *wanted, settings=settings)
+            # Not by `merge-base`, which would fetch a commit that is not there.
+            return commit in self._git(git_dir, "rev-list", "--all").split()
 
     def write(self, url: str, version: Version, into: Path) -> None:
         """Writes the files of a version, with those of its submodules, into a folder, which it empties before.
