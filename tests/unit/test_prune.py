@@ -311,6 +311,48 @@ def test_what_a_run_comes_to_need_while_tags_go_stays(
     assert nights.publish(image_set, only=["alpha"], date="2026-10-08T03:00:00Z", packages="1").made == []
 
 
+@pytest.mark.parametrize("only_digests", [False, True])
+@pytest.mark.parametrize("mover", ["a tag", "an undo", "the record of a run"])
+def test_what_a_tag_moves_to_while_manifests_go_stays(
+    nights: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, mover: str, only_digests: bool
+) -> None:
+    """The tag moves when the first manifest is gone; a run writes its record before its tags move."""
+    registry, path, records = nights.registry, f"{PREFIX}/ros", store.Records(nights.registry, PREFIX)
+    here, delete = pruner(nights, image_set, days=0, newest=0), registry.delete
+    if only_digests:
+        registry.refuses.add("delete a tag")
+    dated = [registry.head(path, tag) for place, tag in here.find().tags if place == "ros"]
+    goal = [digest for digest in dated if ("ros", digest) in here.find().manifests][-1]
+    move = tag_moves.Move("ros", "alpha-core", goal, registry.head(path, "alpha-core"))
+    old_run = "20260801T030000Z"
+    records.artifact(f"undo.{old_run}", json.dumps({"moves": [move.to_json()]}).encode(), {})
+    found = here.find()
+    assert ("ros", goal) in found.manifests
+    moved: list[str] = []
+
+    def deleting(repository: str, reference: str) -> None:
+        delete(repository, reference)
+        if moved or repository != path or not reference.startswith("sha256:"):
+            return
+        moved.append(reference)
+        if mover == "a tag":
+            registry.tag(path, goal, "alpha-core")
+        elif mover == "an undo":
+            nights.undo(old_run)
+        else:
+            data = json.dumps({"moves": [{**move.to_json(), "old": move.new, "new": goal}]}).encode()
+            records.artifact("undo.20261007T030000Z", data, {})
+
+    monkeypatch.setattr(registry, "delete", deleting)
+    lines = list(here.remove(found))
+    assert moved and goal not in moved
+    assert [line for line in lines if "ros" in line and " stays: " in line]
+    index = registry.manifest(path, goal)
+    assert index and all(registry.manifest(path, item["digest"]) for item in index.content["manifests"])
+    assert mover == "the record of a run" or registry.head(path, "alpha-core") == goal
+    reachable(nights, image_set)
+
+
 def test_a_dated_tag_that_moved_stays(nights: Place, image_set: ImageSet) -> None:
     here = pruner(nights, image_set, days=0, newest=0)
     found = here.find()

@@ -1,6 +1,9 @@
 """What a registry no longer needs, by reachability: an index that a kept tag points at keeps its images, and those keep
-what is attached to them. Everything else that the publisher knows of may go. Nothing is removed unless asked for, and
-before the manifests of a repository are removed, what leads to them is looked for again.
+what is attached to them. Everything else that the publisher knows of may go. Nothing is removed unless asked for.
+
+A tag may move while a registry is pruned, by an undo or by a run on another machine, and no registry has a lock for that. So
+immediately before an index goes, with the images that only it holds, all tags of its repository and the records of runs are
+looked at again: what one of them leads to by then stays.
 
 Looking asks once for each tag, side by side; what hangs on an index stands in it. What is attached to a manifest that
 goes is looked for when it goes.
@@ -85,7 +88,12 @@ class Pruner:
     today: date
     days: int = 30
     newest: int = 3
-    _looked: tuple[str, set[str]] = ("", set())
+    _place: str = ""  # the repository of the three that follow
+    _recorded: set[str] = field(default_factory=set)  # what the records need there
+    _now: set[str] = field(default_factory=set)  # what something leads to, when that was looked at last
+    _together: set[str] = field(default_factory=set)  # the images of the index that was looked at last
+    _runs: dict[str, str] = field(default_factory=dict)  # digests of the records of runs that were read
+    _moved: set[tuple[str, str]] = field(default_factory=set)  # what records of runs name that changed since
     _known: dict[tuple[str, str], Manifest] = field(default_factory=dict)
     _images: set[tuple[str, str]] = field(default_factory=set)
 
@@ -99,6 +107,8 @@ class Pruner:
         self._known.clear()
         self._images.clear()
         oldest = self._oldest
+        self._moved.clear()
+        self._runs = self._records_of_runs()
         roots, candidates, found.records = self._book()
         for repository in self._repositories():
             path = self._path(repository)
@@ -112,8 +122,24 @@ class Pruner:
             keep = self._reach(path, {*roots.get(repository, ()), *(digests[tag] for tag in tags if tag not in going)})
             found.needed.update((repository, digest) for digest in keep)
             gone = self._reach(path, {*candidates.get(repository, ()), *(digests[tag] for tag in going)} - keep)
-            found.manifests += [(repository, digest) for digest in sorted(gone - keep)]
+            found.manifests += [(repository, digest) for digest in self._in_order(path, gone - keep)]
         return found
+
+    def _in_order(self, path: str, gone: Iterable[str]) -> list[str]:
+        """Each index, then the images that no later one holds; last what is in none."""
+        digests = sorted(gone)
+        members = {digest: self._held_by(path, digest) for digest in digests}
+        last = {image: index for index in digests for image in members[index]}
+        alone = [digest for digest in digests if not members[digest] and digest not in last]
+        held = [
+            [index, *(image for image in digests if last.get(image) == index)] for index in digests if members[index]
+        ]
+        return [*dict.fromkeys(digest for several in held for digest in several), *alone]
+
+    def _held_by(self, path: str, digest: str) -> set[str]:
+        """What an index holds; nothing for what is none."""
+        found = self._known.get((path, digest))
+        return {item["digest"] for item in _members(found)} if found else set()
 
     def _each(self, work: Callable[[T], R], items: Iterable[T]) -> list[R]:
         """Does some work for each of several things, side by side."""
@@ -156,11 +182,32 @@ class Pruner:
                     target.setdefault(move.repository, set()).add(move.old)
         return roots, candidates, old
 
-    def _needed(self, repository: str) -> set[str]:
-        """What something leads to now, in a repository: a tag, the records, a record that is kept."""
+    def _records_of_runs(self) -> dict[str, str]:
+        """Digests of the records of runs, by their tags."""
+        path = self._path(REPOSITORY)
+        names = [name for name in self.registry.tags(path) if name.startswith(UNDO)]
+        return dict(zip(names, self._each(partial(self.registry.head, path), names), strict=True))
+
+    def _needed(self, repository: str, without: str = "") -> set[str]:
+        """What something leads to now, in a repository: a tag, the records, a record that is kept.
+
+        Entries of the records are read once for each repository: no tag moves to what an entry names before a record of that
+        is there. Records of runs that changed since count with all that they name.
+
+        Args:
+            without: a tag that does not count.
+        """
+        if repository != self._place:
+            self._place, self._recorded, self._together = repository, self._book()[0].get(repository, set()), set()
+        for name, digest in self._records_of_runs().items():
+            if self._runs.get(name) != digest:
+                self._runs[name] = digest
+                moves = read_moves(Records(self.registry, self.prefix), name)
+                self._moved |= {(move.repository, end) for move in moves for end in (move.old, move.new) if end}
         path = self._path(repository)
-        tags = self._each(partial(self.registry.head, path), self._tags(path))
-        return self._reach(path, {*self._book()[0].get(repository, ()), *tags})
+        tags = self._each(partial(self.registry.head, path), [tag for tag in self._tags(path) if tag != without])
+        moved = {digest for place, digest in self._moved if place == repository}
+        return self._reach(path, {*self._recorded, *moved, *tags})
 
     def remove(self, found: Pruning) -> Iterator[str]:
         """Removes it; gives a line for each thing that is gone, or cannot go. Tags first, then what they pointed at, then
@@ -180,6 +227,7 @@ class Pruner:
         )
         left = {kind: len(items) for kind, items, _ in steps}
         for kind, items, work in steps:
+            self._place = ""
             for item in items:
                 try:
                     line = work(found, item)
@@ -201,8 +249,7 @@ class Pruner:
         try:
             self.registry.delete(path, tag)
         except RosmlError as error:
-            shared = [name for name in self._tags(path) if name != tag and self.registry.head(path, name) == digest]
-            if shared or (repository, digest) in found.needed:
+            if (repository, digest) in found.needed or digest in self._needed(repository, without=tag):
                 found.needed.update((repository, needed) for needed in self._reach(path, [digest]))
                 return f"{repository}:{tag}{STAYS}{error.message}"
             self.registry.delete(path, digest)  # the registry knows only digests, and no other tag has this one
@@ -215,11 +262,12 @@ class Pruner:
         path = self._path(repository)
         if item in found.needed or not self.registry.head(path, digest):
             return ""
-        if repository != self._looked[0]:
-            self._looked = repository, self._needed(repository)
-        if digest in self._looked[1]:
+        if repository != self._place or digest not in self._together:
+            self._now = self._needed(repository)
+            self._together = self._held_by(path, digest)
+        if digest in self._now:
             return f"{repository}@{digest}{STAYS}something leads to it again"
-        attached = [name for name in self._attached(path, digest) if name not in self._looked[1]]
+        attached = [name for name in self._attached(path, digest) if name not in self._now]
         self.registry.delete(path, digest)
         if not self.registry.head(path, digest):  # nobody has made it anew meanwhile
             self._each(partial(self.registry.delete, path), attached)
