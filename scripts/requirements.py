@@ -23,7 +23,7 @@ from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 
-FILES: dict[str, tuple[str, ...]] = {"app": (), "dev": ("dev",), "page": ("dev", "page")}
+FILES: dict[str, tuple[str, ...]] = {"app": (), "build": ("build",), "dev": ("dev",), "page": ("dev", "page")}
 """Groups of pyproject.toml that a file has, beside the packages of the commands."""
 
 

@@ -116,7 +116,7 @@ VALUES = {
 PYTHON = """\
 [ "$1" = -m ] || exit 0
 mkdir -p "$3/bin"
-printf '#!/bin/sh\\necho "pip $*" >>"$CALLS"\\n' >"$3/bin/pip"
+printf '#!/bin/sh\\necho "pip $*" >>"%s"\\n' "$CALLS" >"$3/bin/pip"
 cp "$PROGRAMS/rosml" "$3/bin/rosml"
 chmod +x "$3"/bin/*
 """
@@ -335,3 +335,20 @@ def test_gitlab_is_told_where_rosml_is(tmp_path: Path) -> None:
     done = gitlab(tmp_path, "containerize")
     assert done.returncode != 0
     assert "the input rosml-url is missing" in done.stderr
+
+
+@pytest.mark.parametrize("name", [ci_files.ACTION, ci_files.INDEX])
+def test_nothing_is_fetched_after_the_action_logs_in(name: str) -> None:
+    """Only what pushes runs beside the registry's password."""
+    steps = yaml.safe_load((ROOT / name).read_text())["runs"]["steps"]
+    [place] = [number for number, step in enumerate(steps) if "login-action" in step.get("uses", "")]
+    left = [step for step in steps[place + 1 :] if "upload-artifact" not in step.get("uses", "")]
+    assert [step["run"].split()[:2] for step in left] == [['"$RUNNER_TEMP/rosml/bin/rosml"', "ci"]]
+
+
+@pytest.mark.parametrize("name", [".containerize-build", "containerize"])
+def test_nothing_is_fetched_after_a_job_of_gitlab_logs_in(name: str) -> None:
+    _, jobs = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    lines = [*jobs[".containerize"]["before_script"], *jobs[name]["script"]]
+    left = lines[lines.index("/opt/rosml/bin/rosml ci login") + 1 :]
+    assert len(left) == 1 and "/opt/rosml/bin/rosml ci" in left[0]

@@ -10,9 +10,10 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import tomllib
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import pytest
@@ -20,7 +21,7 @@ from conftest import ROOT
 
 from tests.bare import Bootstrap
 
-FILES = ("app", "dev", "page")
+FILES = ("app", "build", "dev", "page")
 
 
 def requirements(name: str) -> str:
@@ -41,7 +42,7 @@ def test_they_are_current() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "stale"),
     [
-        ('"click==', '"clock==', {"app", "dev", "page"}),
+        ('"click==', '"clock==', {"app", "build", "dev", "page"}),
         ('"pytest==', '"pytest>=', {"dev", "page"}),
         ('"zensical==', '"zensicol==', {"dev", "page"}),
         ('"playwright==', '"playwrong==', {"page"}),
@@ -76,7 +77,9 @@ def test_what_is_asked_for_is_there() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     groups = project["dependency-groups"]
     wanted = {"app": project["project"]["dependencies"] + project["project"]["optional-dependencies"]["images"]}
-    wanted["dev"] = [*wanted["app"], *groups["docs"], *(item for item in groups["dev"] if isinstance(item, str))]
+    wanted["build"] = [*wanted["app"], *groups["build"]]
+    assert project["build-system"]["requires"] == groups["build"]
+    wanted["dev"] = [*wanted["build"], *groups["docs"], *(item for item in groups["dev"] if isinstance(item, str))]
     wanted["page"] = [*wanted["dev"], *groups["page"]]
     for name in FILES:
         found = set(re.findall(r"^([\w.-]+==\S+)", requirements(name), re.MULTILINE))
@@ -85,20 +88,20 @@ def test_what_is_asked_for_is_there() -> None:
 
 def test_they_agree_with_one_another() -> None:
     """So that a machine that has one of them changes no version for the next."""
-    app, dev, page = (set(re.findall(r"^[\w.-]+==\S+", requirements(name), re.MULTILINE)) for name in FILES)
-    assert app < dev < page
+    app, build, dev, page = (set(re.findall(r"^[\w.-]+==\S+", requirements(name), re.MULTILINE)) for name in FILES)
+    assert app < build < dev < page
 
 
 # ---- Installed --------------------------------------------------------------------------------------------------------
 
 
-def wheel(folder: Path, name: str, needs: str = "") -> str:
-    """Makes a wheel without any code; its sha256."""
+def wheel(folder: Path, name: str, needs: str = "", code: str = "") -> str:
+    """Makes a wheel of one module; its sha256."""
     folder.mkdir(exist_ok=True)
     info = f"{name}-1.0.dist-info"
     metadata = f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n" + (f"Requires-Dist: {needs}\n" if needs else "")
     content = {
-        f"{name}.py": "",
+        f"{name}.py": code,
         f"{info}/METADATA": metadata,
         f"{info}/WHEEL": "Wheel-Version: 1.0\nGenerator: a test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
     }
@@ -188,3 +191,77 @@ def test_a_smaller_group_takes_nothing_away(bare: Bootstrap, tmp_path: Path) -> 
 def test_uv_resolves_nothing_by_itself() -> None:
     """`uv run` would otherwise install versions that nobody pinned, and write uv.lock."""
     assert tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["uv"]["managed"] is False
+
+
+# ---- In CI -----------------------------------------------------------------------------------------------------------
+
+BACKEND = """\
+import os, pathlib, zipfile
+def build_wheel(folder, settings=None, metadata=None):
+    pathlib.Path({seen!r}).write_text("{what}\\n" + repr(dict(os.environ)))
+    with zipfile.ZipFile(os.path.join(folder, "rosml-1.0-py3-none-any.whl"), "w") as wheel:
+        wheel.writestr("rosml.py", "def run(): print('it runs')\\n")
+        wheel.writestr("rosml-1.0.dist-info/METADATA", "Metadata-Version: 2.1\\nName: rosml\\nVersion: 1.0\\n")
+        wheel.writestr("rosml-1.0.dist-info/WHEEL", "Wheel-Version: 1.0\\nRoot-Is-Purelib: true\\nTag: py3-none-any\\n")
+        wheel.writestr("rosml-1.0.dist-info/entry_points.txt", "[console_scripts]\\nrosml = rosml:run\\n")
+        wheel.writestr("rosml-1.0.dist-info/RECORD", "")
+    return "rosml-1.0-py3-none-any.whl"
+"""
+
+
+@pytest.fixture
+def install_in_ci(tmp_path: Path) -> Callable[[], subprocess.CompletedProcess[str]]:
+    """Runs containerize/install.sh of a checkout whose wheel `backend` makes, with the packages that are in a folder."""
+    root = tmp_path / "checkout"
+    (root / "tools").mkdir(parents=True)
+    (root / "containerize").mkdir()
+    shutil.copy(ROOT / "containerize/install.sh", root / "containerize")
+    system = '[build-system]\nrequires = ["backend==1.0"]\nbuild-backend = "backend"\n'
+    (root / "pyproject.toml").write_text(f'{system}[project]\nname = "rosml"\nversion = "1.0"\n')
+
+    def install() -> subprocess.CompletedProcess[str]:
+        environment = {name: value for name, value in os.environ.items() if not name.startswith(("PIP_", "UV_"))}
+        environment |= {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(tmp_path / "wheels"), "CI_JOB_TOKEN": "s3cret"}
+        argv = ["sh", str(root / "containerize/install.sh"), str(tmp_path / "installed")]
+        return subprocess.run(argv, env=environment, capture_output=True, text=True, check=False)
+
+    return install
+
+
+def test_ci_installs_with_a_backend_of_the_right_hash_and_without_secrets(
+    install_in_ci: Callable[[], subprocess.CompletedProcess[str]], tmp_path: Path
+) -> None:
+    seen = tmp_path / "seen"
+    digest = wheel(tmp_path / "wheels", "backend", code=BACKEND.format(seen=str(seen), what="right"))
+    (tmp_path / "checkout/tools/requirements-build.txt").write_text(f"backend==1.0 --hash=sha256:{digest}\n")
+    done = install_in_ci()
+    assert done.returncode == 0, done.stderr
+    assert subprocess.check_output([tmp_path / "installed/bin/rosml"], text=True) == "it runs\n"
+    assert seen.read_text().startswith("right\n") and "s3cret" not in seen.read_text()
+
+
+@pytest.mark.parametrize("tampered", ["the backend", "what the backend needs", "a package without a wheel"])
+def test_ci_runs_nothing_that_has_another_hash(
+    install_in_ci: Callable[[], subprocess.CompletedProcess[str]], tmp_path: Path, tampered: str
+) -> None:
+    """An index that was taken over gives another backend for the same version, or one for a package of ours."""
+    seen, wheels, needs = tmp_path / "seen", tmp_path / "wheels", "helper" if "needs" in tampered else ""
+    code = BACKEND.format(seen=str(seen), what="right")
+    digests = {"backend": wheel(wheels, "backend", needs, code), "helper": wheel(wheels, "helper")}
+    if tampered == "the backend":
+        wheel(wheels, "backend", needs, BACKEND.format(seen=str(seen), what="tampered"))
+    elif tampered == "what the backend needs":
+        del digests["helper"]
+    else:
+        (wheels / "helper-1.0-py3-none-any.whl").unlink()
+        system = '[build-system]\nrequires = ["backend==1.0"]\nbuild-backend = "backend"\n'
+        with tarfile.open(wheels / "helper-1.0.tar.gz", "w:gz") as archive:
+            (tmp_path / "pyproject.toml").write_text(f'{system}[project]\nname = "helper"\nversion = "1.0"\n')
+            archive.add(tmp_path / "pyproject.toml", "helper-1.0/pyproject.toml")
+        digests["helper"] = hashlib.sha256((wheels / "helper-1.0.tar.gz").read_bytes()).hexdigest()
+    lines = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in digests.items())
+    (tmp_path / "checkout/tools/requirements-build.txt").write_text(lines)
+    (tmp_path / "checkout/tools/requirements-app.txt").touch()
+    done = install_in_ci()
+    assert done.returncode != 0
+    assert not seen.exists() and not (tmp_path / "installed/bin/rosml").exists()
