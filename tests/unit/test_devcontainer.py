@@ -11,6 +11,7 @@ import sys
 import tarfile
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from conftest import ROOT
@@ -116,6 +117,34 @@ def test_what_a_registry_sends_is_compared(registry: StandIn, tmp_path: Path) ->
     done = add(f"{registry.address}/me/part:torch-cu130-py{SHORT}", tmp_path)
     assert done.returncode == 1 and "cuda-cu130 did not arrive whole" in done.stderr
     assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize("kind", ["manifest", "config"])
+def test_what_a_registry_says_of_a_part_is_compared(kind: str, registry: StandIn, tmp_path: Path) -> None:
+    """Another manifest brings other layers, with digests that fit; another config says that the part needs none."""
+    name = f"torch-cu130-py{SHORT}"
+    with oci.Registry(registry.address) as client:
+        index = client.manifest("me/part", name)
+        assert index
+        digest = index.content["manifests"][0]["digest"]
+        other = client.manifest("me/part", f"tensorflow-cu130-py{SHORT}")
+        manifest = client.manifest("me/part", digest)
+        assert other and manifest
+        replace = other.content["manifests"][0]["digest"]
+        config = manifest.content["config"]["digest"]
+    if kind == "manifest":
+        registry.manifests[place(registry.manifests, digest)] = registry.manifests[place(registry.manifests, replace)]
+    else:
+        key = place(registry.blobs, config)
+        registry.blobs[key] = registry.blobs[key].replace(b"cuda*,common,", b"")
+    done = add(f"{registry.address}/me/part:{name}", tmp_path)
+    assert done.returncode == 1 and "did not arrive whole" in done.stderr
+    assert not [*tmp_path.iterdir()]
+
+
+def place(found: dict[Any, Any], digest: str) -> Any:
+    """Where the registry keeps what has a digest."""
+    return next(key for key in found if digest in key)
 
 
 @pytest.mark.parametrize(("status", "says"), [(403, "it wants a password"), (500, "HTTP 500")])

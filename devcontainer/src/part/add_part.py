@@ -3,14 +3,15 @@
 
     add_part.py REGISTRY/REPOSITORY:NAME ROOT
 
-The labels of a part say what it needs: its framework's parts that are joined before it. Nothing but the registry is asked, and
-what it sends is compared with its digests. It may ask for a token, as public registries do of everybody; a password it cannot be
-given.
+The labels of a part say what it needs: its framework's parts that are joined before it. Nothing but the registry is asked. What
+it sends for a digest is compared with that digest: manifests, configs and layers. What a name stands for is the registry's word.
+It may ask for a token, as public registries do of everybody; a password it cannot be given.
 """
 
 from __future__ import annotations
 
 import hashlib
+import io
 import json
 import platform
 import re
@@ -21,7 +22,7 @@ import urllib.error
 import urllib.parse
 import urllib.request
 from pathlib import Path
-from typing import Any, BinaryIO, NoReturn
+from typing import IO, Any, BinaryIO, NoReturn
 
 PREFIX = "io.rosml."
 INDEX = "application/vnd.oci.image.index.v1+json"
@@ -29,6 +30,8 @@ MANIFEST = "application/vnd.oci.image.manifest.v1+json"
 ARCHITECTURES = {"x86_64": "amd64", "aarch64": "arm64"}
 TIMEOUT = 60.0
 """Seconds without an answer."""
+LARGEST = 4 << 20
+"""Bytes of a manifest or config."""
 
 
 def fail(message: str, remedy: str) -> NoReturn:
@@ -67,10 +70,38 @@ class Repository:
                 fail(f"{self.name} does not answer: {error}", "check the registry, the network and HTTPS_PROXY")
         fail(f"{self.name} takes no token", "check that everybody may pull it")
 
-    def json(self, path: str) -> Any:
-        """A manifest or configuration."""
-        with self.open(path, f"{INDEX}, {MANIFEST}") as answer:
-            return json.load(answer)
+    def named(self, name: str) -> Any:
+        """The manifest or index that a name stands for."""
+        with self.open(f"manifests/{name}", f"{INDEX}, {MANIFEST}") as answer:
+            return self._parsed(answer.read(LARGEST), name)
+
+    def json(self, kind: str, digest: str) -> Any:
+        """A manifest or config, by its digest."""
+        content = io.BytesIO()
+        self.copy(kind, digest, content, digest, LARGEST)
+        return self._parsed(content.getvalue(), digest)
+
+    def copy(self, kind: str, digest: str, to: IO[bytes], what: str, largest: int = 1 << 50) -> None:
+        """Writes what the registry has for a digest into a file; ends the program if it has another digest."""
+        if not re.fullmatch(r"sha256:[0-9a-f]{64}", digest):
+            fail(f"{self.name}: {digest!r} is no digest", "check the name of the part")
+        seen = hashlib.sha256()
+        with self.open(f"{kind}/{digest}", f"{INDEX}, {MANIFEST}" if kind == "manifests" else "*/*") as answer:
+            try:
+                while largest > 0 and (block := answer.read(min(largest, 1 << 20))):
+                    largest -= len(block)
+                    seen.update(block)
+                    to.write(block)
+            except OSError as error:
+                fail(f"{what} did not arrive: {error}", "try again")
+        if f"sha256:{seen.hexdigest()}" != digest:
+            fail(f"{what} did not arrive whole", "try again")
+
+    def _parsed(self, content: bytes, what: str) -> Any:
+        try:
+            return json.loads(content)
+        except ValueError:
+            fail(f"{self.name}: {what} is no JSON", "check the registry, and the name of the part")
 
     def _new_token(self, asks: str) -> str:
         """A token, of whoever gives it to everybody."""
@@ -93,7 +124,7 @@ class Part:
 
     def __init__(self, repository: Repository, name: str) -> None:
         self._repository, self.name = repository, name
-        manifest = repository.json(f"manifests/{name}")
+        manifest = repository.named(name)
         if "manifests" in manifest:
             wanted = ARCHITECTURES.get(platform.machine(), platform.machine())
             found = {
@@ -101,9 +132,9 @@ class Part:
             }
             if wanted not in found:
                 fail(f"{name} is not for {wanted}", f"there are: {', '.join(sorted(found))}")
-            manifest = repository.json(f"manifests/{found[wanted]}")
+            manifest = repository.json("manifests", found[wanted])
         self._layers = manifest["layers"]
-        config = repository.json(f"blobs/{manifest['config']['digest']}")
+        config = repository.json("blobs", manifest["config"]["digest"])
         self.labels: dict[str, str] = config.get("config", {}).get("Labels") or {}
 
     def needed(self) -> list[str]:
@@ -128,17 +159,9 @@ class Part:
         for layer in self._layers:
             digest, kind = layer["digest"], layer["mediaType"].rpartition("+")[2]
             print(f"{self.name}: {layer['size'] / 1e6:.1f} MB", flush=True)
-            with tempfile.NamedTemporaryFile() as file, self._repository.open(f"blobs/{digest}") as answer:
-                seen = hashlib.sha256()
-                try:
-                    while block := answer.read(1 << 20):
-                        seen.update(block)
-                        file.write(block)
-                except OSError as error:
-                    fail(f"{self.name} did not arrive: {error}", "try again")
+            with tempfile.NamedTemporaryFile() as file:
+                self._repository.copy("blobs", digest, file, self.name)
                 file.flush()
-                if f"sha256:{seen.hexdigest()}" != digest:
-                    fail(f"{self.name} did not arrive whole", "try again")
                 unpack = ["--zstd"] if kind == "zstd" else ["--gzip"] if kind == "gzip" else []
                 command = [
                     "tar",
