@@ -16,6 +16,7 @@ from conftest import ROOT
 
 from rosml.apps import ci, ci_files
 from rosml.base.errors import RosmlError
+from rosml.base.programs import pinned_image
 from tests import act
 from tests.pages import blocks
 
@@ -135,7 +136,7 @@ mkdir -p "$4" && echo '[]' >"$4/images.json"
 UPLOAD = '[ ! -d "$PATHS" ] || cp -a "$PATHS" "$ARTIFACTS/$NAME"'
 DOWNLOAD = 'mkdir -p "$PATHS" && for place in "$ARTIFACTS"/$PATTERN; do cp -a "$place" "$PATHS/"; done'
 
-GO = "tools/go/buildkitd/go.mod"
+IMAGES = "tools/images.txt"
 OWN = "rosml/rosml"
 COMMIT = "f" * 40
 
@@ -172,7 +173,7 @@ class Run:
     def _act(self, event: str, fails: str, secrets: dict[str, str]) -> str:
         own = self.folder / "own"
         actions = ""
-        for name in (ci_files.ACTION, ci_files.INDEX, "containerize/install.sh", "containerize/builder.sh", GO):
+        for name in (ci_files.ACTION, ci_files.INDEX, "containerize/install.sh", "containerize/builder.sh", IMAGES):
             (own / name).parent.mkdir(parents=True, exist_ok=True)
             (own / name).write_text((ROOT / name).read_text())
             (own / name).chmod(0o755)
@@ -233,10 +234,10 @@ def test_the_action_passes_every_value_as_it_is(tmp_path: Path) -> None:
     assert seen["GIT_HTTPS_PASSWORD"] == act.TOKEN
     assert (seen["TARGET"], seen["PUSH"], seen["IMAGE_TAG"]) == ("run", "true", "")
     assert "REGISTRY_PASSWORD" not in seen
-    [version] = re.findall(r"moby/buildkit (v\S+)", (ROOT / GO).read_text())
     [create] = [call for call in run.calls if "buildx create" in call]
     assert create.endswith(
-        f"--name {seen['BUILDX_BUILDER']} --driver docker-container --driver-opt image=moby/buildkit:{version}"
+        f"--name {seen['BUILDX_BUILDER']} --driver docker-container"
+        f" --driver-opt image={pinned_image(ROOT, 'moby/buildkit')}"
     )
 
 
@@ -293,8 +294,8 @@ def gitlab(folder: Path, job: str, **variables: str) -> subprocess.CompletedProc
         "\n".join(lines).replace("/tmp/", f"{folder}/").replace("/opt/", f"{folder}/opt/").replace("cd /tmp", "cd .")
     )
     (folder / "programs").mkdir()
-    clone = f'mkdir -p "{folder}/rosml/tools/go" && cp -r {ROOT}/containerize "{folder}/rosml/"'
-    pins = f'cp -r {ROOT}/tools/go/buildkitd "{folder}/rosml/tools/go/"'
+    clone = f'mkdir -p "{folder}/rosml/tools" && cp -r {ROOT}/containerize "{folder}/rosml/"'
+    pins = f'cp {ROOT}/{IMAGES} "{folder}/rosml/tools/"'
     told = 'echo "$(basename "$0") $*" >>"$CALLS"'
     builds = 'echo "rosml $*" >>"$CALLS"'
     programs = {"apk": told, "git": f"{told}\n{clone}\n{pins}", "python3": PYTHON, "rosml": builds}
@@ -352,3 +353,32 @@ def test_nothing_is_fetched_after_a_job_of_gitlab_logs_in(name: str) -> None:
     lines = [*jobs[".containerize"]["before_script"], *jobs[name]["script"]]
     left = lines[lines.index("/opt/rosml/bin/rosml ci login") + 1 :]
     assert len(left) == 1 and "/opt/rosml/bin/rosml ci" in left[0]
+
+
+def test_every_image_that_is_started_has_a_digest() -> None:
+    """All of them stand in one file; the file for GitLab repeats what it needs."""
+    lines = [line for line in (ROOT / IMAGES).read_text().splitlines() if not line.startswith("#")]
+    assert all(re.fullmatch(r"[a-z/]+:[\w.-]+@sha256:[0-9a-f]{64}", line) for line in lines)
+    names = "|".join(sorted({re.escape(line.partition(":")[0]) for line in lines}))
+    places = [ROOT / "Makefile", ROOT / "Dockerfile"]
+    for folder in (
+        "containerize",
+        "src",
+        "scripts",
+        "components",
+        "tools",
+        ".github",
+        "docs",
+        "examples",
+        "devcontainer",
+    ):
+        places += [file for file in (ROOT / folder).rglob("*") if file.suffix in {".py", ".sh", ".yml", ".md", ".txt"}]
+    named = {
+        found
+        for file in places
+        for found in re.findall(rf"(?<![\w./-])(?:{names}):[\w.-]*[\d][^\s\"'`]*", file.read_text(errors="replace"))
+    }
+    assert named == set(lines)
+    _, jobs = yaml.safe_load_all((ROOT / ci_files.GITLAB).read_text())
+    used = [jobs[".containerize"]["image"], *(service["name"] for service in jobs[".containerize"]["services"])]
+    assert set(used) == {line for line in lines if line.startswith("docker:")}

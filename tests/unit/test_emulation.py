@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import os
 import platform
+import re
+import shutil
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 from stubs import executable
 
 from rosml.base.errors import RosmlError
@@ -71,10 +74,13 @@ def test_a_kernel_that_knows_needs_no_new_builder(machine: Installer) -> None:
 
 
 def test_a_plain_user(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What it is told to run with all rights has a digest."""
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    (machine.state.root / "tools").mkdir(parents=True)
+    shutil.copy(ROOT / "tools/images.txt", machine.state.root / "tools")
     with pytest.raises(RosmlError, match="only root") as caught:
         ensure(machine)
-    assert "--install arm64" in caught.value.remedy
+    assert re.search(r"--rm tonistiigi/binfmt:\S+@sha256:[0-9a-f]{64} --install arm64$", caught.value.remedy)
 
 
 def test_a_user_with_sudo(machine: Installer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -23,6 +23,7 @@ from workflows import accepted
 
 from rosml.base import programs
 from rosml.base.errors import RosmlError
+from rosml.base.programs import pinned_version
 from rosml.cli import main
 from rosml.cli import setup as commands
 from rosml.machine.services import Services
@@ -481,7 +482,8 @@ def test_choice_of_the_builder(
 
 
 def test_buildkit_in_docker_is_of_the_pinned_release() -> None:
-    assert re.fullmatch(r"moby/buildkit:v\d+\.\d+\.\d+", tools.buildkit_image(State(ROOT)))
+    version = re.escape(pinned_version(ROOT, "buildkitd", RosmlError))
+    assert re.fullmatch(rf"moby/buildkit:v{version}@sha256:[0-9a-f]{{64}}", tools.buildkit_image(State(ROOT)))
 
 
 # ---- network --------------------------------------------------------------------------------------------------------

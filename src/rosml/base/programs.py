@@ -1,4 +1,4 @@
-"""Versions of the programs that are built from source, as tools/go pins them."""
+"""Versions of the programs that are built from source, as tools/go pins them, and digests of images, as tools/images.txt does."""
 
 from __future__ import annotations
 
@@ -59,3 +59,23 @@ def pinned_version(root: Path, program: str, failed: type[RosmlError]) -> str:
         raise failed(f"{file}: {error.strerror}", "call this in a checkout") from None
     except ValueError:
         raise failed(f"{file} pins no {program}", "restore the file") from None
+
+
+def pinned_image(root: Path, name: str) -> str:
+    """An image with the tag and the digest that a checkout pins.
+
+    Args:
+        root: the checkout.
+        name: such as `moby/buildkit`.
+
+    Raises:
+        RosmlError: it pins none.
+    """
+    file = root / "tools" / "images.txt"
+    try:
+        found = re.search(rf"^{re.escape(name)}:\S+@sha256:[0-9a-f]{{64}}$", file.read_text(), re.MULTILINE)
+    except OSError as error:
+        raise RosmlError(f"{file}: {error.strerror}", "call this in a checkout") from None
+    if not found:
+        raise RosmlError(f"{file} pins no {name}", "restore the file")
+    return found[0]

@@ -12,6 +12,7 @@ import subprocess
 from pathlib import Path
 
 from rosml.base.errors import RosmlError
+from rosml.base.programs import pinned_image
 from rosml.machine.setup.installer import Installer, which_system
 from rosml.machine.setup.process import output_of
 
@@ -43,7 +44,8 @@ def ensure(installer: Installer, hub: bool, table: Path = TABLE, entries: Path =
         return False
     root = [] if os.geteuid() == 0 else _sudo()
     if root is None:
-        by_hand = "docker run --privileged --rm tonistiigi/binfmt --install " + architecture
+        image = pinned_image(installer.state.root, "tonistiigi/binfmt")
+        by_hand = f"docker run --privileged --rm {image} --install {architecture}"
         raise RosmlError(
             f"only root may let the kernel run programs of {architecture}", f"call it as root, or: {by_hand}"
         )

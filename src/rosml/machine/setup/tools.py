@@ -7,7 +7,7 @@ import shutil
 from concurrent.futures import ThreadPoolExecutor
 
 from rosml.base.errors import RosmlError
-from rosml.base.programs import pinned_version
+from rosml.base.programs import pinned_image
 from rosml.machine.services import Services
 from rosml.machine.setup.installer import Installer, dotted, version_in, which_system
 from rosml.machine.setup.process import output_of
@@ -37,8 +37,8 @@ def _docker(installer: Installer, *arguments: str) -> str:
 
 
 def buildkit_image(state: State) -> str:
-    """BuildKit's image of the same release as the buildkitd that is built where there is no Docker."""
-    return f"moby/buildkit:v{pinned_version(state.root, 'buildkitd', RosmlError)}"
+    """BuildKit's image, by its digest, of the same release as the buildkitd that is built if there is no Docker."""
+    return pinned_image(state.root, "moby/buildkit")
 
 
 def buildx_of(installer: Installer) -> tuple[str, ...]:
