@@ -113,6 +113,7 @@ def play(
     secrets: Mapping[str, str] | None = None,
     inputs: Mapping[str, str] | None = None,
     lost: str = "",
+    visibility: str = "",
 ) -> Played:
     """Runs a workflow.
 
@@ -123,7 +124,7 @@ def play(
         event: what starts it. checkout: what jobs check out besides `./rosml`.
         repository: owner and name. variables: of the repository. inputs: of a run by hand.
         secrets: of the repository. With ROSML_PASSWORD, that is what logs in; without, the job's own token.
-        lost: artifacts that nobody can download.
+        lost: artifacts that nobody can download. visibility: of the repository, `public` or `private`.
 
     Raises:
         ValueError: act does not understand the workflow; with its reasons.
@@ -162,6 +163,9 @@ def play(
     argv += [f"--env={name}={value}" for name, value in given.items()]
     argv += [f"--var={name}={value}" for name, value in (variables or {}).items()]
     argv += [f"--input={name}={value}" for name, value in (inputs or {}).items()]
+    if visibility:
+        (folder / "event.json").write_text(json.dumps({"repository": {"visibility": visibility}}))
+        argv += ["--eventpath", str(folder / "event.json")]
     path = f"{folder / 'programs'}{os.pathsep}{os.environ['PATH']}"
     environment = {**os.environ, "PATH": path, "HOME": str(folder / "home"), "XDG_CACHE_HOME": str(folder / "home")}
     environment["ACT_DISABLE_VERSION_CHECK"] = "1"  # asks a host outside

@@ -260,6 +260,30 @@ def test_nothing_is_said_of_a_manifest_that_is_gone(registry: Place) -> None:
         provenance.attach(registry.registry, "ros", "sha256:2", made, provenance.Machine("me", "1"), DAY, NEXT)
 
 
+def test_a_signature_covers_the_publishers_statements_and_no_other(registry: Place, image_set: ImageSet) -> None:
+    """Somebody who may push attaches a statement that names the same builder; the index is made again after that."""
+    run = registry.publish(image_set, only=ONLY)
+    key = (TARGET, "amd64")
+    entry = run.plan.known[key]
+    path = run.repository(entry.repository)
+    manifest = registry.registry.manifest(path, entry.digest)
+    assert manifest
+    said = {provenance.PREDICATE_ANNOTATION: provenance.PREDICATE, provenance.BUILDER: provenance.OWN_MACHINE}
+    forged = registry.registry.attach(path, manifest.descriptor, MEDIA_TYPE, b"{}", MEDIA_TYPE, said)
+    for number in (0, 1):
+        if number:
+            run = registry.publish(image_set, only=ONLY, date=NEXT, force=True)
+        index = registry.registry.manifest(path, run.plan.known[TARGET, INDEX].digest)
+        assert index
+        named = {
+            item["platform"]["architecture"]: item["annotations"][provenance.COVERED].split()
+            for item in index.content["manifests"]
+        }
+        assert named["amd64"] == list(run.plan.known[key].provenance.values()) != [forged]
+        statement = registry.registry.manifest(path, named["amd64"][0])
+        assert statement and statement.content["subject"]["digest"] == entry.digest
+
+
 def test_a_builder_says_it_once(registry: Place, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
     run = registry.publish(image_set, only=ONLY)
     registry.publish(image_set, only=ONLY, date=NEXT, force=True)

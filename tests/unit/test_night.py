@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.act import Played, play, workflow
 
 SHARDS = '[{"name":"amd64-1","runner":"ubuntu-24.04"},{"name":"arm64-1","runner":"ubuntu-24.04-arm"}]'
@@ -95,6 +97,22 @@ def test_a_signer_that_does_not_sign(tmp_path: Path) -> None:
     played = play(workflow("nightly"), tmp_path, programs, variables={"ROSML_SIGN": "true"})
     assert played.results["promote"] == "failure"
     assert not {"index", "promote"} & set(steps(played, "promote"))
+
+
+@pytest.mark.parametrize(
+    ("visibility", "variable", "signs"),
+    [("public", "", True), ("private", "", False), ("public", "false", False), ("private", "true", True)],
+)
+def test_a_public_repository_signs_unless_a_variable_says_otherwise(
+    tmp_path: Path, visibility: str, variable: str, signs: bool
+) -> None:
+    seen = 'echo "${ROSML_SIGN:-}" >"$CALLS.$GITHUB_JOB"'
+    programs = {"make": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{seen}\n{ROSML}"}
+    variables = {"ROSML_SIGN": variable} if variable else {}
+    played = play(workflow("nightly"), tmp_path, programs, variables=variables, visibility=visibility)
+    assert played.results["promote"] == "success"
+    assert ({"signer", "test-signer"} <= set(steps(played, "promote"))) is signs
+    assert (tmp_path / "calls.promote").read_text() == f"{str(signs).lower()}\n"
 
 
 def test_results_of_a_scan_that_never_arrive(tmp_path: Path) -> None:

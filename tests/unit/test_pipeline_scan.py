@@ -19,11 +19,12 @@ from rosml.publish import scan_results
 from rosml.publish.pipeline import policy_digest
 from rosml.publish.plan import Item
 from rosml.publish.steps import STEPS
+from rosml.records.store import INDEX
 from rosml.scan import judge as judging
 from rosml.scan.judge import Outcome, summarise
 from rosml.scan.policy import Rules
 from rosml.scan.results import Results
-from rosml.scan.sbom import MEDIA_TYPE, SCANNER_ANNOTATION
+from rosml.scan.sbom import COVERED, MEDIA_TYPE, SCANNER_ANNOTATION
 from rosml.scan.trivy import ScannerFailed
 
 
@@ -127,6 +128,26 @@ def test_an_sbom_that_somebody_attached_does_not_count(
     again = scanned(registry, image_set, world, date=NEXT, before_the_scan=attack)
     assert again.plan.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
     assert world.calls("cyclonedx") == reads, "what the first scan made is known by its digest"
+
+
+def test_an_index_names_the_sboms_of_what_its_images_are_made_of(
+    registry: Place, image_set: ImageSet, world: World
+) -> None:
+    """By digest, so that whoever checks the index's signature knows which of those that are attached are the publisher's."""
+    world.advisories.clear()
+    run = scanned(registry, image_set, world)
+    known = run.plan.known
+    index = run.registry.manifest(run.repository("ros-torch"), known[BASE, INDEX].digest)
+    assert index
+    for item in index.content["manifests"]:
+        architecture = item["platform"]["architecture"]
+        named = {name: text for name, text in item["annotations"].items() if name.startswith(COVERED)}
+        parts = known[BASE, architecture].parts
+        assert named.keys() == {COVERED + target for target in parts}
+        for target, digest in parts.items():
+            repository, _, artifact = named[COVERED + target].partition("@")
+            manifest = run.registry.manifest(run.repository(repository), artifact)
+            assert manifest and manifest.content["subject"]["digest"] == digest
 
 
 def test_what_was_clean_is_not_scanned_again(registry: Place, image_set: ImageSet, world: World) -> None:

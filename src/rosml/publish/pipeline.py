@@ -35,7 +35,7 @@ from rosml.records.store import DATE, INDEX, INPUTS, READERS, Entry, Records
 from rosml.registry import oci, repositories
 from rosml.registry.oci import Config, Manifest, Registry
 from rosml.scan import judge as scanning
-from rosml.scan import sarif
+from rosml.scan import sarif, sbom
 from rosml.scan.policy import Rules
 from rosml.scan.results import Kept, Results
 from rosml.scan.sbom import Shelf
@@ -246,9 +246,10 @@ class Pipeline:
                 self._ask_again(item.thing.distribution, moment)
                 raise
         self.pushed += self._new_bytes(item, entry, made)
-        self._attest(item, made, started)
+        said = self._attest(item, entry, made, started)
         self.plan.forced.add(item.key)
-        return entry.made(made.digest, **self._facts(item, made.digest, made.parts), upstream=made.upstream)
+        facts = self._facts(item, made.digest, made.parts)
+        return entry.made(made.digest, **facts, provenance=said, upstream=made.upstream)
 
     def _ask_again(self, distribution: str, moment: str) -> None:
         """Asks, after a build failed, whether ROS published new packages since the plan was made.
@@ -284,12 +285,16 @@ class Pipeline:
 
     # ---- Where an image came from ------------------------------------------------------------------------------------
 
-    def _attest(self, item: Item, made: Made, started: str) -> None:
-        """Attaches to what was made, or joined, what it was made from; what is attached already is not said again."""
+    def _attest(self, item: Item, before: Entry, made: Made, started: str) -> dict[str, str]:
+        """Attaches to what was made, or joined, what it was made from; gives digests of all statements, by builder. What was
+        said of the same bytes before is not said again."""
+        known = dict(before.provenance) if before.digest == made.digest else {}
         place = self.repository(item.repository)
         inputs = self.plan.inputs.digest(*item.key)
         definition = provenance.definition(self._parameters(item), inputs, self._dependencies(item, made))
-        provenance.attach(self.registry, place, made.digest, definition, self.machine, started, now())
+        builder = self.machine.builder
+        facts = definition, self.machine, started, now(), known.get(builder, "")
+        return known | {builder: provenance.attach(self.registry, place, made.digest, *facts)}
 
     @cached_property
     def machine(self) -> provenance.Machine:
@@ -352,9 +357,9 @@ class Pipeline:
         started, parts = now(), self._parts(item)
         assert isinstance(item.thing, Image)
         digest = self._maker.join(item.thing, item.architecture, parts)
-        self._attest(item, Made(digest, parts), started)
+        said = self._attest(item, entry, Made(digest, parts), started)
         self.plan.forced.add(item.key)
-        return entry.made(digest, **self._facts(item, digest, parts))
+        return entry.made(digest, **self._facts(item, digest, parts), provenance=said)
 
     def _test(self, item: Item, entry: Entry) -> Entry:
         """Runs an image's structure tests."""
@@ -595,9 +600,23 @@ class Pipeline:
         labels = configs[entries[0].architecture].labels
         annotations = self._checkout | {name: text for name, text in labels.items() if name.startswith(OCI)}
         annotations |= {INPUTS: inputs, DATE: self.plan.date}
-        members = [{**manifest.descriptor, "platform": _platform(config)} for manifest, config in images.values()]
+        members = [
+            {**manifest.descriptor, "platform": _platform(config), **self._covered(entry)}
+            for entry, (manifest, config) in zip(entries, images.values(), strict=True)
+        ]
         content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": members, "annotations": annotations}
         return self.registry.put_manifest(repository, "", content, oci.INDEX)
+
+    def _covered(self, entry: Entry) -> dict[str, dict[str, str]]:
+        """What an index says of one of its images besides: which statements and SBOMs are the publisher's, by their digests. A
+        signature of the index covers them then."""
+        found = {provenance.COVERED: " ".join(sorted(entry.provenance.values()))} if entry.provenance else {}
+        item = self.plan.by_key[entry.target, entry.architecture]
+        for target in item.needs if item.kind == "joined" else (item.target,):
+            part = self.plan.known.get((target, entry.architecture))
+            if part and part.sbom and part.digest == entry.parts.get(target, entry.digest):
+                found[sbom.COVERED + target] = f"{part.repository}@{part.sbom}"
+        return {"annotations": found} if found else {}
 
     @property
     def _checkout(self) -> dict[str, str]:

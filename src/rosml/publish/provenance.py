@@ -1,7 +1,8 @@
 """Where an image came from: SLSA provenance in an in-toto statement, attached to the manifest that it is about.
 
 It is kept apart from the image, so that times and machines are in no manifest: the same inputs give the same digest on
-any day. Each manifest has one statement of each builder that made it: of the first time, since that holds on.
+any day. Each manifest has one statement of each builder that made it: of the first time, since that holds on. An index names the statements
+about its images by their digests, so that its signature covers them.
 https://slsa.dev/spec/v1.0/provenance says what the fields mean.
 """
 
@@ -33,6 +34,9 @@ BUILD_TYPE = "https://rosml.invalid/build/v1"
 
 OWN_MACHINE = "https://rosml.invalid/builder/own-machine"
 """The builder, where a person calls the publisher: nobody vouches for that machine."""
+
+COVERED = "io.rosml.provenance"
+"""The annotation of an image in its index that names the artifacts with statements about it, by their digests."""
 
 PREDICATE_ANNOTATION = "in-toto.io/predicate-type"
 BUILDER = "io.rosml.builder"
@@ -196,19 +200,23 @@ def attach(
     machine: Machine,
     started: str,
     finished: str,
+    recorded: str = "",
 ) -> str:
-    """Attaches a statement to a manifest, unless it has one of the same builder.
+    """Attaches a statement to a manifest, unless the records name one of the same builder that is there.
+
+    Others that are attached do not count: whoever may push into a repository may attach one that names any builder.
+
+    Args:
+        recorded: digest of the artifact with the statement that this builder made before, as the records say.
 
     Returns:
-        Digest of the artifact; empty where nothing was to be done.
+        Digest of the artifact with the builder's statement.
 
     Raises:
         RosmlError: there is no such manifest; the registry does not answer or refuses.
     """
-    for entry in client.referrers(repository, digest, MEDIA_TYPE):
-        found = client.manifest(repository, entry["digest"])
-        if found and found.annotations.get(BUILDER) == machine.builder:
-            return ""
+    if recorded and client.head(repository, recorded):
+        return recorded
     subject = client.manifest(repository, digest)
     if subject is None:
         raise RosmlError(f"{repository}@{digest} is not in the registry any more", "publish it again")

@@ -21,6 +21,10 @@ MEDIA_TYPE = "application/vnd.cyclonedx+json"
 
 SCANNER_ANNOTATION = "io.rosml.sbom.scanner"
 
+COVERED = "io.rosml.sbom."
+"""How annotations of an image in its index begin that name the SBOMs of what the image is made of, each by repository and
+digest."""
+
 OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
 """The package URL of an operating system's package; its group is that system."""
 
