@@ -139,7 +139,7 @@ class Pruner:
     def _held_by(self, path: str, digest: str) -> set[str]:
         """What an index holds; nothing for what is none."""
         found = self._known.get((path, digest))
-        return {item["digest"] for item in _members(found)} if found else set()
+        return {item.digest for item in found.members} if found else set()
 
     def _each(self, work: Callable[[T], R], items: Iterable[T]) -> list[R]:
         """Does some work for each of several things, side by side."""
