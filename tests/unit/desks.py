@@ -109,6 +109,16 @@ class Desk:
         self.bin.mkdir()
         self.environment = {"PATH": str(self.bin), "HOME": str(path), "PYTHONPATH": str(ROOT / "src")}
 
+    @property
+    def memory(self) -> Path:
+        """The file that has what somebody has allowed."""
+        return Path(self.environment["HOME"], ".local/state/rosml/allowed.json")
+
+    def trust(self, **images: bool) -> None:
+        """Has somebody said whether they trust images of docker's own registry."""
+        self.memory.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        self.memory.write_text(json.dumps({f"image docker.io/library/{name}": says for name, says in images.items()}))
+
     def engine(self, name: str = "docker", **facts: Any) -> None:
         """Installs an engine, or changes what it says."""
         says = {"info": DOCKER, "images": {"ubuntu": OTHER, "ours": OURS}, "containers": {}, "registry": {}}

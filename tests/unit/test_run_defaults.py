@@ -6,14 +6,17 @@ import json
 import os
 import re
 import shlex
+import subprocess
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from conftest import ROOT
 from desks import OTHER, USER, Desk
 from test_run_attach import facts
 
-from rosml.run import consent, defaults, words
+from rosml.base.errors import RosmlError
+from rosml.run import consent, defaults, host, paths, words
 from rosml.run.plugins import OWN as OURS
 from rosml.run.words import split
 from tests.pages import blocks
@@ -163,6 +166,11 @@ def test_a_folder_of_settings_in_a_project_is_not_the_persons(desk: Desk, variab
         ('"--env-file", "a.env"', "--env-file /p/a.env"),
         ('"--env-file=~/a.env"', "--env-file=/home/other/a.env"),
         ('"-itv", "..:/a"', "-itv /:/a"),
+        ('"-v", ".a:/a"', "-v /p/.a:/a"),
+        ('"--security-opt", "seccomp=a.json"', "--security-opt seccomp=/p/a.json"),
+        ('"--security-opt=seccomp=unconfined"', "--security-opt=seccomp=unconfined"),
+        ('"--hosts-file=none"', "--hosts-file=none"),
+        ('"--runtime=runc"', "--runtime=runc"),
     ],
 )
 def test_relative_paths_are_meant_from_the_files_folder(
@@ -289,18 +297,50 @@ def test_what_is_asked_about(option: str) -> None:
 
 def test_whose_file_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("os.geteuid", lambda: 1000)
-    assert [consent.is_own(uid, {"SUDO_UID": "1001"}) for uid in (0, 1000, 1001)] == [True, True, False]
+    assert [defaults.is_own(uid, {"SUDO_UID": "1001"}) for uid in (0, 1000, 1001)] == [True, True, False]
     monkeypatch.setattr("os.geteuid", lambda: 0)
-    assert [consent.is_own(uid, {"SUDO_UID": "1001"}) for uid in (0, 1000, 1001)] == [True, False, True]
+    assert [defaults.is_own(uid, {"SUDO_UID": "1001"}) for uid in (0, 1000, 1001)] == [True, False, True]
 
 
 def test_what_another_user_writes_down_allows_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Where the folder of state is one in which others can write."""
     file, place = defaults.File("/x", b"", 0, split([], ())), tmp_path / "allowed.json"
-    place.write_bytes(consent.remembered(file, place))
-    assert consent.is_allowed(file, place)
+    place.write_bytes(consent.with_file(file, consent.digest(file), place))
+    place.write_bytes(consent.with_repository("ghcr.io/me/x", True, place))
+    assert consent.is_allowed(file, consent.digest(file), place) and consent.is_trusted("ghcr.io/me/x", place)
     monkeypatch.setattr("os.geteuid", lambda: place.stat().st_uid + 1)
-    assert not consent.is_allowed(file, place)
+    assert not consent.is_allowed(file, consent.digest(file), place)
+    assert consent.is_trusted("ghcr.io/me/x", place) is None
+
+
+def test_a_memory_that_a_link_leads_to_allows_nothing(tmp_path: Path) -> None:
+    """Where others can write, one of them may put a link there: to a file of the person's that a repository brought."""
+    file, cloned, place = (
+        defaults.File("/x", b"", 0, split([], ())),
+        tmp_path / "cloned.json",
+        tmp_path / "allowed.json",
+    )
+    cloned.write_bytes(consent.with_file(file, consent.digest(file), place))
+    place.symlink_to(cloned)
+    assert not consent.is_allowed(file, consent.digest(file), place)
+    host.write(place, consent.with_file(file, consent.digest(file), place))
+    assert consent.is_allowed(file, consent.digest(file), place) and not place.is_symlink()
+
+
+def test_folders_and_files_of_another_user_do_not_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither a folder for the memory, or a link to one, that another user made, nor their settings."""
+    place, file = tmp_path / "rosml/allowed.json", defaults.File("/x", b"", 0, split([], ()))
+    host.write(place, consent.with_file(file, consent.digest(file), place))
+    assert consent.is_allowed(file, consent.digest(file), place)
+    with monkeypatch.context() as patch:
+        patch.setattr("os.lstat", lambda path: SimpleNamespace(st_uid=os.geteuid() + 1))
+        assert not consent.is_allowed(file, consent.digest(file), place)
+        with pytest.raises(PermissionError, match="its folder is another user's"):
+            host.write(place, b"{}")
+    (tmp_path / "rosml/run.toml").write_text(IMAGE)
+    monkeypatch.setattr("rosml.run.defaults.is_own", lambda owner, environment: False)
+    with pytest.raises(RosmlError, match=r"run\.toml: it belongs to another user"):
+        defaults.files({"XDG_CONFIG_HOME": str(tmp_path)}, "/", (), ())
 
 
 def test_somebody_is_asked_once_for_each_content(desk: Desk) -> None:
@@ -321,6 +361,170 @@ def test_somebody_is_asked_once_for_each_content(desk: Desk) -> None:
     state.write_text("nonsense")
     assert desk.call().returncode == 125, "a damaged file allows nothing"
     assert desk.on_a_terminal(keys=b"yes\n")[0] == 0 and desk.call().returncode == 0
+
+
+# ---- What its paths lead to ------------------------------------------------------------------------------------------
+
+
+def asked(desk: Desk) -> str:
+    """What somebody is asked about without a terminal; empty if nothing."""
+    done = desk.call()
+    return done.stderr.partition(" wants what you have not allowed: ")[2].partition("\n")[0]
+
+
+LINKED = [
+    "-v ./x:/x",
+    "-v ./deep/x/in:/x",
+    "-v .x:/x",
+    "--mount type=bind,src=x,dst=/x",
+    "--mount TYPE=Bind,Source=x,dst=/x",
+    "--mount type=volume,dst=/x,volume-opt=type=none,volume-opt=o=bind,volume-opt=device={here}/x",
+    "-v ./there:/x:O,upperdir={here}/x,workdir=/w",
+    "--env-file x",
+    "--label-file=x",
+    "--cidfile x",
+    "--pidfile x",
+    "--init-path x",
+    "--cert-dir x",
+    "--decryption-key=x:secret",
+    "--security-opt seccomp=x",
+    "--log-opt path=x",
+    "--network ns:x",
+    "--pid=ns:x",
+    "--runtime ./x",
+    "--device {here}/x",
+    "--device={here}/x:/dev/x:r",
+]
+
+
+def of_project(folder: Path) -> defaults.File:
+    """A project's file, as it is read for a folder."""
+    found = defaults.files({}, str(folder), (), ()).project
+    assert found
+    return found
+
+
+@pytest.mark.parametrize("option", LINKED)
+def test_what_a_link_leads_to_is_what_somebody_allows(option: str, tmp_path: Path) -> None:
+    """The person allows a folder of the project. Then a commit makes it a link; the file stays byte for byte."""
+    here, secret = tmp_path / "dr", tmp_path / "secret"
+    (secret / "in").mkdir(parents=True)
+    (here / "there/in").mkdir(parents=True)
+    (here / "deep").mkdir()
+    (here / ".rosml.toml").write_text(f"options = {json.dumps(shlex.split(option.format(here=here)))}")
+    seen = []
+    for target in (here / "there", secret):
+        for place in ("x", ".x", "deep/x"):
+            (here / place).unlink(missing_ok=True)
+            (here / place).symlink_to(target)
+        file = of_project(here)
+        said = [item for item in consent.wanted(file.line, True, file.leads, str(here)) if "a link to" in item]
+        assert len(said) == 1 and f"a link to {target}" in said[0]
+        assert ("outside the project" in said[0]) == (target == secret)
+        assert str(target) in file.line.engine[-1].words[-1], "the engine gets what is asked about"
+        seen.append(consent.digest(file))
+    assert seen[0] != seen[1] == consent.digest(of_project(here))
+
+
+def test_a_link_that_leads_elsewhere_later_is_asked_about(desk: Desk, tmp_path: Path) -> None:
+    bags = desk.folder / "bags"
+    bags.mkdir()
+    project(desk, f'{IMAGE}options = ["--no-name", "-v", "./bags:/bags"]')
+    assert desk.on_a_terminal(keys=b"y\n")[0] == 0 and asked(desk) == ""
+    bags.rmdir()
+    bags.symlink_to(tmp_path)
+    assert f"{bags}, a link to {tmp_path}, outside the project" in asked(desk)
+    started = len([call for call in desk.calls if call[1] == "run"])
+    assert desk.on_a_terminal(keys=b"n\n")[0] == 125
+    assert len([call for call in desk.calls if call[1] == "run"]) == started
+
+
+def test_the_engine_gets_what_was_checked(desk: Desk, tmp_path: Path) -> None:
+    """A link that changes between the question and the engine leads nowhere else; people see where it leads."""
+    (tmp_path / "root").mkdir(exist_ok=True)
+    (desk.folder / "bags").symlink_to(tmp_path / "root")
+    (desk.folder / "maps").mkdir()
+    (desk.folder / "more").symlink_to("maps")
+    file = project(
+        desk, f'{IMAGE}options = ["--no-name", "-v", "./bags:/bags", "-v", "./maps:/maps", "-v", "./more:/m:ro"]'
+    )
+    told = desk.on_a_terminal(keys=b"y\n")[1].decode().replace("\r", "").splitlines()
+    assert told[told.index(f"{file} wants:") + 2 :][:3] == [
+        f"  -v {tmp_path}/root:/bags ({desk.folder}/bags, a link to {tmp_path}/root, outside the project)",
+        f"  -v {desk.folder}/maps:/maps",
+        f"  -v {desk.folder}/maps:/m:ro ({desk.folder}/more, a link to {desk.folder}/maps)",
+    ]
+    assert [word.partition(":")[0] for word in desk.ran if word.startswith(str(tmp_path)) and ":/" in word] == [
+        f"{tmp_path}/root",
+        f"{desk.folder}/maps",
+        f"{desk.folder}/maps",
+    ]
+
+
+@pytest.mark.parametrize(
+    "option",
+    ["--env-file", "--label-file", "--authfile", "--cert-dir", "--security-opt=seccomp=", "--runtime=./"],
+)
+def test_what_is_in_a_file_is_what_somebody_allows(tmp_path: Path, option: str) -> None:
+    read = tmp_path / "read"
+    if option == "--cert-dir":
+        read.mkdir()
+    words = [f"{option}read"] if option[-1] in "=/" else [option, "read"]
+    (tmp_path / ".rosml.toml").write_text(f"options = {json.dumps(words)}")
+    content, seen = read / "ca.crt" if read.is_dir() else read, [consent.digest(of_project(tmp_path))]
+    for text in ("A=b", "LD_PRELOAD=/x"):
+        content.write_text(text)
+        seen.append(consent.digest(of_project(tmp_path)))
+    assert len({*seen}) == 3 and consent.digest(of_project(tmp_path)) == seen[-1]
+
+
+def test_a_file_of_variables_that_changes_later_is_asked_about(desk: Desk) -> None:
+    """A variable such as LD_PRELOAD comes with a later commit."""
+    (desk.folder / "robot.env").write_text("A=b")
+    project(desk, f'{IMAGE}options = ["--no-name", "--env-file", "robot.env"]')
+    assert desk.on_a_terminal(keys=b"y\n")[0] == 0 and asked(desk) == ""
+    (desk.folder / "robot.env").write_text("LD_PRELOAD=/x")
+    assert asked(desk)
+
+
+def test_what_somebody_sees_is_what_they_allow(desk: Desk) -> None:
+    """A file that changes while they read the question is asked about again."""
+    (desk.folder / "x").write_text("A=b")
+    project(desk, f'{IMAGE}options = ["--no-name", "--env-file", "x"]')
+    change = "open('x', 'w').write('LD_PRELOAD=/x')"
+    code = f"from rosml.cli import question; question.agreed = lambda *_: bool([exec({change!r})])"
+    argv = desk.argv()
+    argv[2] = f"{code}\nquestion.possible = lambda: True\n{argv[2]}"
+    subprocess.run(argv, cwd=desk.folder, env=desk.environment, check=True)
+    assert json.loads(desk.memory.read_text()) and (desk.folder / "x").read_text() == "LD_PRELOAD=/x"
+    assert asked(desk)
+
+
+def test_a_pipe_is_nothing_that_somebody_can_allow(desk: Desk) -> None:
+    """Whoever writes into it decides each time what is in it; nobody waits for them. /dev/zero has no end."""
+    os.mkfifo(desk.folder / "x")
+    for name, path in (("x", desk.folder / "x"), ("/dev/zero", "/dev/zero")):
+        project(desk, f'{IMAGE}options = ["--env-file", "{name}"]')
+        done = desk.call()
+        assert done.returncode == 125 and f"error: {path}: it is no file\nremedy: " in done.stderr
+        assert desk.call("--no-defaults", "--dry-run", "--env-file", str(path), "ubuntu").returncode == 0
+    project(desk, f'{IMAGE}options = ["--mount", "type=glob,src=/x/*,dst=/x"]')
+    done = desk.call()
+    assert done.returncode == 125 and "--mount type=glob: what it finds may change\nremedy: " in done.stderr
+
+
+def test_links_of_udev_do_not_count(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They change whenever somebody plugs something in. A link in /dev/shm is anybody's."""
+    places = {"/dev/serial/by-id/camera": "/dev/ttyUSB0", "/dev/shm/x": "/dev/sda", "/dev/fd": "/proc/self/fd"}
+    monkeypatch.setattr("os.path.realpath", lambda path: places.get(path, path))
+    monkeypatch.setattr("os.lstat", lambda path: SimpleNamespace(st_uid=0, st_dev=int("shm" in path)))
+
+    def led(place: str) -> str:
+        (option,) = split(["--device", place, "x"], ()).engine
+        return str(paths.followed(option)[0].value)
+
+    assert led("/dev/serial/by-id/camera") == "/dev/serial/by-id/camera" and led("nvidia.com/gpu=all")
+    assert (led("/dev/shm/x"), led("/dev/fd")) == ("/dev/sda:/dev/shm/x", "/proc/self/fd:/dev/fd")
 
 
 def test_another_folder_is_asked_about_as_well(desk: Desk) -> None:

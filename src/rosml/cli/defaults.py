@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Collection
 from dataclasses import replace
 
-from rosml.base import terminal
 from rosml.base.errors import RosmlError
-from rosml.cli import command, container
+from rosml.cli import command, container, question
 from rosml.run import defaults, words
 
 
@@ -35,33 +33,31 @@ def require(typed: words.Line, file: defaults.File | None) -> bool:
         Whether it may; False only where nothing runs.
 
     Raises:
-        RosmlError: they say no, or there is no terminal to ask on.
+        RosmlError: they say no, or there is no terminal to ask on, or the engine would read a pipe or a device.
     """
     from rosml.run import consent
-    from rosml.run.host import write
 
     if file is None:
         return True
-    trusted = consent.is_own(file.owner, os.environ)
+    trusted = defaults.is_own(file.owner, os.environ)
     used = file.line if typed.image in ("", defaults.HERE) else replace(file.line, image="", command=())
-    place = consent.memory(os.environ)
-    if not consent.wanted(used, trusted) or consent.is_allowed(file, place):
+    if not consent.wanted(used, trusted):
+        return True
+    place, digest = consent.memory(os.environ), consent.digest(file)
+    if consent.is_allowed(file, digest, place):
         return True
     name = defaults.shown(file.path)
-    items = [defaults.shown(item) for item in consent.wanted(file.line, trusted)]
+    wanted = consent.wanted(file.line, trusted, file.leads, os.path.dirname(file.path))
+    items = [defaults.shown(item) for item in wanted]
     said = f"{name} wants what you have not allowed: {', '.join(items)}"
     if container.only_shown(typed):
         command.warn(said, "rosml run will ask you first")
         return False
-    if not (os.isatty(0) and os.isatty(2)):
+    if not question.possible():
         raise RosmlError(said, "call it once in a terminal, where rosml asks you; --no-defaults leaves the file out", 2)
     whose = "" if trusted else f", a file of another user ({file.owner}),"
-    terminal.echo("\n  ".join([f"{name}{whose} wants:", *items]), err=True)
-    terminal.echo("Allow this until the file changes? [y/N] ", err=True, nl=False)
-    if sys.stdin.buffer.readline().strip().lower() not in (b"y", b"yes"):
+    until = "Allow this until the file or what it names changes?"
+    if not question.agreed("\n  ".join([f"{name}{whose} wants:", *items]), until):
         raise RosmlError(f"{name} is not allowed", "--no-defaults leaves it out", exit_code=2)
-    try:
-        write(place, consent.remembered(file, place))
-    except OSError as error:
-        command.warn(f"{place}: {error.strerror}", "let this user write it; until then, rosml asks each time")
+    question.keep(place, consent.with_file(file, digest, place))
     return True

@@ -11,7 +11,7 @@ from click.shell_completion import CompletionItem
 from rosml.base.errors import RosmlError
 from rosml.run import attach, engine, paths, words
 
-FILES = frozenset(("volume", "mount", "device", *paths.READ))
+FILES = frozenset(("volume", "mount", "device", *paths.FILES))
 """Options of the engine whose value begins with a path of this machine."""
 
 ENTERS = "attach"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -88,6 +89,9 @@ class Container:
     ipc: str = ""
 
 
+LIMIT = 1024 * 1024
+"""Bytes of a file that are read. Those of this machine's settings have fewer."""
+
 Address = str | tuple[str, int]
 """Where something listens: the path of a socket, or a host and a port."""
 
@@ -122,9 +126,10 @@ class Host:
         return all(self.path(place).exists() for place in places)
 
     def content(self, place: str) -> bytes:
-        """What is in a file; nothing where it is missing or may not be read."""
+        """What is in a file; nothing if it is missing, may not be read, or is none: a pipe or a device may have no end."""
         try:
-            return self.path(place).read_bytes()
+            with open(os.open(self.path(place), os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as stream:
+                return stream.read(LIMIT) if stat.S_ISREG(os.fstat(stream.fileno()).st_mode) else b""
         except OSError:
             return b""
 

@@ -38,12 +38,14 @@ LIMIT = 64 * 1024
 @dataclass(frozen=True)
 class File:
     """A file with defaults. Attributes: content: as it was read, once. owner: the uid of the user to whom it belongs. line:
-    what it says, as a command line; relative paths in it are absolute already."""
+    what it says, as a command line; relative paths in it are absolute already. leads: the paths in a project's file, and what they
+    lead to; the line has the latter, so that a link which changes later leads the engine nowhere else."""
 
     path: str
     content: bytes
     owner: int
     line: Line
+    leads: tuple[paths.Lead, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -94,10 +96,16 @@ def files(environment: Mapping[str, str], folder: str, options: Collection[str],
     """
     person = f"{base(environment, 'XDG_CONFIG_HOME', '.config')}/{PERSON}"
     project = project_file(folder, home())
-    return Files(
-        _file(person, options, refused) if os.path.lexists(person) else None,
-        _file(project, options, refused, os.O_NOFOLLOW) if project else None,
-    )
+    own = _file(person, options, refused) if os.path.lexists(person) else None
+    if own and not is_own(own.owner, environment):
+        raise _wrong(person, 0, f"it belongs to another user ({own.owner})", "make it yours, or move it away")
+    return Files(own, _file(project, options, refused, is_project=True) if project else None)
+
+
+def is_own(owner: int, environment: Mapping[str, str]) -> bool:
+    """Whether a file's owner is the person, or root; for root by sudo, also the one who called it."""
+    uid, caller = os.geteuid(), environment.get("SUDO_UID", "")
+    return owner in (uid, 0) or (uid == 0 and caller == str(owner))
 
 
 def project_file(folder: str, end: str) -> str:
@@ -133,29 +141,31 @@ def shown(text: str) -> str:
 # ---- What is in a file -----------------------------------------------------------------------------------------------
 
 
-def _file(path: str, options: Collection[str], refused: Collection[str], flags: int = 0) -> File:
+def _file(path: str, options: Collection[str], refused: Collection[str], is_project: bool = False) -> File:
     """A file that is there.
 
     Args:
-        flags: for opening it.
+        is_project: it is a project's: it may be no link, and its own links are followed now.
 
     Raises:
         RosmlError: as in `files`.
     """
     try:
         # O_NONBLOCK: a pipe in its place would wait for somebody who writes.
-        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | flags), "rb") as stream:
+        flags = os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | (os.O_NOFOLLOW if is_project else 0)
+        with open(os.open(path, flags), "rb") as stream:
             found = os.fstat(stream.fileno())
             if not stat.S_ISREG(found.st_mode):
                 raise _wrong(path, 0, "it is no file", "move it away")
             content = stream.read(LIMIT + 1)
     except OSError as error:
-        if flags and os.path.islink(path):
+        if is_project and os.path.islink(path):
             raise _wrong(path, 0, "it is a link", "put the file itself there") from None
         raise _wrong(path, 0, f"cannot be read: {error.strerror}", "make it readable, or move it away") from None
     if len(content) > LIMIT:
         raise _wrong(path, 0, f"it has more than {LIMIT // 1024} KiB", "shorten it, or move it away")
-    return File(path, content, found.st_uid, _line(path, _text(path, content), options, refused))
+    line, leads = _line(path, _text(path, content), options, refused, is_project)
+    return File(path, content, found.st_uid, line, leads)
 
 
 def _wrong(path: str, line: int, text: str, remedy: str) -> RosmlError:
@@ -172,8 +182,10 @@ def _text(path: str, content: bytes) -> str:
         raise _wrong(path, line, f"not UTF-8 (byte 0x{content[error.start]:02x})", "save it as UTF-8") from None
 
 
-def _line(path: str, text: str, options: Collection[str], refused: Collection[str]) -> Line:
-    """What a file says.
+def _line(
+    path: str, text: str, options: Collection[str], refused: Collection[str], follows: bool
+) -> tuple[Line, tuple[paths.Lead, ...]]:
+    """What a file says, and where its paths lead, if they are followed.
 
     Raises:
         RosmlError: it is broken, or says something else.
@@ -197,10 +209,13 @@ def _line(path: str, text: str, options: Collection[str], refused: Collection[st
             raise _wrong(path, _place(text, key), error.message, error.remedy) from None
     try:
         given = _options(found.get("options", []), options, refused)
-        engine = tuple(paths.anchored(option, os.path.dirname(path)) for option in given.engine)
+        engine = [paths.anchored(option, os.path.dirname(path)) for option in given.engine]
+        followed = [paths.followed(option) if follows else (option, ()) for option in engine]
     except RosmlError as error:
         raise _wrong(path, _place(text, "options"), error.message, error.remedy) from None
-    return Line(given.own, engine, found.get("image", ""), tuple(found.get("command", ())))
+    meant = tuple(option for option, _ in followed)
+    said = Line(given.own, meant, found.get("image", ""), tuple(found.get("command", ())))
+    return said, tuple(lead for _, leads in followed for lead in leads)
 
 
 def _place(text: str, key: str) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 from collections.abc import Mapping
 from pathlib import Path
@@ -85,9 +86,11 @@ def write(path: Path, content: bytes) -> None:
     """Writes a private file, which nobody sees half written. One that has the content already stays: containers have it mounted.
 
     Raises:
-        OSError: it cannot be written.
+        OSError: it cannot be written, or its folder is another user's, or a link that another user made.
     """
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if os.lstat(path.parent).st_uid not in (os.geteuid(), 0):
+        raise PermissionError(errno.EPERM, "its folder is another user's", str(path))
     with contextlib.suppress(OSError):
         if path.read_bytes() == content and path.stat().st_mode & 0o777 == 0o600:
             return

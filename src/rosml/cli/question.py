@@ -1,0 +1,36 @@
+"""A question of `rosml run` to the person, and the memory of the answer."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+from rosml.base import terminal
+from rosml.cli import command
+
+
+def possible() -> bool:
+    """Whether somebody sees a question and can answer it."""
+    return os.isatty(0) and os.isatty(2)
+
+
+def agreed(*lines: str) -> bool:
+    """Asks, and waits for the answer. Anything but `y` and `yes` is a no.
+
+    Args:
+        lines: what is said before; the last one is the question.
+    """
+    terminal.echo("\n".join(lines), err=True, nl=False)
+    terminal.echo(" [y/N] ", err=True, nl=False)
+    return sys.stdin.buffer.readline().strip().lower() in (b"y", b"yes")
+
+
+def keep(place: Path, content: bytes) -> None:
+    """Writes the memory of answers. If that fails, people are asked again."""
+    from rosml.run.host import write
+
+    try:
+        write(place, content)
+    except OSError as error:
+        command.warn(f"{place}: {error.strerror}", "let this user write it; until then, rosml asks each time")
