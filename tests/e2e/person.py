@@ -61,8 +61,8 @@ class Person:
         return Run(process.returncode, out, err)
 
     def run(self, *words: str, typed: str = "") -> Run:
-        """`rosml run`, with a container that has no network."""
-        return self.rosml("run", "--network", "none", *words, typed=typed)
+        """`rosml run` of an image that they trust, with a container that has no network."""
+        return self.rosml("run", "--trust", "--network", "none", *words, typed=typed)
 
     def other(self, *command: str) -> Run:
         """What another program says."""
@@ -104,7 +104,8 @@ class Person:
         return said.decode(errors="replace").replace("\r", "")
 
     def _variables(self) -> dict[str, str]:
-        own = {"HOME": str(self.folder), "PYTHONPATH": str(ROOT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
+        state = {"XDG_STATE_HOME": str(self.folder / ".state"), "XDG_CONFIG_HOME": str(self.folder / ".config")}
+        own = {"HOME": str(self.folder), **state, "PYTHONPATH": str(ROOT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
         return {**os.environ, **own, **self.environment}
 
 

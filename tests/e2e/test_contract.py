@@ -514,5 +514,20 @@ def test_rosml_run_starts_an_image_as_the_person(container: Container, person: P
     starts(person, container.image, "docker")
 
 
+def test_a_strangers_image_is_not_root(
+    container: Container, person: Person, services: Services, published: Publish, tmp_path: Path
+) -> None:
+    """It says that it makes users, and has a program of root's with the setuid bit."""
+    setuid = "install -m 4755 /bin/bash /usr/bin/evil"
+    image = container.docker.load(services, published(TARGET).reference, f"{TARGET}-evil", tmp_path, setuid)
+    words = ("--volume", ".:/mine", image, "evil", "-pc", "id -u; echo x >/mine/left")
+    done = person.rosml("run", "--network", "none", *words)
+    assert (done.code, done.out) == (0, f"{person.uid}\n"), done
+    assert (person.folder / "left").stat().st_uid == person.uid
+    assert ("--trust" in done.err) == (person.uid != 0)
+    other = person.rosml("run", "--network", "none", "--security-opt", "no-new-privileges=false", *words)
+    assert other.out == "0\n", "without that option, the program is root"
+
+
 def test_rosml_attach_enters_the_container_of_the_folder(container: Container, person: Person) -> None:
     enters(person, container.image, "docker")

@@ -121,7 +121,9 @@ def test_rviz_opens_its_window(
         assert "unable to open display" in windows({**environment, "XAUTHORITY": "/dev/null"})
         who.environment |= environment
         script = "roscore >/dev/null & until rostopic list >/dev/null 2>&1; do sleep 0.2; done; exec rosrun rviz rviz"
-        process = who.start("run", "--ros-network", "-e", "LIBGL_ALWAYS_SOFTWARE=1", image, "bash", "-c", script)
+        process = who.start(
+            "run", "--trust", "--ros-network", "-e", "LIBGL_ALWAYS_SOFTWARE=1", image, "bash", "-c", script
+        )
         end = time.monotonic() + SECONDS
         while "RViz" not in (seen := windows(environment)) and time.monotonic() < end and process.poll() is None:
             time.sleep(0.5)

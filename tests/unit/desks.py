@@ -78,14 +78,19 @@ UID, GID = os.geteuid(), os.getegid()
 
 
 START = """\
-import sys
+import os, sys
 from pathlib import Path
 from rosml.run import host
 host.ROOT, sys.argv = Path(sys.argv[1]), ["rosml", *sys.argv[2:]]
+if uid := os.environ.get("DESK_UID", ""):
+    from dataclasses import replace
+    from rosml.run import person
+    found = person.person
+    person.person = lambda environment: replace(found(environment), uid=int(uid), gid=int(uid), name="jo")
 from rosml.cli.main import run
 sys.exit(run())
 """
-"""Starts rosml with another folder in the place of /."""
+"""Starts rosml with another folder in the place of /, and as somebody else for whom the container runs, if DESK_UID says so."""
 
 
 BARE = Host(Path("/dev/null/nothing"))
@@ -181,8 +186,8 @@ class Desk:
         return process.returncode, told
 
 
-HOME = [] if UID == 0 else ["-e", "HOME=/tmp"]
-USER = ["--user", f"{UID}:{GID}", *HOME]
+LOCKED = ["--security-opt", "no-new-privileges"]
+USER = ["--user", f"{UID}:{GID}", *([] if UID == 0 else ["-e", "HOME=/tmp", *LOCKED])]
 
 
 def plain(desk: Desk) -> list[str]:

@@ -15,7 +15,7 @@ from typing import Any
 import click
 import pytest
 from conftest import ROOT
-from desks import BARE, DOCKER, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk, labelled, plain
+from desks import BARE, DOCKER, LOCKED, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk, labelled, plain
 
 from rosml.base.errors import RosmlError
 from rosml.cli import run
@@ -28,9 +28,10 @@ from rosml.run.words import split
 
 @pytest.fixture
 def desk(tmp_path: Path) -> Desk:
-    """A desk with docker, which has the images `ubuntu` and `ours`."""
+    """A desk with docker, which has the images `ubuntu` and `ours`; the latter is trusted."""
     made = Desk(tmp_path)
     made.engine()
+    made.trust(ours=True)
     return made
 
 
@@ -394,11 +395,12 @@ def added(
     image: list[str] = OURS,
     engine: Engine = ENGINE_OF_ROOT,
     caller: Person = PERSON,
+    trusted: bool = True,
 ) -> list[str]:
-    """What rosml adds to a command of somebody who is not root; the label is left out."""
+    """What rosml adds to a command of somebody who is not root, and who trusts the image; the label is left out."""
     variables = dict(entry.partition("=")[::2] for entry in image)
     line = split([*words, "reg.test/me/ros:jazzy"], OWN)
-    argv = [*plugins.plan(Context(line, engine, caller, Image(environment=variables), BARE)).argv]
+    argv = [*plugins.plan(Context(line, engine, caller, Image(environment=variables), BARE, trusted)).argv]
     assert argv[:2] == [engine.program, "run"]
     found = argv[2 : len(argv) - 1 - sum(len(given.words) for given in line.engine)]
     at = found.index("--label")
@@ -413,11 +415,11 @@ def without_others(**facts: Any) -> list[str]:
     ("engine", "image", "expected"),
     [
         (Engine(), OURS, CONTRACT),
-        (Engine(), OTHER, THEIR_IDS),
+        (Engine(), OTHER, [*THEIR_IDS, *LOCKED]),
         (Engine(rootless=True), OURS, []),
         (Engine(rootless=True), OTHER, ["--user", "0:0"]),
         (Engine("podman", podman=True), OURS, CONTRACT),
-        (Engine("podman", podman=True), OTHER, THEIR_IDS),
+        (Engine("podman", podman=True), OTHER, [*THEIR_IDS, *LOCKED]),
         (Engine("podman", podman=True, rootless=True), OURS, ["--userns=keep-id", "--user", "0:0", *CONTRACT]),
         (Engine("podman", podman=True, rootless=True), OTHER, ["--userns=keep-id", *THEIR_IDS]),
     ],
@@ -426,12 +428,39 @@ def test_files_belong_to_whoever_calls(engine: Engine, image: list[str], expecte
     assert without_others(engine=engine, image=image) == expected
 
 
+@pytest.mark.parametrize("engine", [Engine(), Engine("podman", podman=True)])
+def test_an_image_does_not_vouch_for_itself(engine: Engine) -> None:
+    """Whoever builds an image may write DOCKER_UID into it. Without the person's trust it runs as any other image."""
+    untrusted = without_others(engine=engine, trusted=False)
+    assert untrusted == without_others(engine=engine, image=OTHER) == [*THEIR_IDS, *LOCKED]
+
+
+@pytest.mark.parametrize(
+    "facts",
+    [
+        {"engine": Engine(rootless=True)},
+        {"engine": Engine("podman", podman=True, rootless=True)},
+        {"caller": Person(0, 0, "root", "/")},
+        *({"words": words} for words in (["--user", "7"], ["--no-user"], ["--entrypoint", "bash"])),
+    ],
+)
+def test_where_trust_changes_nothing(facts: dict[str, Any]) -> None:
+    """Root in the container has no more rights than the person, or the person says who runs."""
+    assert without_others(trusted=False, **facts) == without_others(trusted=True, **facts)
+
+
+@pytest.mark.parametrize("value", ["no-new-privileges", "no-new-privileges=false", "no-new-privileges:true"])
+def test_what_somebody_says_of_new_privileges(value: str) -> None:
+    assert without_others(words=["--security-opt", value], trusted=False) == THEIR_IDS
+    assert without_others(words=["--security-opt", "seccomp=x"], trusted=False) == [*THEIR_IDS, *LOCKED]
+
+
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
         (["--user", "7"], []),
         (["-u7"], []),
-        (["--entrypoint", "bash"], THEIR_IDS),  # nothing reads DOCKER_UID then
+        (["--entrypoint", "bash"], [*THEIR_IDS, *LOCKED]),  # nothing reads DOCKER_UID then
         (["--userns=host"], CONTRACT),
         (["-e", "DOCKER_UID=7"], CONTRACT),  # theirs comes later, and counts
     ],

@@ -25,10 +25,11 @@ ENTRYPOINT = ["/tini", "--", "/entrypoint.sh"]
 
 @pytest.fixture
 def desk(tmp_path: Path) -> Desk:
-    """A desk in whose folder nothing runs yet."""
+    """A desk in whose folder nothing runs yet. Its image `ours` is trusted."""
     made = Desk(tmp_path)
     made.command = "attach"
     made.engine()
+    made.trust(ours=True)
     return made
 
 

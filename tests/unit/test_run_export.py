@@ -30,11 +30,16 @@ PODMAN = Engine("podman", podman=True, rootless=True)
 
 
 def call(
-    *line: str, kind: str = "compose", ours: bool = True, engine: Engine = DOCKER, host: Host = BARE
+    *line: str,
+    kind: str = "compose",
+    ours: bool = True,
+    engine: Engine = DOCKER,
+    host: Host = BARE,
+    trusted: bool = True,
 ) -> export.Call:
     """What would run of a command line that has an image."""
     variables = dict(entry.partition("=")[::2] for entry in (OURS if ours else OTHER))
-    context = export.lasting(Context(split(line, OWN), engine, ME, Image(environment=variables), host))
+    context = export.lasting(Context(split(line, OWN), engine, ME, Image(environment=variables), host, trusted))
     if kind == "devcontainer":
         context = devcontainer.bare(context)
     return export.call(context, plugins.plan(context).argv)
@@ -236,6 +241,7 @@ def test_a_whole_file_for_editors() -> None:
         "updateRemoteUserUID": False,
         "containerEnv": {"HOME": "/tmp", "TZ": "Europe/Berlin", "ROBOT": "${localEnv:ROBOT}"},
         "privileged": True,
+        "securityOpt": ["no-new-privileges"],
         "runArgs": [
             "--label=io.rosml.run.folder=${localWorkspaceFolder}",
             "--group-add=0",
@@ -268,6 +274,7 @@ def test_the_folder_that_is_opened(written: list[str], folder: str | None, other
     [
         ({}, [], "1234:5678", True),
         ({"ours": False}, [], "1234:5678", False),
+        ({"trusted": False}, [], "1234:5678", False),
         ({}, ["--user", "robot"], "robot", False),
         ({}, ["--no-user"], None, False),
         ({"engine": ROOTLESS}, [], "root", False),
@@ -278,6 +285,8 @@ def test_who_runs_in_an_editor(facts: dict[str, Any], written: list[str], user: 
     found = container(*written, "x", **facts)
     assert found.get("containerUser") == user and ("--group-add=0" in found["runArgs"]) == group
     assert ("--userns=keep-id" in found["runArgs"]) == (facts.get("engine") is PODMAN)
+    locked = ["no-new-privileges"] if user == "1234:5678" and "engine" not in facts else None
+    assert found.get("securityOpt") == locked
     assert "DOCKER_UID" not in found.get("containerEnv", {})
 
 
@@ -342,9 +351,10 @@ def test_the_agent_of_ssh_is_of_one_session() -> None:
 
 @pytest.fixture
 def desk(tmp_path: Path) -> Desk:
-    """A desk with docker."""
+    """A desk with docker, whose image `ours` is trusted."""
     made = Desk(tmp_path)
     made.engine()
+    made.trust(ours=True)
     return made
 
 

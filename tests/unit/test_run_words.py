@@ -205,7 +205,7 @@ def test_a_command_is_not_changed(options: list[list[str]], image: str, command:
     words = [word for option in options for word in option]
     context = run.main.make_context("rosml run", [*words, image, *command])
     line: Line = context.meta[LINE]
-    argv = plugins.plan(Context(line, Engine(), NOBODY, Image(environment={"DOCKER_UID": ""}), BARE)).argv
+    argv = plugins.plan(Context(line, Engine(), NOBODY, Image(environment={"DOCKER_UID": ""}), BARE, trusted=True)).argv
     theirs = [word for option in options if option[0] not in OWN_FLAGS for word in option]
     tail = [*theirs, image, *command]
     assert [*argv[len(argv) - len(tail) :]] == tail

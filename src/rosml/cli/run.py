@@ -10,12 +10,12 @@ import click
 
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
-from rosml.cli import command, container, defaults
+from rosml.cli import command, container, defaults, trust
 from rosml.run import plugins, words
 from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
 
-RESERVED = ("new", "no-defaults", "check", "verbose", "dry-run", "json", "export", "help")
+RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "help")
 """Options of the command itself: no plugin can have one of these names, and no file with defaults can have one of them."""
 
 IMAGE = 'write image = "…" into .rosml.toml'
@@ -50,6 +50,12 @@ class Run(container.Words):
     "--new", is_flag=True, expose_value=False, help="another container, although one runs; the engine names it"
 )
 @click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
+@click.option(
+    f"--{trust.OPTION}",
+    is_flag=True,
+    expose_value=False,
+    help="let images of this repository start as root, to make your user: now and from now on",
+)
 @container.showing
 @click.option(
     "--check",
@@ -175,7 +181,7 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
     if facts.image is None:
         raise engine.still_lacking(program, line.image)
     machine = host(os.environ)
-    plan = planned(Context(line, facts.engine, caller, facts.image, machine))
+    plan = planned(trust.settled(Context(line, facts.engine, caller, facts.image, machine)))
 
     def prepare() -> None:
         for file, content in plan.files.items():
@@ -224,7 +230,7 @@ def check_ros(program: str, line: words.Line, caller: Person, files: Files) -> N
 
     context = looked_at(program, files.under(line), caller)
     allowed = defaults.require(line, files.project)
-    typed = line.image not in ("", HERE)
+    context, typed = trust.settled(context), line.image not in ("", HERE)
     check.show(context, plugins.plan(context, found().plugins).argv, into=typed or allowed)
 
 
@@ -246,6 +252,7 @@ def show(program: str, line: words.Line, caller: Person, files: Files, kind: str
         whole = replace(whole, command=line.command)  # an editor has its own in the place of a default
     context = export.lasting(looked_at(program, whole, caller))
     defaults.require(line, files.project)
+    context = trust.settled(context)
     if kind == "devcontainer":
         context = devcontainer.bare(context)
     plan = planned(context)

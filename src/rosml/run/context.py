@@ -164,13 +164,15 @@ class Host:
 
 @dataclass(frozen=True)
 class Context:
-    """All of it. Attributes: line: what was written."""
+    """All of it. Attributes: line: what was written. trusted: the person trusts the image's repository, so that the image may start
+    as root. What the image says of itself does not count for that."""
 
     line: Line
     engine: Engine
     person: Person
     image: Image
     host: Host
+    trusted: bool = False
 
     @property
     def is_here(self) -> bool:

@@ -14,13 +14,11 @@ from rosml.base.errors import RosmlError
 from rosml.run.concerns import FOLDER as LABEL
 from rosml.run.context import Context
 from rosml.run.export import Call, Option, fields, file, placed, preceded, volume
-from rosml.run.paths import READ, joined
+from rosml.run.paths import FILES, joined
+from rosml.run.user import VARIABLE
 
 FOLDER = "${localWorkspaceFolder}"
 """What the file calls the folder that the editor opens."""
-
-OURS = "DOCKER_UID"
-"""The variable from which an entrypoint of ours makes the user (docs/contract.md)."""
 
 DROPPED = ("interactive", "tty")
 """Editors have their own terminals."""
@@ -32,13 +30,14 @@ ELSEWHERE = ("env", "mount", "user", *LISTS, *SWITCHES)
 
 
 def bare(context: Context) -> Context:
-    """The same without the image's entrypoint: the user's bare ids run. In an image of ours, the group 0 may write to the
-    workspace."""
+    """The same without the image's entrypoint: the user's bare ids run. In a trusted image that makes users, the group 0 may write to
+    the workspace; it may write to files of root's group in what is mounted as well."""
     line, image = context.line, context.image
     named = line.asks("no-user") or line.has("user") or (context.engine.rootless and not context.engine.podman)
-    if OURS in image.environment and context.person.uid and not named:
+    trusted = context.trusted or context.engine.rootless
+    if VARIABLE in image.environment and trusted and context.person.uid and not named:
         line = preceded(line, "--group-add", "0")
-    environment = {key: value for key, value in image.environment.items() if key != OURS}
+    environment = {key: value for key, value in image.environment.items() if key != VARIABLE}
     return replace(context, line=line, image=replace(image, environment=environment))
 
 
@@ -120,7 +119,7 @@ def _word(option: Option, folder: str) -> str:
     value = option.value
     if value is None:
         return f"--{option.name}"
-    if option.name in READ:
+    if option.name in FILES:
         value = file(option, folder, FOLDER)
     elif option.name == "volume":
         value = volume(option, folder, FOLDER)

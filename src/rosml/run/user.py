@@ -13,20 +13,45 @@ NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]{0,31}")
 KEPT = "--userns=keep-id"
 """podman without root: the person has the same uid in the container."""
 
+VARIABLE = "DOCKER_UID"
+"""An image whose environment has it makes the user itself, and starts as root for that (docs/contract.md). Any image can say so."""
+
+LOCKED = "no-new-privileges"
+"""The value of --security-opt with which no setuid program of the image gets another user's rights."""
+
 
 def user(context: Context) -> Sequence[str]:
-    """An image whose environment has DOCKER_UID makes that user itself (docs/contract.md). In another one, the person's bare
-    ids run. In docker without root, root is the person. Where somebody says who runs, nothing is added."""
+    """An image that makes the user itself gets the person's ids as variables, if it may start as root. In another one, the bare ids
+    run, and an engine with root locks them in: otherwise a setuid program of the image would be root. In docker without root, root
+    is the person. If somebody says who runs, nothing is added."""
     line, engine = context.line, context.engine
     if line.asks("no-user") or line.has("user") or (engine.podman and line.has("userns")):
         return []
-    makes_users = "DOCKER_UID" in context.image.environment and not line.has("entrypoint")
+    makes_users = _claims(context) and (context.trusted or not _gains(context))
     if engine.rootless and not engine.podman:
         return [] if makes_users else ["--user", "0:0"]
     kept = [KEPT] if engine.rootless else []
     if not makes_users:
-        return [*kept, *_bare(context)]
+        return [*kept, *_bare(context), *(_locked(context) if _gains(context) else [])]
     return [*kept, *(["--user", "0:0"] if kept else []), *_contract(context)]
+
+
+def needs_trust(context: Context) -> bool:
+    """Whether it depends on the person's trust who runs: the image wants to start as root, root in it has more rights than the
+    person, and nobody says who runs."""
+    line = context.line
+    said = line.asks("no-user") or line.has("user") or (context.engine.podman and line.has("userns"))
+    return _claims(context) and _gains(context) and not said
+
+
+def _claims(context: Context) -> bool:
+    """Whether the image says that its entrypoint makes the user, and that entrypoint runs."""
+    return VARIABLE in context.image.environment and not context.line.has("entrypoint")
+
+
+def _gains(context: Context) -> bool:
+    """Whether root in the container has rights that the person lacks."""
+    return not context.engine.rootless and context.person.uid != 0
 
 
 def _bare(context: Context) -> Sequence[str]:
@@ -36,9 +61,15 @@ def _bare(context: Context) -> Sequence[str]:
     return ["--user", f"{person.uid}:{person.gid}", *home]
 
 
+def _locked(context: Context) -> Sequence[str]:
+    """No other rights than those with which the container starts, unless somebody says something else."""
+    said = any(value.startswith(LOCKED) for value in context.line.values("security-opt"))
+    return [] if said else ["--security-opt", LOCKED]
+
+
 def _contract(context: Context) -> Sequence[str]:
     """What an entrypoint makes the user from. A name that it would refuse is left out: the image has one."""
     person = context.person
-    facts = {"DOCKER_UID": person.uid, "DOCKER_GID": person.gid}
+    facts = {VARIABLE: person.uid, "DOCKER_GID": person.gid}
     named = {"DOCKER_USER": person.name} if NAME.fullmatch(person.name) else {}
     return [word for key, value in {**facts, **named}.items() for word in ("-e", f"{key}={value}")]

@@ -1,0 +1,81 @@
+"""Which repository an image is of, by its name: people trust repositories. What an image says of itself is not asked."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+_LABEL = "[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?"
+_HOST = rf"(?:{_LABEL}(?:\.{_LABEL})*|\[[0-9A-Fa-f]*:[0-9A-Fa-f:]*\])(?::[0-9]+)?"
+_PART = "[a-z0-9]+(?:(?:[._]|__|-+)[a-z0-9]+)*"
+_TAG = r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}"
+_DIGEST = "[A-Za-z][A-Za-z0-9]*(?:[-_+.][A-Za-z][A-Za-z0-9]*)*:[0-9a-fA-F]{32,}"
+REFERENCE = re.compile(rf"(?P<name>(?:{_HOST}/)?{_PART}(?:/{_PART})*)(?::{_TAG})?(?:@{_DIGEST})?")
+"""The name of an image: https://github.com/distribution/reference/blob/main/reference.go."""
+
+ID = re.compile("(?:sha256:)?(?P<hex>[0-9a-f]+)")
+"""An image's id, or its beginning."""
+
+TRANSPORTS = (
+    "containers-storage",
+    "dir",
+    "docker",
+    "docker-archive",
+    "docker-daemon",
+    "oci",
+    "oci-archive",
+    "ostree",
+    "sif",
+)
+"""What podman takes before a colon for a way to an image, and not for a name."""
+
+HUB = "docker.io"
+"""The registry that docker means if a name has none."""
+
+SERVICES = "services.json"
+"""What the set-up of a checkout says of its registry and builder, in the folder `.state`."""
+
+NAMESPACE = "rosml"
+"""Where the images of a checkout are in its local registry."""
+
+
+def repository(name: str, identity: str, podman: bool) -> str:
+    """The repository of an image, with its registry and without tag and digest: `docker.io/library/ros` for `ros:jazzy`. An image
+    that somebody names by its id, or in another way, stands for itself. Upper and lower case are not the same.
+
+    Args:
+        name: as somebody wrote it. identity: the image's id, without `sha256:`. podman: it resolves a name without a registry by
+            settings of its own. Such a name stays as it is, which is the name of no repository elsewhere.
+    """
+    found, by_id = REFERENCE.fullmatch(name), ID.fullmatch(name)
+    path = podman and name.partition(":")[0] in TRANSPORTS and ":" in name
+    if not found or path or (by_id and identity.startswith(by_id["hex"])):
+        return f"sha256:{identity}"
+    registry, slash, rest = found["name"].partition("/")
+    if not slash or not (set(registry) & set(".:") or registry == "localhost" or registry != registry.lower()):
+        if podman:
+            return found["name"]
+        registry, rest = HUB, found["name"]
+    if registry == f"index.{HUB}":
+        registry = HUB
+    return f"{registry}/library/{rest}" if registry == HUB and "/" not in rest else f"{registry}/{rest}"
+
+
+def local_registry(state: Path) -> str:
+    """The address of a checkout's local registry; empty if there is none.
+
+    Args:
+        state: the checkout's folder `.state`.
+    """
+    try:
+        found = json.loads((state / SERVICES).read_bytes())
+    except (OSError, ValueError, RecursionError):
+        return ""
+    address = found.get("registry") if isinstance(found, dict) else ""
+    return address if isinstance(address, str) else ""
+
+
+def is_local(repository: str, registry: str) -> bool:
+    """Whether a repository is of the images that a checkout builds into its local registry."""
+    return bool(registry) and repository.startswith(f"{registry}/{NAMESPACE}/")

@@ -1,0 +1,264 @@
+"""Which images `rosml run` starts as root: those of repositories that the person trusts, by name. The engine is a local replacement,
+which writes down how it is called."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+from conftest import ROOT
+from desks import LOCKED, OTHER, OURS, PODMAN, ROOTLESS, Desk
+
+from rosml.run import consent, trust
+
+JO = ["--user", "1234:1234", "-e", "HOME=/tmp", *LOCKED]
+MADE = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=1234", "-e", "DOCKER_USER=jo"]
+REMEDY = "remedy: --trust trusts all images of that repository from now on\n"
+EVIL = "ghcr.io/evil/robot"
+
+
+@pytest.fixture
+def desk(tmp_path: Path) -> Desk:
+    """A desk of somebody who is not root, with an image of a stranger's that says DOCKER_UID."""
+    made = Desk(tmp_path)
+    made.environment["DESK_UID"] = "1234"
+    made.engine(images={"ours": OURS, "ubuntu": OTHER, EVIL: OURS, f"{EVIL}:2": OURS})
+    return made
+
+
+def runs_as(desk: Desk) -> list[str]:
+    """Who runs in the container that was started last."""
+    started = [call for call in desk.calls if call[1] == "run"][-1]
+    found = [words for words in (JO, MADE) if words[1] in started]
+    assert len(found) == 1 and started[(at := started.index(found[0][0], 4)) :][: len(found[0])] == found[0], (
+        at,
+        started,
+    )
+    return found[0]
+
+
+def remembered(desk: Desk) -> Any:
+    """What the memory has; None if there is none."""
+    return json.loads(desk.memory.read_text()) if desk.memory.exists() else None
+
+
+# ---- Names -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "repository"),
+    [
+        *((name, "docker.io/library/ros") for name in ("ros", "ros:jazzy", "docker.io/ros", "index.docker.io/library/ros")),
+        (f"ros@sha256:{'a' * 64}", "docker.io/library/ros"),
+        (f"ros:jazzy@sha256:{'a' * 64}", "docker.io/library/ros"),
+        ("me/ros:jazzy", "docker.io/me/ros"),
+        ("ghcr.io/me/rosml/ros:jazzy-base", "ghcr.io/me/rosml/ros"),
+        (f"ghcr.io/me/rosml@sha256:{'a' * 64}", "ghcr.io/me/rosml"),
+        ("GHCR.IO/me/rosml", "GHCR.IO/me/rosml"),
+        ("Ghcr/me", "Ghcr/me"),
+        ("localhost/ros", "localhost/ros"),
+        ("localhost:5000/ros:5000", "localhost:5000/ros"),
+        ("127.0.0.1:5000/rosml-evil/x", "127.0.0.1:5000/rosml-evil/x"),
+        ("[::1]:5000/rosml/x", "[::1]:5000/rosml/x"),
+        ("[1]/x", "sha256:0123abcd"),
+        ("ghcr.io.evil.com/me/rosml", "ghcr.io.evil.com/me/rosml"),
+        # What an engine would not take, and other ways to name an image, stand for themselves:
+        *((name, "sha256:0123abcd") for name in ("evil/x:ghcr.io/me/rosml", "x@ghcr.io/me/rosml", "ghcr.io/me/rosml\n")),
+        *((name, "sha256:0123abcd") for name in ("ghcr.io//me", "/ros", "../ros", "ghcr.io/me/../ros", "ghcr.io/me/Ros")),
+        *((name, "sha256:0123abcd") for name in ("docker://ghcr.io/me/ros", "oci:a/b", "rös", "ghcr.io/me/ros:", "evil ros")),
+        *((name, "sha256:0123abcd") for name in ("sha256:0123abcd", "0123", "sha256:01")),
+        ("cafe", "docker.io/library/cafe"),  # the image has another id
+    ],
+)  # fmt: skip
+def test_the_repository_of_a_name(name: str, repository: str) -> None:
+    assert trust.repository(name, "0123abcd", podman=False) == repository
+    assert trust.repository("evil/x", "0123abcd", podman=False) != repository
+
+
+def test_podman_looks_up_short_names_by_its_own_settings() -> None:
+    """Its `ros` may be that of another registry than Docker's."""
+    assert trust.repository("ros:jazzy", "0", podman=True) == "ros"
+    assert trust.repository("docker.io/ros", "0", podman=True) == "docker.io/library/ros"
+    assert trust.repository("oci:ros", "0", podman=True) == "sha256:0", "the image in a folder"
+
+
+@pytest.mark.parametrize(
+    ("name", "is_local"),
+    [
+        ("127.0.0.1:5000/rosml/ros:jazzy-base", True),
+        ("127.0.0.1:5000/rosml-evil/x", False),
+        ("127.0.0.1:5000/rosml", False),
+        ("127.0.0.1:50000/rosml/ros", False),
+        ("127.0.0.1/rosml/ros", False),
+        ("evil.com/127.0.0.1:5000/rosml/ros", False),
+        ("evil/rosml:127.0.0.1", False),
+        ("rosml/ros", False),
+    ],
+)
+def test_the_local_registry_of_a_checkout(tmp_path: Path, name: str, is_local: bool) -> None:
+    (tmp_path / "services.json").write_text(json.dumps({"registry": "127.0.0.1:5000"}))
+    found = trust.repository(name, "0", podman=False)
+    assert trust.is_local(found, trust.local_registry(tmp_path)) == is_local
+
+
+@pytest.mark.parametrize(
+    "content", [None, b"", b"[]", b"{}", b'{"registry": ""}', b'{"registry": 5}', b"\xff", b"[" * 9999]
+)
+def test_no_local_registry(tmp_path: Path, content: bytes | None) -> None:
+    if content is not None:
+        (tmp_path / "services.json").write_bytes(content)
+    assert trust.local_registry(tmp_path) == "" and not trust.is_local("docker.io/rosml/x", "")
+
+
+def test_a_checkout_trusts_what_it_builds(desk: Desk, tmp_path: Path) -> None:
+    """The installed command trusts nothing by itself, also in the folder of a checkout."""
+    local, evil = "127.0.0.1:5000/rosml/ros:jazzy-base", "127.0.0.1:5000/rosml-evil/x"
+    desk.engine(images={local: OURS, evil: OURS})
+    checkout, installed = tmp_path / "checkout", tmp_path / "installed"
+    for place in (checkout / "src", installed):
+        shutil.copytree(ROOT / "src/rosml", place / "rosml", ignore=shutil.ignore_patterns("__pycache__"))
+    (checkout / "scripts").mkdir()
+    (checkout / "scripts/bootstrap.py").touch()
+    for state in (checkout / ".state", desk.folder / ".state"):
+        state.mkdir()
+        (state / "services.json").write_text(json.dumps({"registry": "127.0.0.1:5000"}))
+    assert desk.call(local, PYTHONPATH=str(checkout / "src")).stderr == "" and runs_as(desk) == MADE
+    assert REMEDY in desk.call(evil, PYTHONPATH=str(checkout / "src")).stderr and runs_as(desk) == JO
+    assert REMEDY in desk.call(local, PYTHONPATH=str(installed)).stderr and runs_as(desk) == JO
+
+
+# ---- The question ----------------------------------------------------------------------------------------------------
+
+
+def test_a_strangers_image_runs_as_the_person(desk: Desk) -> None:
+    """Although it says that it makes users. It is said once how to trust it, and nothing is remembered."""
+    done = desk.call("-v", ".:/x", EVIL)
+    warning = f"warning: {EVIL} wants to start as root, and you have not trusted it: it runs as you, without sudo\n"
+    assert (done.returncode, done.stderr) == (0, warning + REMEDY)
+    assert runs_as(desk) == JO and remembered(desk) is None
+    assert desk.call("ubuntu").stderr == "" and runs_as(desk) == JO, "another image asks for nothing"
+
+
+@pytest.mark.parametrize(("keys", "expected"), [(b"y\n", MADE), (b"n\n", JO), (b"\n", JO)])
+def test_somebody_is_asked_once_for_a_repository(desk: Desk, keys: bytes, expected: list[str]) -> None:
+    code, told = desk.on_a_terminal("--no-name", EVIL, keys=keys)
+    said = told.decode().replace("\r", "").splitlines()
+    assert code == 0 and runs_as(desk) == expected
+    assert f"{EVIL} wants to start as root, and to make a user with your ids then." in said
+    assert f"Trust all images of {EVIL}? [y/N] " in said
+    assert remembered(desk) == {f"image {EVIL}": expected == MADE} and desk.memory.stat().st_mode & 0o777 == 0o600
+    assert desk.on_a_terminal("--no-name", f"{EVIL}:2") == (0, b"") and runs_as(desk) == expected, "both are remembered"
+    assert desk.call(EVIL).stderr == "" and runs_as(desk) == expected
+    desk.on_a_terminal("--no-name", "ours", keys=b"n\n")
+    assert runs_as(desk) == JO and [*remembered(desk)] == [f"image {EVIL}", "image docker.io/library/ours"]
+
+
+def test_an_option_trusts_without_a_question(desk: Desk) -> None:
+    """For this call and from now on, also after a no."""
+    desk.trust(ours=False)
+    assert desk.call("ours").stderr == "" and runs_as(desk) == JO
+    assert desk.call("--trust", "ours").stderr == "" and runs_as(desk) == MADE and "--trust" not in desk.calls[-1]
+    assert remembered(desk) == {"image docker.io/library/ours": True}
+    assert desk.on_a_terminal("--no-name", "ours") == (0, b"") and runs_as(desk) == MADE
+
+
+@pytest.mark.parametrize("option", ["--dry-run", "--json", "--export=compose", "--export=devcontainer"])
+def test_where_nothing_runs_nobody_is_asked(desk: Desk, option: str) -> None:
+    """And nothing is remembered."""
+    code, told = desk.on_a_terminal(option, "ours", keys=b"y\n")
+    assert code == 0 and b"--trust trusts" in told and b"[y/N]" not in told and b"no-new-privileges" in told
+    assert b"DOCKER_UID=1234" not in told
+    done = desk.call(option, "--trust", "ours")
+    assert done.stderr == "" and remembered(desk) is None
+    assert ("no-new-privileges" in done.stdout) == (option == "--export=devcontainer"), "an editor enters no entrypoint"
+
+
+def test_the_check_says_who_would_run(desk: Desk) -> None:
+    desk.engine(images={"ros": [*OURS, "ROS_DISTRO=jazzy"]})
+    assert REMEDY in desk.call("--check", "ros").stderr and desk.call("--check", "--trust", "ros").stderr == ""
+
+
+def test_exports_carry_it(desk: Desk) -> None:
+    (service,) = yaml.safe_load(desk.call("--export=compose", EVIL).stdout)["services"].values()
+    assert (service["user"], service["security_opt"]) == ("1234:1234", ["no-new-privileges"])
+    editor = json.loads(desk.call("--export=devcontainer", EVIL).stdout)
+    assert (editor["containerUser"], editor["securityOpt"]) == ("1234:1234", ["no-new-privileges"])
+    assert "--group-add=0" not in editor["runArgs"], "root's group is for images that somebody trusts"
+
+
+@pytest.mark.parametrize(
+    "words", [["--user", "7"], ["--no-user"], ["--entrypoint", "sh"], ["-u7"], ["--user=0"]], ids=lambda words: words[0]
+)
+def test_whoever_says_who_runs_is_not_asked(desk: Desk, words: list[str]) -> None:
+    assert desk.on_a_terminal("--no-name", *words, EVIL, keys=b"y\n")[1].count(b"[y/N]") == 0
+    assert "DOCKER_UID=1234" not in desk.ran and remembered(desk) is None
+
+
+def test_another_user_namespace_of_docker(desk: Desk) -> None:
+    """It is not asked about, and gets nothing without trust."""
+    told = desk.on_a_terminal("--no-name", "--userns=host", EVIL, keys=b"y\n")[1]
+    assert b"[y/N]" not in told and b"--trust trusts" in told and runs_as(desk) == JO
+
+
+@pytest.mark.parametrize("info", [ROOTLESS, PODMAN])
+def test_engines_without_root_need_no_trust(desk: Desk, info: dict[str, Any]) -> None:
+    desk.engine(images={EVIL: OURS}, info=info)
+    assert desk.on_a_terminal("--no-name", EVIL) == (0, b"") and "no-new-privileges" not in desk.ran
+
+
+def test_root_needs_no_trust(desk: Desk) -> None:
+    """Root in the container is the person."""
+    desk.environment["DESK_UID"] = "0"
+    assert desk.on_a_terminal("--no-name", EVIL) == (0, b"")
+    assert "DOCKER_UID=0" in desk.ran and "no-new-privileges" not in desk.ran
+
+
+def test_a_file_cannot_trust(desk: Desk) -> None:
+    """Neither that of a project nor the person's."""
+    (desk.folder / ".rosml.toml").write_text('options = ["--trust"]')
+    done = desk.call(EVIL)
+    assert done.returncode == 125 and ".rosml.toml:1: --trust is for the command line alone" in done.stderr
+
+
+def test_a_files_image_is_allowed_and_not_trusted(desk: Desk) -> None:
+    """Two questions: whether the project's file may name it, and whether it may start as root."""
+    (desk.folder / ".rosml.toml").write_text(f'image = "{EVIL}"\noptions = ["--no-name"]')
+    code, told = desk.on_a_terminal("--new", keys=b"y\nn\n")
+    assert code == 0 and told.count(b"[y/N]") == 2 and runs_as(desk) == JO
+    assert {*map(type, remembered(desk).values())} == {str, bool}, "each in its own place"
+
+
+@pytest.mark.parametrize(
+    "content", ["nonsense", "[]", '{"image ghcr.io/evil/robot": "true"}', '{"image ghcr.io/evil/robot": 1}', f'{{"{EVIL}": true}}']
+)  # fmt: skip
+def test_a_damaged_memory_trusts_nothing(desk: Desk, content: str) -> None:
+    desk.memory.parent.mkdir(parents=True)
+    desk.memory.write_text(content)
+    assert REMEDY in desk.call(EVIL).stderr and runs_as(desk) == JO
+    assert desk.on_a_terminal("--no-name", EVIL, keys=b"y\n")[0] == 0 and desk.call(EVIL).stderr == ""
+
+
+def test_a_repository_is_no_file(tmp_path: Path) -> None:
+    """A project's file at an odd path trusts no image, and a trusted repository allows no file."""
+    place = tmp_path / "allowed.json"
+    place.write_bytes(consent.with_repository("/x", True, place))
+    assert consent.is_trusted("/x", place) and json.loads(place.read_bytes()) == {"image /x": True}
+
+
+def test_an_image_by_its_id_stands_for_itself(desk: Desk) -> None:
+    """Also if an id begins like the name of a trusted repository."""
+    desk.trust(cafe=True)
+    desk.engine(images={"cafe": OURS}, answers={"image": json.dumps({"Id": "sha256:cafe12", "Config": {"Env": OURS}})})
+    assert "sha256:cafe12 wants to start as root" in desk.call("cafe").stderr and runs_as(desk) == JO
+
+
+def test_an_answer_that_cannot_be_kept(desk: Desk) -> None:
+    Path(desk.environment["HOME"], ".local").touch()
+    code, told = desk.on_a_terminal("--no-name", EVIL, keys=b"y\n")
+    assert code == 0 and b"allowed.json: Not a directory" in told and runs_as(desk) == MADE
+    assert os.listdir(desk.folder) == []
