@@ -220,9 +220,10 @@ OTHER_MACHINE = Entry(LOCAL, b"laptop", b"0", b"MIT-MAGIC-COOKIE-1", b"x" * 16)
 X0 = "/tmp/.X11-unix/X0"
 SHOWN = ["--mount", f"type=bind,source={X0},target={X0}", "-e", "DISPLAY=:0", "-e", "QT_X11_NO_MITSHM=1"]
 WITH_COOKIE = [
-    *("--mount", f"type=bind,source={RUNTIME}/rosml/xauth,target=/run/rosml/xauth,readonly"),
+    *("--mount", f"type=bind,source={RUNTIME}/rosml/xauth-0,target=/run/rosml/xauth,readonly"),
     *("-e", "XAUTHORITY=/run/rosml/xauth"),
 ]
+SSH_COOKIE = [word.replace("xauth-0", "xauth-10") for word in WITH_COOKIE]
 
 
 @pytest.fixture
@@ -244,7 +245,7 @@ def test_a_display_that_answers(x11: Machine, display: str) -> None:
     assert [*added.words[-4:]] == WITH_COOKIE
     if "robot" not in display:
         assert [*added.words] == [*SHOWN, *WITH_COOKIE]
-    (entry,) = xauthority.read(added.files[f"{RUNTIME}/rosml/xauth"])
+    (entry,) = xauthority.read(added.files[f"{RUNTIME}/rosml/xauth-0"])
     assert entry == Entry(WILD, b"", b"0", COOKIE.kind, COOKIE.secret), "that of this machine, good for any"
 
 
@@ -260,16 +261,26 @@ def test_whoever_says_what_the_display_is_is_heard(x11: Machine, words: list[str
     assert sockets.windows(x11.context(*words)) == Added()
 
 
-def test_the_file_of_another_display(x11: Machine) -> None:
-    """One file for all; that of another display stays in it."""
+def test_the_container_gets_the_cookie_of_its_display_alone(x11: Machine) -> None:
+    """Also if there is one for another display, from another call."""
     other = Entry(WILD, b"", b"10", b"MIT-MAGIC-COOKIE-1", b"o" * 16)
     stale = Entry(WILD, b"", b"0", b"MIT-MAGIC-COOKIE-1", b"p" * 16)
-    x11.file(f"{RUNTIME}/rosml/xauth", xauthority.written([stale, other]))
-    content = sockets.windows(x11.context()).files[f"{RUNTIME}/rosml/xauth"]
-    assert [(entry.number, entry.secret) for entry in xauthority.read(content)] == [
-        (b"10", other.secret),
-        (b"0", COOKIE.secret),
+    for name in ("xauth", "xauth-0"):
+        x11.file(f"{RUNTIME}/rosml/{name}", xauthority.written([stale, other]))
+    ((place, content),) = sockets.windows(x11.context()).files.items()
+    assert place == f"{RUNTIME}/rosml/xauth-0" and xauthority.read(content) == [
+        Entry(WILD, b"", b"0", COOKIE.kind, COOKIE.secret)
     ]
+
+
+def test_a_display_of_another_machine_gets_no_cookie_of_this_one(x11: Machine) -> None:
+    """Both may have the same number."""
+    x11.environment["DISPLAY"] = "laptop:0"
+    x11.listens.add(("laptop", 6000))
+    (content,) = sockets.windows(x11.context()).files.values()
+    assert [entry.secret for entry in xauthority.read(content)] == [OTHER_MACHINE.secret]
+    x11.file("/home/me/.Xauthority", xauthority.written([COOKIE]))
+    assert sockets.windows(x11.context()).files == {}
 
 
 def test_a_display_that_needs_no_cookie(x11: Machine) -> None:
@@ -284,7 +295,7 @@ def test_a_cookie_without_a_place(x11: Machine) -> None:
     added = sockets.windows(x11.context())
     assert not added.words and not added.files and "no place for the display's cookie" in added.notes[0][0]
     x11.file(f"{RUNTIME}/bus")
-    assert [*sockets.windows(x11.context()).files] == [f"{RUNTIME}/rosml/xauth"]
+    assert [*sockets.windows(x11.context()).files] == [f"{RUNTIME}/rosml/xauth-0"]
     nobody = Person(UID + 1, GID, "nobody", "/")
     assert sockets.windows(x11.context(me=nobody)).files == {}
 
@@ -313,8 +324,8 @@ def test_a_display_of_ssh(x11: Machine, words: list[str], engine: Engine, reason
         assert added.words == () and "DISPLAY=localhost:10.0 is ssh's" in text and reason in text
         return
     own = [] if words else ["--network", "host"]
-    assert [*added.words] == [*own, "-e", "DISPLAY=localhost:10.0", "-e", "QT_X11_NO_MITSHM=1", *WITH_COOKIE]
-    (entry,) = xauthority.read(added.files[f"{RUNTIME}/rosml/xauth"])
+    assert [*added.words] == [*own, "-e", "DISPLAY=localhost:10.0", "-e", "QT_X11_NO_MITSHM=1", *SSH_COOKIE]
+    (entry,) = xauthority.read(added.files[f"{RUNTIME}/rosml/xauth-10"])
     assert (entry.number, entry.secret) == (b"10", SSH.secret)
 
 
@@ -323,7 +334,7 @@ def test_a_damaged_file_of_cookies() -> None:
     assert xauthority.read(whole) == [COOKIE, SSH]
     for end in range(len(whole)):
         assert xauthority.read(whole[:end]) in ([], [COOKIE])
-    assert xauthority.read(b"\xff" * 5) == [] and xauthority.cookies([], "0", "robot") == []
+    assert xauthority.read(b"\xff" * 5) == [] and xauthority.cookie([], "0", "robot", "robot") is None
 
 
 @pytest.mark.skipif(not shutil.which("xauth"), reason="xauth is not installed")
@@ -335,7 +346,9 @@ def test_xauth_reads_what_is_written(tmp_path: Path) -> None:
     (entry,) = xauthority.read(file.read_bytes())
     assert (entry.number, entry.secret.hex()) == (b"3", "ab" * 16)
     ours = tmp_path / "ours"
-    ours.write_bytes(xauthority.merged(b"", xauthority.cookies([entry], "3", "robot")[0]))
+    found = xauthority.cookie([entry], "3", "robot", "robot")
+    assert found
+    ours.write_bytes(xauthority.written([found]))
     listed = subprocess.run(["xauth", "-f", str(ours), "nlist"], capture_output=True, text=True, check=True).stdout
     assert listed.split() == ["ffff", "0000", "0001", "33", "0012", b"MIT-MAGIC-COOKIE-1".hex(), "0010", "ab" * 16]
 
@@ -436,9 +449,10 @@ def test_an_engine_on_another_machine(x11: Machine, engine: Engine, files: list[
 
 @pytest.fixture
 def desk(tmp_path: Path) -> Desk:
-    """A desk on a machine with nothing."""
+    """A desk on a machine with nothing. The image `ours` is trusted."""
     made = Desk(tmp_path)
     made.engine()
+    made.trust(ours=True)
     return made
 
 
@@ -458,7 +472,7 @@ def test_the_cookie_is_in_a_private_file(desk: Desk) -> None:
     session.mkdir(parents=True)
     (desk.root / "c").write_bytes(xauthority.written([Entry(LOCAL, b"x", b"0", b"k", b"secret")]))
     env = {"DISPLAY": ":0", "XAUTHORITY": "/c", "XDG_RUNTIME_DIR": RUNTIME}
-    file = session / "rosml/xauth"
+    file = session / "rosml/xauth-0"
     with listening(desk.root / X0[1:]):
         shown = desk.call("--dry-run", "ubuntu", **env)
         assert "DISPLAY=:0" in shown.stdout and "secret" not in shown.stdout and not [*session.iterdir()]
@@ -472,7 +486,7 @@ def test_the_cookie_is_in_a_private_file(desk: Desk) -> None:
         assert stat.S_IMODE(first.st_mode) == 0o600 and stat.S_IMODE(file.parent.stat().st_mode) == 0o700
         assert desk.call("ubuntu", **env).returncode == 0
         assert file.stat().st_ino == first.st_ino, "containers have it mounted"
-    assert [path.name for path in session.rglob("*")] == ["rosml", "xauth"] and b"secret" in file.read_bytes()
+    assert [path.name for path in session.rglob("*")] == ["rosml", "xauth-0"] and b"secret" in file.read_bytes()
     assert desk.call("ubuntu", **env).returncode == 0 and "DISPLAY=:0" not in desk.calls[-1]
 
 

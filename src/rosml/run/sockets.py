@@ -17,6 +17,9 @@ OURS = "/run/rosml"
 DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>[0-9]{1,4})(?:\.[0-9]+)?")
 """Such as `:0`, `localhost:10.0`, `robot:1`."""
 
+LOCALHOST = ("localhost", "127.0.0.1")
+"""How a display of `ssh -X` names its machine."""
+
 NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
 """Options that go with a network of the container's own."""
 
@@ -78,7 +81,7 @@ def windows(context: Context) -> Added:
 
 
 def _x11(context: Context) -> Added:
-    """X11, where DISPLAY answers; with its cookie, in a file that only this person can read."""
+    """X11, where DISPLAY answers; with its cookie alone, in a file for each display that only this person can read."""
     host, display = context.host, context.host.environment.get("DISPLAY", "")
     named = DISPLAY.fullmatch(display)
     if not named:
@@ -92,23 +95,24 @@ def _x11(context: Context) -> Added:
     else:
         if not host.connects((machine, 6000 + int(number))):
             return NOTHING
-        local = machine in ("localhost", "127.0.0.1")
+        local = machine in LOCALHOST
         if local and (reason := no_network(context)):
             return Added(notes=[(f"no windows: DISPLAY={display} is ssh's, and {reason}", "--no-x11 asks for none")])
         given = context.line.has(*NETWORK) or context.line.asks(WHOLE_NETWORK)
         words = [*(["--network", "host"] if local and not given else []), *variables(DISPLAY=display)]
     words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
     place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
-    cookies = xauthority.cookies(xauthority.read(host.content(place)), number, host.name)
-    if not cookies:  # the display may let everybody of this uid in
+    remote = "" if machine in ("", "unix", *LOCALHOST) else machine
+    cookie = xauthority.cookie(xauthority.read(host.content(place)), number, remote or host.name, host.name)
+    if not cookie:  # the display may let everybody of this uid in
         return Added(words)
     folder = runtime(context)
     if not folder:
         remedy = "log in again, or name a folder of yours with XDG_RUNTIME_DIR; --no-x11 asks for none"
         return Added(notes=[("no windows: there is no place for the display's cookie", remedy)])
-    file, target = f"{folder}/rosml/xauth", f"{OURS}/xauth"
+    file, target = f"{folder}/rosml/xauth-{number}", f"{OURS}/xauth"
     words += ["--mount", f"{bind(file, target)},readonly", *variables(XAUTHORITY=target)]
-    return Added(words, {file: xauthority.merged(host.content(file), cookies[0])})
+    return Added(words, {file: xauthority.written([cookie])})
 
 
 def no_network(context: Context) -> str:

@@ -50,18 +50,18 @@ def written(entries: Iterable[Entry]) -> bytes:
     return content
 
 
-def cookies(entries: Sequence[Entry], number: str, machine: str) -> list[Entry]:
-    """The entries for a display, made good for any machine: a container has another name. Those of this machine come first.
+def cookie(entries: Sequence[Entry], number: str, machine: str, here: str) -> Entry | None:
+    """The entry for a display, made good for any machine: a container has another name. That of the display's machine comes first.
+    An entry of this machine is for no display of another one.
 
     Args:
-        number: of the display. machine: this one's name.
+        number: of the display. machine: its machine's name. here: this one's.
     """
     fitting = [entry for entry in entries if entry.number in (b"", number.encode())]
-    best = sorted(fitting, key=lambda entry: (entry.family, entry.address) != (LOCAL, machine.encode()))
-    return [replace(entry, family=WILD, address=b"", number=number.encode()) for entry in best[:1]]
+    ranked = sorted(fitting, key=lambda entry: not _is_of(entry, machine))
+    best = next((entry for entry in ranked if machine == here or not _is_of(entry, here)), None)
+    return best and replace(best, family=WILD, address=b"", number=number.encode())
 
 
-def merged(content: bytes, entry: Entry) -> bytes:
-    """The content of a file in which an entry takes the place of others for its display."""
-    others = [other for other in read(content) if other.number != entry.number]
-    return written([*others, entry])
+def _is_of(entry: Entry, machine: str) -> bool:
+    return (entry.family, entry.address) == (LOCAL, machine.encode())
