@@ -300,6 +300,12 @@ class Receiver:
         self.records = store.Records(self.registry, PREFIX)
         self.plan = SimpleNamespace(known={("alpha-base", "amd64"): store.parse(ENTRY)}, date="2026-11-22T03:00:00Z")
 
+    def repository(self, name: str) -> str:
+        return f"{self.prefix}/{name}"
+
+    def record_sbom(self, digest: str, artifact: str) -> None:
+        pass
+
 
 def results_of(file: Path) -> object:
     """What a scan handed over."""
@@ -563,7 +569,9 @@ PARSERS: dict[str, Parser] = {
     "allowed.json": Parser(
         "json",
         as_json({"/a/.rosml.toml": hashlib.sha256(b"x").hexdigest()}),
-        written("a", lambda file: consent.is_allowed(defaults.File("/a/.rosml.toml", b"x", 0, split((), ())), file)),
+        written(
+            "a", lambda file: consent.is_allowed(defaults.File("/a/.rosml.toml", b"x", 0, split((), ())), "1", file)
+        ),
     ),
     "apt's list of sources": Parser("text", [LINES], text(lambda found: apt_sources.parse({"a.list": found}, "base"))),
     "apt's paragraphs of sources": Parser(

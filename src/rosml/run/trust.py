@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import re
 from pathlib import Path
+
+from rosml.base import untrusted
 
 _LABEL = "[A-Za-z0-9](?:[A-Za-z0-9-]*[A-Za-z0-9])?"
 _HOST = rf"(?:{_LABEL}(?:\.{_LABEL})*|\[[0-9A-Fa-f]*:[0-9A-Fa-f:]*\])(?::[0-9]+)?"
@@ -69,10 +70,10 @@ def local_registry(state: Path) -> str:
         state: the checkout's folder `.state`.
     """
     try:
-        found = json.loads((state / SERVICES).read_bytes())
-    except (OSError, ValueError, RecursionError):
+        found = untrusted.json_object((state / SERVICES).read_bytes()) or {}
+    except OSError:
         return ""
-    address = found.get("registry") if isinstance(found, dict) else ""
+    address = found.get("registry")
     return address if isinstance(address, str) else ""
 
 
