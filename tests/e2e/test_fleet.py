@@ -3,6 +3,7 @@ or its disk is full, or the registry answers as registries do on a bad day."""
 
 from __future__ import annotations
 
+import base64
 import copy
 import http.client
 import http.server
@@ -22,6 +23,7 @@ import yaml
 
 from rosml.base.clock import now
 from rosml.machine.services import Services
+from rosml.registry import credentials
 from tests.e2e import mini as minis
 from tests.e2e.builders import builder
 from tests.e2e.conftest import HANGS, run, small_file_system
@@ -164,8 +166,12 @@ Mood = Callable[[int], str]
 
 @contextmanager
 def moody(upstream: str, mood: Mood) -> Iterator[str]:
-    """A registry in front of the real one that now and then answers 500 or 429, or hangs up; gives its address."""
+    """A registry in front of the real one that now and then answers 500 or 429, or hangs up; gives its address. It knows the
+    password."""
     counter = iter(range(1, 1 << 30))
+    account = credentials.from_docker(upstream)
+    assert account
+    secret = base64.b64encode(f"{account.username}:{account.password}".encode()).decode()
     lock = threading.Lock()
 
     class Handler(http.server.BaseHTTPRequestHandler):
@@ -197,6 +203,7 @@ def moody(upstream: str, mood: Mood) -> Iterator[str]:
             for name, value in self.headers.items():  # Accept comes several times
                 if name.lower() not in ("transfer-encoding", "content-length", "connection"):
                     connection.putheader(name, value)
+            connection.putheader("Authorization", f"Basic {secret}")
             if body or self.command in ("PUT", "POST", "PATCH"):
                 connection.putheader("Content-Length", str(len(body)))
             connection.endheaders(body or None)

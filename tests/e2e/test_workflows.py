@@ -104,7 +104,7 @@ exec setpriv --reuid={user} --regid={user} --clear-groups ./rosml-real "$@"
 job that builds has what the cache of programs has; the others run as a user who is not root. The scanner is not built."""
 
 GIT = """\
-if [ "$1" != clone ]; then exec /usr/bin/git "$@"; fi
+case " $* " in *" clone "*) ;; *) exec /usr/bin/git "$@" ;; esac
 for folder; do :; done
 mkdir -p "$folder/rosdep" "$folder/noetic"
 echo 'boost: {debian: [libboost-dev]}' >"$folder/rosdep/base.yaml"
