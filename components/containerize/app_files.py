@@ -143,15 +143,23 @@ def put(source: Path, target: Path) -> None:
         os.setxattr(target, CAPABILITY, os.getxattr(source, CAPABILITY))
 
 
+def require_folder(place: Path, path: Path) -> None:
+    """Ends the program if a folder is a link by now: what it has would be read, or written, at a place that is not the app's."""
+    if not stat.S_ISDIR(os.lstat(place).st_mode):
+        sys.exit(
+            f"error: /{path} is no folder, and should have the app's files; let your scripts and packages leave it one"
+        )
+
+
 def copy(source: Path, path: str, out: Path) -> None:
     """Copies a file with the folders above it. A link among these would lead to a place that is not the app's."""
     parts = Path(path).parts
     for number in range(1, len(parts)):
         folder = Path(*parts[:number])
-        if (out / folder).is_symlink():
-            sys.exit(f"error: /{folder} is a link now, and has the app's files; let your scripts leave it a folder")
-        if not (out / folder).exists():
+        if not os.path.lexists(out / folder):
+            require_folder(source / folder, folder)
             put(source / folder, out / folder)
+        require_folder(out / folder, folder)
     put(source / path, out / path)
 
 
@@ -207,6 +215,9 @@ def main(base: Path, runtime: Path, environment: Path, built: Path, out: Path, *
     facts = {**packages(base, runtime, root), "outside": shown(outside(environment, built)), **versions(base, locked)}
 
     install = "docker-ros/ws/install"
+    for folder in ("docker-ros", "docker-ros/ws", install):
+        if os.path.lexists(built / folder):
+            require_folder(built / folder, Path(folder))
     # Of a base image that is an app itself, what it has built stays there.
     there = {os.path.join(install, path): stats for path, stats in entries(base / install).items()}
     for above, folders, names in os.walk(built / install):

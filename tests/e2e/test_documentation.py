@@ -246,6 +246,7 @@ def test_an_image_is_carried_over(services: Services, published: Publish, tmp_pa
             *words[1:3],
             place,
             str(tmp_path / words[4]),
+            env=services.environment(),
         )
         assert done.code == 0, done.err
     assert regctl.digest(services, moved) == image.result["digest"]

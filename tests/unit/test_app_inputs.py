@@ -20,7 +20,7 @@ def test_the_command_line_wins_over_the_environment_and_that_over_the_file(tmp_p
 
 
 def test_an_empty_value_counts_on_the_command_line_alone(tmp_path: Path) -> None:
-    (tmp_path / ".env").write_text("CMAKE_ARGS=-DX=1\nIMAGE_TAG=\nIMAGE=me/robot:v1\n")
+    (tmp_path / ".env").write_text("CMAKE_ARGS=-DX=1\nIMAGE_TAG=\nIMAGE=robot:v1\n")
     assert inputs.values({"cmake-args": ""}, tmp_path, {})["cmake-args"] == ""
     assert inputs.values({}, tmp_path, {"CMAKE_ARGS": ""})["cmake-args"] == "-DX=1"
     assert inputs.values({"image-name": ""}, tmp_path, {})["image-name"] == ""
@@ -91,6 +91,8 @@ PASSWORD, KEY = {"GIT_HTTPS_PASSWORD": "secret"}, {"GIT_SSH_PRIVATE_KEY": "key"}
         ("IMAGE_NAME=ghcr.io/me/other", {"push": "true"}, {}, "--image-name ghcr.io/me/other"),
         ("IMAGE=ghcr.io/me/other:1", {}, {"PUSH": "true"}, "--image-name ghcr.io/me/other"),
         ("SLIM_IMAGE_TAG=stable", {"push": "true"}, {}, "--slim-image-tag stable"),
+        ("IMAGE_NAME=osrf/ros", {}, {}, "--image-name osrf/ros"),
+        ("IMAGE=ghcr.io/me/production:latest", {}, {}, "--image-name ghcr.io/me/production"),
         ("ENABLE_PUSH_AS_LATEST=true", {"push": "true"}, {}, "--enable-push-as-latest"),
         ("GIT_HTTPS_SERVER=evil.example", {}, PASSWORD, "--git-https-server evil.example"),
         ("GIT_HTTPS_SERVER=evil.example\nGIT_HTTPS_PASSWORD=x", {}, PASSWORD, "--git-https-server evil.example"),
@@ -177,7 +179,7 @@ def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
         ("command: ros2", ".env:1: it is not NAME=VALUE"),
         ("A=1\nCOMMAND=ros2\\", ".env:2: its quotation has no end"),
         ("A=\0", ".env: it has a NUL character"),
-        ("A=" + "1" * (1 << 18), ".env: it has more than 256 KiB"),
+        ("A=" + "1" * (1 << 18), ".env: has more than 262,144 bytes"),
     ],
 )
 def test_what_a_shell_would_be_needed_for_is_refused(text: str, says: str, tmp_path: Path) -> None:

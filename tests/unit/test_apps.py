@@ -9,6 +9,10 @@ import os
 import re
 import shutil
 import subprocess
+import tarfile
+import time
+import tracemalloc
+import zlib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -16,6 +20,7 @@ from typing import Any
 import archives
 import pytest
 from registry_stand_in import StandIn
+from stubs import script_of_a_build
 from test_report import APP, DEPENDENCIES
 
 from rosml import ROOT
@@ -68,7 +73,6 @@ def test_a_short_name_is_the_local_registrys_or_docker_hubs(services: Services) 
     local = services.registry
     assert base.candidates("ros-tf:jazzy", services) == (
         f"{local}/rosml/ros-tf:jazzy",
-        f"{local}/ros-tf:jazzy",
         "docker.io/library/ros-tf:jazzy",
     )
     assert base.candidates("me/robot", services)[-1] == "docker.io/me/robot"
@@ -287,6 +291,85 @@ def test_additional_files_have_nothing_secret(
     assert "hello" in found and found.isdisjoint((".git", ".env"))
 
 
+@pytest.mark.parametrize("link", ["docker-ros", "docker-ros/ws", "docker-ros/ws/install"])
+def test_an_install_space_is_never_written_through_a_link(
+    link: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Code of the packages may leave one; the step that reads it is rosml's own, and says what is in the images."""
+    monkeypatch.syspath_prepend(str(ROOT / "components/containerize"))
+    script = script_of_a_build("containerize/app_files.py")
+    for name in ("base", "runtime", "environment", "built/docker-ros/ws/install", "elsewhere/ws/install", "out"):
+        (tmp_path / name).mkdir(parents=True)
+    for name in ("elsewhere/file", "elsewhere/ws/file", "elsewhere/ws/install/file"):
+        (tmp_path / name).write_text("x")
+    shutil.rmtree(tmp_path / "built" / link)
+    (tmp_path / "built" / link).symlink_to(tmp_path / "elsewhere")
+    before = sorted(tmp_path.rglob("*"))
+    places = [tmp_path / name for name in ("base", "runtime", "environment", "built")]
+    with pytest.raises(SystemExit, match=f"error: /{link} is no folder"):
+        script.main(*places, tmp_path / "out/app")
+    assert [path for path in sorted(tmp_path.rglob("*")) if "out" not in path.parts] == [
+        path for path in before if "out" not in path.parts
+    ]
+
+
+def test_no_file_is_copied_below_a_link(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "components/containerize"))
+    script = script_of_a_build("containerize/app_files.py")
+    (tmp_path / "source/a").mkdir(parents=True)
+    (tmp_path / "source/a/file").write_text("x")
+    (tmp_path / "source/b").symlink_to("a")
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out/c").symlink_to(tmp_path / "source/a")
+    (tmp_path / "source/c").mkdir()
+    (tmp_path / "source/c/new").write_text("x")
+    for path in ("b/file", "c/new"):
+        with pytest.raises(SystemExit, match="is no folder"):
+            script.copy(tmp_path / "source", path, tmp_path / "out")
+    assert sorted(path.name for path in (tmp_path / "source/a").iterdir()) == ["file"]
+
+
+@pytest.mark.parametrize("name", [".env", "containerize.lock", "docker/additional-debs.txt", "a/package.xml"])
+def test_a_pipe_in_a_folder_is_said(name: str, tmp_path: Path) -> None:
+    """Whoever reads it would wait for ever."""
+    (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+    os.mkfifo(tmp_path / name)
+    with pytest.raises(RosmlError, match=r"neither a file nor a folder|it is no file") as caught:
+        inputs.values({}, tmp_path, {})
+        lock.read(tmp_path / "containerize.lock", tmp_path)
+        requests(tmp_path, {}, {})
+        workspace.write_manifests({"target": tmp_path}, tmp_path / "out")
+    assert caught.value.exit_code == 2 and caught.value.remedy
+
+
+def test_variables_are_read_through_no_link(tmp_path: Path) -> None:
+    (tmp_path / "secret").write_text("ROS_DISTRO=secret\n")
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/.env").symlink_to("../secret")
+    with pytest.raises(RosmlError, match="it is a link"):
+        inputs.values({}, tmp_path / "robot", {})
+
+
+def test_a_lock_file_is_not_written_into_gits_folder(tmp_path: Path) -> None:
+    (tmp_path / ".git").mkdir()
+    with pytest.raises(RosmlError, match=r"leads to \.git/index\.lock"):
+        lock.place(tmp_path, ".git/index.lock", renew=True)
+
+
+@pytest.mark.parametrize("kind", [tarfile.XHDTYPE, tarfile.XGLTYPE, tarfile.GNUTYPE_LONGNAME, tarfile.GNUTYPE_LONGLINK])
+def test_a_header_of_an_archive_takes_no_memory(kind: bytes, tmp_path: Path) -> None:
+    """A few MB of gzip hold gigabytes of it."""
+    header = tarfile.TarInfo("a")
+    header.type, header.size = kind, 300 << 20
+    packer = zlib.compressobj(1, wbits=31)
+    blocks = [packer.compress(block) for block in (header.tobuf(), *[bytes(1 << 20)] * 300)]
+    tracemalloc.start()
+    with pytest.raises(RosmlError, match="a header has"):
+        rosdep_index.unpack(b"".join([*blocks, packer.flush()]), tmp_path / "out", "the lists")
+    assert tracemalloc.get_traced_memory()[1] < 50 << 20
+    tracemalloc.stop()
+
+
 def test_additional_files_are_a_folder(tmp_path: Path) -> None:
     assert workspace.additional_files("docker/additional-files", tmp_path) is None
     assert workspace.additional_files("", tmp_path) is None
@@ -417,7 +500,7 @@ def test_no_slim_image_is_made_where_no_base_image_is_found(
     local = services.registry
     for name, why in (
         ("ros:jazzy", f"there is no {local}/rosml/ros:jazzy-base-run"),
-        ("plain:1", f"{local}/plain:1 does not say which base image has no compilers"),
+        (f"{local}/plain:1", f"{local}/plain:1 does not say which base image has no compilers"),
     ):
         given = {"base-image": name, "command": "true", "target": "run", "enable-slim": "true"}
         build.App(repository, inputs.values(given, repository, {}), {}, services, said.append).build()
@@ -438,7 +521,12 @@ def test_tests_that_fail_in_the_slim_image_alone_are_named(
     monkeypatch.setattr(junit, "read", lambda folder: junit.Tests(3, 1, failures.get(folder.name, ())))
     with pytest.raises(RosmlError, match=r"1 of 3 tests failed in the slim image.*no image was made") as caught:
         app(
-            repository, services, base_image="ros:jazzy", command="x", enable_slim="true", slim_base_image="small:1"
+            repository,
+            services,
+            base_image="ros:jazzy",
+            command="x",
+            enable_slim="true",
+            slim_base_image=f"{services.registry}/small:1",
         ).build()
     assert "robot: a.bad: no libfoo.so.1" in caught.value.message and "exec_depend" in caught.value.remedy
     assert [call["name"] for call in calls] == ["packages"]
@@ -471,7 +559,7 @@ def test_a_lock_file_is_written_then_followed(
     assert again.locked == ""
 
     put(services, "small:1", platform, ROS_DISTRO="jazzy")
-    slim = values | {"enable-slim": "true", "slim-base-image": "small:1"}
+    slim = values | {"enable-slim": "true", "slim-base-image": f"{services.registry}/small:1"}
     with pytest.raises(RosmlError, match="the lock file has no slim image"):
         build.App(repository, slim, {}, services, said.append).build()
 
@@ -671,6 +759,24 @@ def test_an_encoding_that_cannot_be_read_is_said(encoding: str, tmp_path: Path) 
     (tmp_path / "robot").mkdir()
     (tmp_path / "robot/a.xml").write_text(f'<?xml version="1.0" encoding="{encoding}"?>{SUITE}')
     assert junit.read(tmp_path).failures == ("robot: a.xml has an encoding that cannot be read: write it in UTF-8",)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<testsuite>" * 40_000 + "</testsuite>" * 40_000,
+        f"<testsuite>{'<testcase><failure/></testcase>' * 100_000}</testsuite>",
+        f"<Site><TestList/>{'<Test Status=`failed`><Name>a</Name></Test>' * 60_000}</Site>".replace("`", '"'),
+        f"<testsuite><testcase><failure>{'x ' * 4_000_000}</failure></testcase></testsuite>",
+    ],
+    ids=["deep", "many", "ctest", "long"],
+)
+def test_a_large_report_takes_no_time(text: str, tmp_path: Path) -> None:
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/a.xml").write_text(text)
+    started = time.process_time()
+    assert len(junit.read(tmp_path).failures) <= junit.MOST + 1
+    assert time.process_time() - started < 10
 
 
 @pytest.mark.parametrize("counts", ['failures="1"', 'tests="3" failures="0" errors="2"'])

@@ -131,6 +131,13 @@ def test_a_damaged_report_is_said(content: archives.Content, says: str, tmp_path
     assert caught.value.remedy and "environ" not in caught.value.message
 
 
+@pytest.mark.parametrize("name", [f"results/{'a' * 250}/{'b' * 250}/" * 9 + "c.xml", "results/robot/a.xml/b.xml"])
+def test_a_name_that_cannot_be_is_no_crash(name: str, tmp_path: Path) -> None:
+    found = left_by_tests(tmp_path, {"results/robot/a.xml": SUITE, name: SUITE, "results/failed/x.xml": SUITE}).target
+    assert [line.rpartition(": ")[2] for line in found.failures] == ["there cannot be a file of that name"]
+    assert found.count == 3, "a package may be called failed"
+
+
 @pytest.mark.parametrize("data", [None, b"", b"no archive", b"\0" * 5000])
 def test_an_archive_that_cannot_be_read_is_said(data: bytes | None, tmp_path: Path) -> None:
     if data is not None:

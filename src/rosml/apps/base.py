@@ -55,7 +55,8 @@ def candidates(text: str, services: Services) -> tuple[str, ...]:
     text = text.removeprefix(f"{DOCKER_HUB}/")
     if oci.has_registry(text):
         return (text,)
-    local = (f"{services.registry}/{NAMESPACE}/{text}", f"{services.registry}/{text}") if services.registry else ()
+    # An app there is found by its whole name alone: otherwise it could take the place of any image of Docker Hub.
+    local = (f"{services.registry}/{NAMESPACE}/{text}",) if services.registry else ()
     return (*local, oci.complete(text))
 
 

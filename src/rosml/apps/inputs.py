@@ -19,10 +19,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from rosml.apps import within
+from rosml.base import files
 from rosml.base.errors import RosmlError
 
-YES, NO, UNPUSHED, WITH_SECRET = "yes", "no", "if nothing is pushed", "with its secret, or without one"
-"""Whether `.env` may set an input. UNPUSHED: it names what is pushed. WITH_SECRET: it names the server that gets a secret; whoever
+YES, NO, UNPUSHED, WITH_SECRET = (
+    "yes",
+    "no",
+    "if nothing is pushed; a name without `/`",
+    "with its secret, or without one",
+)
+"""Whether `.env` may set an input. UNPUSHED: it names what is pushed, and what other builds and Docker take for it. WITH_SECRET: it names the server that gets a secret; whoever
 gives the secret names the server."""
 
 
@@ -262,7 +268,7 @@ def _require_allowed(
     allowed = {
         YES: True,
         NO: False,
-        UNPUSHED: values["push"] == "false",
+        UNPUSHED: values["push"] == "false" and not ("/" in values[name] and name.endswith("-name")),
         WITH_SECRET: not (secret in of_person and values[secret]),
     }
     if allowed[item.in_repository] or values[name] == item.default:
@@ -272,8 +278,10 @@ def _require_allowed(
     text = f"{file}:{_line_of(file, variable)}: {variable} is not for a repository to say"
     if secret:
         text += f": {secret.upper().replace('-', '_')} is yours, and goes to servers that you name"
-    elif item.in_repository == UNPUSHED:
+    elif values["push"] == "true":
         text += ", as the images are pushed"
+    elif item.in_repository == UNPUSHED:
+        text += ", as it names a place of its own: a name without / is enough here"
     raise RosmlError(text, f"if you want it, type {option}; or remove the line", exit_code=2)
 
 
@@ -343,19 +351,15 @@ def read_env(file: Path) -> dict[str, str]:
     Raises:
         RosmlError: it cannot be read; or a line is no such line, or would need a shell (exit code 2).
     """
-    try:
-        with file.open("rb") as stream:
-            content = stream.read(LARGEST_ENV + 1)
-        text = content.decode("utf-8-sig").replace("\r\n", "\n")
-    except FileNotFoundError:
+    content = files.regular(file, LARGEST_ENV)
+    if content is None:
         return {}
+    try:
+        text = content.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError:
         raise RosmlError(f"{file} is not UTF-8", "save it as UTF-8", exit_code=2) from None
-    except OSError as error:
-        raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
-    if len(content) > LARGEST_ENV or "\0" in text:
-        what = "it has a NUL character" if "\0" in text else f"it has more than {LARGEST_ENV >> 10} KiB"
-        raise RosmlError(f"{file}: {what}", "write lines of NAME='value' into it", exit_code=2)
+    if "\0" in text:
+        raise RosmlError(f"{file}: it has a NUL character", "write lines of NAME='value' into it", exit_code=2)
     found: dict[str, str] = {}
     place = 0
     while (place := _NOTHING.match(text, place).end()) < len(text):  # type: ignore[union-attr] # it matches anywhere
@@ -366,6 +370,9 @@ def read_env(file: Path) -> dict[str, str]:
         found[begun[1]], place = _unquoted(text, begun.end(), refusal)
     return found
 
+
+LARGEST_TEXT = 1 << 20
+"""Bytes of a list or a script of a repository."""
 
 LARGEST_ENV = 256 << 10
 """Bytes that a file of variables may have."""
@@ -430,7 +437,10 @@ def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -
         if not within.there(path, root):
             continue
         try:
-            texts.append(path.read_text())
+            content = files.limited(path, LARGEST_TEXT)
+            if len(content) > LARGEST_TEXT:
+                raise RosmlError(f"{path} has more than {LARGEST_TEXT >> 20} MiB", "check the file", exit_code=2)
+            texts.append(content.decode().replace("\r\n", "\n"))
         except (OSError, UnicodeDecodeError) as error:
             reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
             raise RosmlError(f"cannot read {path}: {reason}", "check the file", exit_code=2) from None

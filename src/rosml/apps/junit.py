@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
@@ -13,6 +13,15 @@ FAILED = "failed"
 
 _WRONG = ("failures", "errors")
 """The numbers of a test suite that failed."""
+
+MOST = 1000
+"""Failed tests that are named."""
+
+END = 1 << 16
+"""Characters of a command line, and of what a test printed, that are read."""
+
+NAMES = 16
+"""Files that a command line may name, at most."""
 
 SHOWN = 160
 """Characters of what a failed test said."""
@@ -29,7 +38,19 @@ class Tests:
 
 def add(one: Tests, other: Tests) -> Tests:
     """Both together."""
-    return Tests(one.count + other.count, one.skipped + other.skipped, one.failures + other.failures)
+    return total((one, other))
+
+
+def total(found: Iterable[Tests]) -> Tests:
+    """All together. Of more than MOST failures the first ones have a line each."""
+    count = skipped = more = 0
+    failures: list[str] = []
+    for tests in found:
+        count, skipped = count + tests.count, skipped + tests.skipped
+        kept = tests.failures[: MOST - len(failures)]
+        failures += kept
+        more += len(tests.failures) - len(kept)
+    return Tests(count, skipped, (*failures, *([f"and {more} more tests failed"] if more else ())))
 
 
 def read(folder: Path) -> Tests:
@@ -38,44 +59,39 @@ def read(folder: Path) -> Tests:
     A test of CTest whose program writes a JUnit file is counted there. The file `failed` has what left no report, such as
     tests that do not build. Its lines `PACKAGE: …` count if no test of that package failed.
     """
-    found = Tests()
-    for package in sorted(path for path in folder.glob("*") if path.is_dir()):
-        found = add(found, _package(package))
-    try:
-        lines = (folder / FAILED).read_text(errors="replace").split("\n")
-    except FileNotFoundError:
+    found = total(_package(path) for path in sorted(folder.glob("*")) if path.is_dir())
+    if not (folder / FAILED).is_file():
         return found
+    lines = (folder / FAILED).read_text(errors="replace").split("\n")
     told = {line.partition(": ")[0] for line in found.failures}
     others = tuple(clean for line in lines if (clean := _clean(line)) and clean.partition(": ")[0] not in told)
     return add(found, Tests(len(others), 0, others))
 
 
 def _package(folder: Path) -> Tests:
-    found = Tests()
-    reports: list[str] = []
-    failed: list[str] = []
+    found: list[Tests] = []
+    reports: set[str] = set()
+    failed: set[str] = set()
     ctest: list[ElementTree.Element] = []
-    for path in sorted(folder.rglob("*.xml")):
+    for path in sorted(path for path in folder.rglob("*.xml") if path.is_file()):
         try:
             root = ElementTree.parse(path).getroot()
         except ElementTree.ParseError:
             text = f"{folder.name}: {path.name} is no XML: its program was ended"
-            found = add(found, Tests(1, 0, (text,)))
+            found.append(Tests(1, 0, (text,)))
         except (LookupError, ValueError):  # an encoding that Python does not know, or expat cannot take
             text = f"{folder.name}: {path.name} has an encoding that cannot be read: write it in UTF-8"
-            found = add(found, Tests(1, 0, (text,)))
+            found.append(Tests(1, 0, (text,)))
         else:
             if root.tag == "Site":
                 ctest += root.iter("Test")
                 continue
             _drop_namespaces(root)
             tests = _junit(root, folder.name)
-            (failed if tests.failures else reports).append(f"/{folder.name}/{path.relative_to(folder)}")
-            found = add(found, tests)
-    for test in ctest:
-        if "Status" in test.attrib:
-            found = add(found, _ctest(test, folder.name, reports, failed))
-    return found
+            (failed if tests.failures else reports).add(f"/{folder.name}/{path.relative_to(folder)}")
+            found.append(tests)
+    found += [_ctest(test, folder.name, reports, failed) for test in ctest if "Status" in test.attrib]
+    return total(found)
 
 
 def _drop_namespaces(root: ElementTree.Element) -> None:
@@ -88,9 +104,8 @@ def _drop_namespaces(root: ElementTree.Element) -> None:
 def _junit(root: ElementTree.Element, package: str) -> Tests:
     count = skipped = 0
     failures = []
-    for suite in root.iter("testsuite"):
-        # A suite that could not begin has numbers alone.
-        if suite.find(".//testcase") is None and any(suite.get(kind, "0") not in ("", "0") for kind in _WRONG):
+    for suite in _without_tests(root):  # one that could not begin has numbers alone
+        if any(suite.get(kind, "0") not in ("", "0") for kind in _WRONG):
             count += 1
             failures.append(_failure(package, suite.get("name", ""), "failed, and its report names no test"))
     for case in root.iter("testcase"):
@@ -103,7 +118,20 @@ def _junit(root: ElementTree.Element, package: str) -> Tests:
     return Tests(count, skipped, tuple(failures))
 
 
-def _ctest(test: ElementTree.Element, package: str, reports: list[str], failed: list[str]) -> Tests:
+def _without_tests(root: ElementTree.Element) -> Iterator[ElementTree.Element]:
+    """The innermost suites that have no test."""
+    around = {child: parent for parent in root.iter() for child in parent}
+    full: set[ElementTree.Element] = set()
+    for kind in ("testcase", "testsuite"):
+        for element in root.iter(kind):
+            place = around.get(element)
+            while place is not None and place not in full:
+                full.add(place)
+                place = around.get(place)
+    yield from (suite for suite in root.iter("testsuite") if suite not in full)
+
+
+def _ctest(test: ElementTree.Element, package: str, reports: set[str], failed: set[str]) -> Tests:
     """A test of CTest; nothing where the JUnit file that it wrote says the same.
 
     Args:
@@ -113,14 +141,22 @@ def _ctest(test: ElementTree.Element, package: str, reports: list[str], failed: 
     status = test.get("Status")
     skipped = status == "notrun" and re.match("SKIP|Disabled", values.get("Completion Status", "")) is not None
     right = status == "passed" or skipped
-    command = test.findtext("FullCommandLine", "")
-    if any(name in command for name in (*failed, *(reports if right else ()))):
+    written = set(_written(test.findtext("FullCommandLine", ""), package))
+    if written & failed or (right and written & reports):
         return Tests()
     if right:
         return Tests(1, int(skipped))
-    output = [line for line in test.findtext("Results/Measurement/Value", "").splitlines() if _clean(line)]
+    output = [line for line in test.findtext("Results/Measurement/Value", "")[-END:].splitlines() if _clean(line)]
     said = output[-1] if output else values.get("Exit Code", "")
     return Tests(1, 0, (_failure(package, test.findtext("Name", ""), said),))
+
+
+def _written(command: str, package: str) -> Iterator[str]:
+    """The files below a package's folder that a command line may name; of a long one, the first."""
+    start = f"/{package}/"
+    for begin in list(re.finditer(re.escape(start), command[:END]))[:NAMES]:
+        for end in list(re.finditer(r"\.xml", command[begin.start() : END]))[:NAMES]:
+            yield command[begin.start() : begin.start() + end.end()]
 
 
 def _measured(test: ElementTree.Element) -> Iterator[tuple[str, str]]:
@@ -134,5 +170,7 @@ def _failure(package: str, name: str, said: str) -> str:
 
 def _clean(text: str) -> str:
     """A line that a terminal shows as it is, and that is not too long."""
-    text = re.sub(r"\x1b\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-0x1B\]\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-\w+\]", "", text)
+    text = re.sub(
+        r"\x1b\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-0x1B\]\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-\w+\]", "", text[:END]
+    )
     return " ".join("".join(sign if sign.isprintable() else " " for sign in text).split())[:SHOWN]

@@ -16,7 +16,7 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, StringConstraints, ValidationError
 
 from rosml.apps import inputs, within
-from rosml.base import untrusted
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 
 SUFFIX = ".lock"
@@ -169,8 +169,7 @@ def place(folder: Path, name: str, renew: bool) -> Path:
     there = within.there(file, folder)
     if not name.endswith(SUFFIX):  # it is overwritten
         raise RosmlError(f"lock-file: {name} does not end in {SUFFIX}", "name it so", exit_code=2)
-    if not Path(os.path.realpath(file.parent)).is_relative_to(os.path.realpath(folder)):
-        raise RosmlError(f"lock-file: {name} leads out of {folder}", "name a file in it", exit_code=2)
+    within.require_own(file, folder)
     if renew and not file.parent.is_dir():
         raise RosmlError(f"lock-file: there is no folder {file.parent}", "make it, or name another file", exit_code=2)
     if not (renew or there or name == inputs.default("lock-file")):
@@ -187,7 +186,7 @@ def read(file: Path, folder: Path) -> Lock | None:
     if not within.there(file, folder):
         return None
     try:
-        return Lock.model_validate(untrusted.json_value(file.read_bytes()))
+        return Lock.model_validate(untrusted.json_value(files.limited(file, untrusted.SIZE)))
     except OSError as error:
         raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
     except ValidationError as error:

@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 import yaml
 
 from rosml.apps import urls
-from rosml.base import untrusted
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 
 IGNORE = "COLCON_IGNORE"
@@ -80,7 +80,7 @@ def read(file: Path, name: str, local: bool) -> list[Entry]:
         RosmlError: it cannot be read, or names something that is not allowed (exit code 2).
     """
     try:
-        node = untrusted.yaml_node(file.read_bytes().decode("utf-8-sig"))
+        node = untrusted.yaml_node(files.limited(file, untrusted.SIZE).decode("utf-8-sig"))
     except OSError as error:
         raise RosmlError(f"{name}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
     except UnicodeDecodeError:

@@ -18,7 +18,7 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 
 from rosml.apps import base as bases
 from rosml.apps import git, lock, within
-from rosml.base import untrusted
+from rosml.base import archives, untrusted
 from rosml.base.errors import RosmlError
 from rosml.images.labels import PREFIX
 from rosml.machine.services import Services
@@ -255,9 +255,9 @@ def unpack(content: bytes, folder: Path, what: str) -> None:
     """
     room = LARGEST
     try:
-        with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz") as tar:
+        with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz", tarinfo=archives.Entry) as tar:
             for member in tar:
-                if tar.offset > LARGEST:
+                if tar.offset > LARGEST or member.size > LARGEST:
                     raise ValueError(f"it has more than {LARGEST >> 20} MiB")
                 stream = tar.extractfile(member) if member.isreg() and _PATH.fullmatch(member.name) else None
                 if stream:

@@ -11,6 +11,20 @@ SECRET = (".git", ".env")
 """Files and folders that stay on the caller's machine, at any depth of a repository."""
 
 
+def require_own(path: Path, root: Path) -> None:
+    """Checks that a path is of the repository, wherever links lead, whether something is there or not.
+
+    Raises:
+        RosmlError: it leads out of the repository, or to what is secret (exit code 2).
+    """
+    real, top = Path(os.path.realpath(path)), os.path.realpath(root)
+    if not real.is_relative_to(top):
+        raise RosmlError(f"{path} leads out of {root}", "put what it names into the repository", exit_code=2)
+    if any(part in SECRET for part in real.relative_to(top).parts):
+        text = f"{path} leads to {real.relative_to(top)}, which gets into no image and no step of a build"
+        raise RosmlError(text, "name another file", exit_code=2)
+
+
 def there(path: Path, root: Path, folder: bool = False) -> bool:
     """Whether a repository has a file, or a folder, at a path.
 
@@ -20,14 +34,11 @@ def there(path: Path, root: Path, folder: bool = False) -> bool:
     """
     if not os.path.lexists(path):
         return False
-    real, top = Path(os.path.realpath(path)), os.path.realpath(root)
-    if not real.is_relative_to(top):
-        raise RosmlError(f"{path} leads out of {root}", "put what it names into the repository", exit_code=2)
-    if any(part in SECRET for part in real.relative_to(top).parts):
-        text = f"{path} leads to {real.relative_to(top)}, which gets into no image and no step of a build"
-        raise RosmlError(text, "name another file", exit_code=2)
+    require_own(path, root)
     if not path.exists():
         raise RosmlError(f"{path}: a link to nothing", "correct the link, or remove it", exit_code=2)
+    if not path.is_dir() and not path.is_file():
+        raise RosmlError(f"{path}: it is neither a file nor a folder", "put a file in its place", exit_code=2)
     if path.is_dir() != folder:
         kinds = ("a file", "a folder") if folder else ("a folder", "a file")
         raise RosmlError(

@@ -88,6 +88,16 @@ def _staged(file: Path, content: str) -> Path:
     return Path(name)
 
 
+def limited(file: Path, most: int) -> bytes:
+    """What a file holds, up to one byte more than it may have: whoever reads it refuses that.
+
+    Raises:
+        OSError: it cannot be read.
+    """
+    with file.open("rb") as stream:
+        return stream.read(most + 1)
+
+
 def regular(file: Path, most: int) -> bytes | None:
     """What a file holds that somebody else may have written; None if there is none.
 
@@ -103,14 +113,14 @@ def regular(file: Path, most: int) -> bytes | None:
         return None
     except OSError as error:
         reason = "it is a link" if error.errno == errno.ELOOP else error.strerror
-        raise RosmlError(f"{shown(file)}: cannot be read: {reason}", "put a file in its place") from None
+        raise RosmlError(f"{shown(file)}: cannot be read: {reason}", "put a file in its place", 2) from None
     with os.fdopen(descriptor, "rb") as stream:
         facts = os.fstat(descriptor)
         if not stat.S_ISREG(facts.st_mode):
-            raise RosmlError(f"{shown(file)}: cannot be read: it is no file", "put a file in its place")
+            raise RosmlError(f"{shown(file)}: cannot be read: it is no file", "put a file in its place", 2)
         content = stream.read(most + 1)
     if len(content) > most:
-        raise RosmlError(f"{shown(file)}: has more than {most:,} bytes", "put a smaller file in its place")
+        raise RosmlError(f"{shown(file)}: has more than {most:,} bytes", "put a smaller file in its place", 2)
     return content
 
 

@@ -19,9 +19,9 @@ import zlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any, Self, cast
+from typing import IO, Any, cast
 
-from rosml.base import files, untrusted
+from rosml.base import archives, files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.machine import base_images
 from rosml.machine.services import Services
@@ -225,7 +225,7 @@ def read_layer(registry: Registry, place: oci.Reference, layer: Descriptor) -> t
         try:
             with (
                 _unpacked(blocks, layer.mediaType) as stream,
-                tarfile.open(fileobj=stream, mode="r|", tarinfo=_TarInfo) as archive,
+                tarfile.open(fileobj=stream, mode="r|", tarinfo=archives.Entry) as archive,
             ):
                 found, whole = _found(archive)
             for _ in blocks if whole else ():  # to the end, where the digest is checked
@@ -238,19 +238,6 @@ def read_layer(registry: Registry, place: oci.Reference, layer: Descriptor) -> t
             ) from None
 
     return registry.read_blob(place.repository, layer.digest, read, layer.size)
-
-
-class _TarInfo(tarfile.TarInfo):
-    """An entry that is an error where it is damaged: tarfile takes that for the end."""
-
-    @classmethod
-    def fromtarfile(cls, archive: tarfile.TarFile) -> Self:
-        try:
-            return super().fromtarfile(archive)
-        except tarfile.HeaderError as error:
-            if type(error).__name__ in ("InvalidHeaderError", "TruncatedHeaderError"):
-                raise tarfile.ReadError(str(error)) from None
-            raise
 
 
 def _found(archive: tarfile.TarFile) -> tuple[tuple[Texts, set[str]], bool]:

@@ -7,12 +7,14 @@ as well. So the builder hands out an archive (`type=tar`), and this module write
 
 from __future__ import annotations
 
+import errno
 import shutil
 import tarfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
+from rosml.base import archives
 from rosml.base.errors import RosmlError
 
 MEGABYTE = 1 << 20
@@ -76,7 +78,7 @@ def unpack(
     refused: dict[str, str] = {}
     count = total = 0
     try:
-        with tarfile.open(archive, "r:", errors="surrogateescape") as entries:
+        with tarfile.open(archive, "r:", tarinfo=archives.Entry, errors="surrogateescape") as entries:
             for entry in entries:
                 count += 1
                 if count > limits.entries:
@@ -95,14 +97,26 @@ def unpack(
                     raise RosmlError(text, "have its tests write less")
                 stream = entries.extractfile(entry)
                 assert stream is not None, "it is a regular file"
-                place = folder / path
-                place.parent.mkdir(parents=True, exist_ok=True)
-                place.write_bytes(stream.read(entry.size))
+                try:
+                    _put(folder / path, stream.read(entry.size))
+                except OSError as error:
+                    if error.errno not in _NAMES:
+                        raise
+                    refused[_shown(path)] = "there cannot be a file of that name"
     except FileNotFoundError:
         raise RosmlError(f"the build left no report in {archive}", "run it again") from None
     except (tarfile.TarError, EOFError, ValueError) as error:
         raise RosmlError(f"what the build left in {archive} is damaged: {error}", "run it again") from None
     return refused
+
+
+_NAMES = (errno.EEXIST, errno.EISDIR, errno.ELOOP, errno.ENAMETOOLONG, errno.ENOTDIR)
+"""What a system says of names that cannot be, and not of its disk."""
+
+
+def _put(place: Path, content: bytes) -> None:
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_bytes(content)
 
 
 def _refusal(entry: tarfile.TarInfo, path: PurePosixPath, limits: Limits) -> str:
