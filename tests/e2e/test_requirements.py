@@ -12,7 +12,7 @@ from rosml.images import load
 from rosml.machine.services import Services
 
 ROOT = Path(__file__).resolve().parents[2]
-FILES = sorted(file.name for file in (ROOT / "tools").glob("*.txt"))
+FILES = sorted(file.name for file in (ROOT / "tools").glob("*.txt") if "--hash=" in file.read_text())
 PLATFORMS = {
     name: architecture.wheels for name, architecture in load.load(ROOT / "matrix.yaml").matrix.architectures.items()
 }
