@@ -39,13 +39,6 @@ RELEASE = f"{PREFIX}release"
 """The label of a part that says what it is a release of."""
 
 
-def in_config(config: object) -> dict[str, str]:
-    """The labels in an image's config, whatever it has in their place: anybody may push anything."""
-    inner = config.get("config") if isinstance(config, dict) else None
-    found = inner.get("Labels") if isinstance(inner, dict) else None
-    return {name: text for name, text in found.items() if isinstance(text, str)} if isinstance(found, dict) else {}
-
-
 def named(
     distribution: str, component: str, ros: str, framework: str, stack: str | None, brought: Sequence[Brought]
 ) -> dict[str, str]:
