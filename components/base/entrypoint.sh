@@ -22,10 +22,21 @@ become() {
   exec setpriv "${ids[@]}" -- "$0" "$@"
 }
 
-# give FOLDER: it becomes the user's, with all in it that is root's. Whatever is mounted keeps its owner.
+# ordinary FOLDER: sets $folder to where it is, behind all links. Fails for a folder of the system, and for one that is not there.
+ordinary() {
+  folder=$(realpath --canonicalize-existing -- "$1" 2>/dev/null) || return 1
+  case $folder/ in
+    // | /home/ | /opt/ | /srv/ | /mnt/ | /media/ | /tmp/) return 1 ;;
+    /bin/* | /boot/* | /dev/* | /etc/* | /lib/* | /lib32/* | /lib64/* | /libx32/* | /proc/* | /root/* | /run/*) return 1 ;;
+    /sbin/* | /sys/* | /usr/* | /var/*) return 1 ;;
+  esac
+}
+
+# give FOLDER: it becomes the user's, with all in it that is root's. Whatever is mounted keeps its owner, and folders of the
+# system do, whatever link of an image leads there.
 give() {
   local errors folder point skipped=()
-  folder=$(realpath --canonicalize-existing -- "$1") || return 0
+  ordinary "$1" || return 0
   while read -r _ _ _ _ point _; do
     printf -v point %b "$point" # a space is \040 there
     if [[ $point != / && $folder/ == "${point%/}"/* ]]; then return; fi
@@ -44,25 +55,24 @@ give() {
 
 # give_workspace: the user owns it, and finds it as ~/ws.
 give_workspace() {
-  local workspace
-  workspace=$(realpath --canonicalize-existing -- "${WORKSPACE:-/docker-ros/ws}" 2>/dev/null) || return 0
-  case $workspace/ in
-    // | /home/ | /opt/ | /srv/ | /mnt/ | /media/ | /tmp/) return ;;
-    /bin/* | /boot/* | /dev/* | /etc/* | /lib/* | /lib32/* | /lib64/* | /libx32/* | /proc/* | /root/* | /run/*) return ;;
-    /sbin/* | /sys/* | /usr/* | /var/*) return ;;
-  esac
-  if [[ ! -e $home/ws && ! -L $home/ws && $home/ != "$workspace"/* && -w $home ]]; then
-    ln --symbolic "$workspace" "$home/ws"
+  local folder
+  ordinary "${WORKSPACE:-/docker-ros/ws}" || return 0
+  if [[ ! -e $home/ws && ! -L $home/ws && $home/ != "$folder"/* && -w $home ]]; then
+    ln --symbolic "$folder" "$home/ws"
   fi
-  give "$workspace"
+  give "$folder"
 }
 
 # give_home: a folder with what a new user has. Where something is mounted below it, the engine made it, for root. One that is
-# mounted itself stays as it is.
+# mounted itself stays as it is. One that is a link to a folder of the system is nobody's home.
 give_home() {
-  local file
+  local file folder
   if [[ -d $home && $(stat --format %u "$home") -eq $uid ]] || mountpoint --quiet "$home"; then return; fi
   mkdir --parents "$home" || fail "cannot make a home for the user $user" "the line above says why" 71
+  if ! ordinary "$home"; then
+    home=/tmp
+    return
+  fi
   for file in /etc/skel/.[!.]* /etc/skel/*; do
     if [[ -e $file && ! -e $home/${file##*/} ]]; then cp --recursive "$file" "$home"; fi
   done

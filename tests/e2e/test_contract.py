@@ -330,14 +330,15 @@ def test_a_home_with_something_mounted_in_it_becomes_the_users(container: Contai
 
 
 def test_homes_and_workspaces_in_odd_places(container: Container) -> None:
-    """A workspace whose name begins like a folder of the system; one that is the home; a home behind a link; a ~/ws that leads
-    nowhere."""
+    """A workspace whose name begins like a folder of the system; one that is the home; a home behind a link; a home that is a
+    link to a folder of the system, which stays root's; a ~/ws that leads nowhere."""
     user = "DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh bash -euc"
     for script in (
         f"mkdir /dev_ws; WORKSPACE=/dev_ws {user} 'touch /dev_ws/mine; test ~/ws -ef /dev_ws'",
         f"mkdir -p /home/dockeruser; WORKSPACE=/home/dockeruser {user} 'touch ~/mine; test ! -e ~/ws'",
         f"mkdir -p /srv/homes; rmdir /home; ln -s srv/homes /home; {user} 'cd; test -O .bashrc; touch mine'",
         f"mkdir -p /srv/mine; ln -s /srv/mine /home/dockeruser; {user} 'cd; test -O .bashrc; touch mine'",
+        f"ln -s /etc /home/dockeruser; {user} 'cd; touch mine; test $HOME = /tmp; test ! -O /etc; test ! -e /etc/.bashrc'",
         f"mkdir /home/dockeruser; ln -s /nowhere /home/dockeruser/ws; {user} 'cd; touch mine'",
         f"{user} 'rm -rf /docker-ros/ws/src; test -L ~/ws'; {user} 'cd; touch mine'",
     ):

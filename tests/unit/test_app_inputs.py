@@ -235,6 +235,9 @@ def test_lists_lose_comments_and_files_of_one_name_come_together(tmp_path: Path)
         (tmp_path / folder).mkdir(parents=True)
         (tmp_path / folder / "debs.txt").write_text(text)
     every = inputs.text_of(tmp_path, "docker/debs.txt", True, (tmp_path,))
+    assert inputs.lines_of("nano\u2028htop # a\u2028b\n") == ["nano\u2028htop"], (
+        "a line ends where git and apt see its end"
+    )
     assert inputs.lines_of(every) == ["htop", "nano"]
     assert inputs.lines_of(inputs.text_of(tmp_path, "a/debs.txt", False, (tmp_path,))) == ["htop"]
     assert inputs.text_of(tmp_path, "docker/debs.txt", False, (tmp_path,)) == ""

@@ -517,6 +517,24 @@ def test_without_a_list(place: Place) -> None:
         place.join(place.ros(), own[0], clashing, own[2], allow=True)
 
 
+def test_a_list_of_somebody_else_hides_no_file(place: Place) -> None:
+    own = [*place.stack(("cuda", "common")), place.put(part("torch", files=("usr/bin/env",)), "torch")]
+    where = oci.parse(own[-1])
+    index = place.registry.manifest(where.repository, where.reference)
+    assert index
+
+    def attach(data: bytes) -> None:
+        for member in index.members:
+            subject = {"mediaType": oci.IMAGE, "digest": member.digest, "size": member.size}
+            place.registry.attach(where.repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE)
+
+    for number in range(30, 33):  # one of them has a lower digest than the list of the part itself
+        attach(gzip.compress(f"usr/nothing/{number}".encode(), mtime=0))
+    assert "both carry /usr/bin/env" in place.refused(place.ros(), *own).message
+    attach(b"one more")
+    assert "has 5 lists of files" in place.refused(place.ros(), *own).message
+
+
 def test_lists_are_downloaded_once(place: Place) -> None:
     """However many images a run joins from the same ones."""
     images = [place.ros(), *place.stack()]

@@ -32,6 +32,9 @@ LONGEST = 4096
 MEMBERS = 100
 """Members of a gzip file. What rosml attaches has one."""
 
+ATTACHED = 4
+"""Most lists of one image. It has one, or one of each publisher."""
+
 _REMEDY = "attach it again: publish the image again"
 
 _MERGED = ("bin", "lib", "lib32", "lib64", "libx32", "sbin")
@@ -140,8 +143,16 @@ class Lists:
         entries = registry.referrers(repository, digest, ARTIFACT)
         if not entries:
             return None
-        # The same files may have been listed by two publishers: in any order, the same one is taken.
-        artifact = registry.manifest(repository, min(entry["digest"] for entry in entries))
-        if artifact is None or not artifact.layers:
-            return None
-        return Files.parse(unpacked(registry.part(repository, artifact.layers[0], PACKED)))
+        # Several publishers may have listed the same files. What any of them says counts, so that no list hides a file.
+        digests = {entry["digest"] for entry in entries}
+        if len(digests) > ATTACHED:
+            raise RosmlError(
+                f"{registry.host}/{repository}@{digest} has {len(digests)} lists of files",
+                "remove those that are not yours",
+            )
+        texts = []
+        for name in sorted(digests):
+            artifact = registry.manifest(repository, name)
+            if artifact and artifact.layers:
+                texts.append(unpacked(registry.part(repository, artifact.layers[0], PACKED)))
+        return Files.parse(b"\n".join(texts)) if texts else None
